@@ -1,0 +1,35 @@
+package tompkins.camera;
+
+import java.util.List;
+import org.joml.Vector3dc;
+import tompkins.ray.Ray;
+import tompkins.sceneobject.Primitive;
+import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.sceneobject.SceneObject;
+
+/** The surface on which a camera is focused: any scene object, at rest in the camera frame. */
+final class FocusSurface {
+
+    private final List<Primitive> primitives;
+
+    FocusSurface(SceneObject object) {
+        primitives = PrimitiveCollector.primitivesOf(object);
+    }
+
+    /**
+     * The inverse of the signed distance from the centre of the lens to the surface along a unit direction: of the nearest
+     * part in front, else of the nearest behind, 0 at infinity; NaN if the line misses the surface.
+     */
+    double inverseDistance(Vector3dc centre, Vector3dc direction) {
+        Ray line = Ray.fromCamera(centre.x(), centre.y(), centre.z(), direction.x(), direction.y(), direction.z(), 0);
+        double found = Double.NaN;
+        for (Primitive primitive : primitives) {
+            double inverse = primitive.inverseDistance(line);
+            boolean nearer = inverse > 0 ? !(found >= inverse) : !(found > 0 || found <= inverse);
+            if (Double.isFinite(inverse) && nearer) {
+                found = inverse;
+            }
+        }
+        return found;
+    }
+}

@@ -1,0 +1,151 @@
+package tompkins.camera;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.math.Vectors;
+import tompkins.property.Meaning;
+import tompkins.property.Require;
+import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
+import tompkins.shutter.AperturePlaneShutter;
+import tompkins.shutter.LensRay;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.SpaceTimeTransformation;
+
+/**
+ * A pinhole camera that sees in all directions: columns are even steps of longitude, rows even steps of latitude. Each pixel
+ * has a detector of its own straight behind the pinhole, and is focused at one distance.
+ */
+@Meaning("A pinhole camera that sees all around: columns are steps of longitude, rows steps of latitude")
+public record PanoramicCamera(
+        @Meaning(value = "The pinhole, in the camera frame", unit = "length")
+        Vector3dc position,
+
+        @Meaning("Direction of the middle of the picture, of any length")
+        Vector3dc viewDirection,
+
+        @Meaning("Direction that points up in the picture, as far as the view direction allows")
+        Vector3dc topDirection,
+
+        @Meaning(value = "Longitudes in the picture, at most 360", unit = "degrees")
+        double horizontalAngleDegrees,
+
+        @Meaning(value = "Latitudes in the picture, at most 180", unit = "degrees")
+        double verticalAngleDegrees,
+
+        @Meaning(value = "Distance in focus, for shutters that depend on it", unit = "length")
+        double focusDistance,
+
+        @Meaning(value = "Exposure compensation; 1 stop doubles the light", unit = "stops")
+        double exposureStops,
+
+        @Meaning("Where the shutter is and when it opens") Shutter shutter)
+        implements Camera {
+
+    /** The whole sky. */
+    public static final PanoramicCamera DEFAULT = new PanoramicCamera(
+            new Vector3d(),
+            new Vector3d(0, 0, 1),
+            new Vector3d(0, 1, 0),
+            360,
+            180,
+            10,
+            0,
+            AperturePlaneShutter.DEFAULT);
+
+    /** Checks all values. */
+    public PanoramicCamera {
+        position = Require.finite("position", position);
+        viewDirection = Require.direction("viewDirection", viewDirection);
+        topDirection = CameraAxes.requireTop(topDirection, viewDirection);
+        Require.positive("horizontalAngleDegrees", horizontalAngleDegrees);
+        Require.within("horizontalAngleDegrees", horizontalAngleDegrees, 0.0, 360.0);
+        Require.positive("verticalAngleDegrees", verticalAngleDegrees);
+        Require.within("verticalAngleDegrees", verticalAngleDegrees, 0.0, 180.0);
+        Require.positive("focusDistance", focusDistance);
+        Require.within("exposureStops", exposureStops, -100.0, 100.0);
+        Require.present("shutter", shutter);
+    }
+
+    @Override
+    public PanoramicCamera withShutter(Shutter newShutter) {
+        return new PanoramicCamera(
+                position,
+                viewDirection,
+                topDirection,
+                horizontalAngleDegrees,
+                verticalAngleDegrees,
+                focusDistance,
+                exposureStops,
+                newShutter);
+    }
+
+    @Override
+    public boolean hasWideLens() {
+        return false;
+    }
+
+    @Override
+    public LensRay centralRay(Vector3dc point) {
+        Vector3d toPoint = point.sub(position, new Vector3d());
+        Vector3d chief = Vectors.unit(toPoint);
+        return new LensRay(position, position, chief, 1 / toPoint.length(), chief);
+    }
+
+    @Override
+    public CameraRays rays(int width, int height, SpaceTimeTransformation sceneFromCamera) {
+        return new Rays(this, width, height, sceneFromCamera);
+    }
+
+    private static final class Rays implements CameraRays {
+
+        private final PanoramicCamera camera;
+        private final CameraAxes axes;
+        private final SpaceTimeTransformation sceneFromCamera;
+        private final double longitudePerPixel;
+        private final double latitudePerPixel;
+        private final double middleX;
+        private final double middleY;
+
+        Rays(PanoramicCamera camera, int width, int height, SpaceTimeTransformation sceneFromCamera) {
+            this.camera = camera;
+            this.sceneFromCamera = sceneFromCamera;
+            axes = CameraAxes.of(camera.viewDirection, camera.topDirection);
+            longitudePerPixel = Math.toRadians(camera.horizontalAngleDegrees) / width;
+            latitudePerPixel = Math.toRadians(camera.verticalAngleDegrees) / height;
+            middleX = width / 2.0;
+            middleY = height / 2.0;
+        }
+
+        @Override
+        public Vector3d chiefDirection(double x, double y) {
+            double longitude = (x - middleX) * longitudePerPixel;
+            double latitude = (middleY - y) * latitudePerPixel;
+            double level = Math.cos(latitude);
+            return new Vector3d(axes.forward())
+                    .mul(level * Math.cos(longitude))
+                    .add(new Vector3d(axes.right()).mul(level * Math.sin(longitude)))
+                    .add(new Vector3d(axes.up()).mul(Math.sin(latitude)));
+        }
+
+        @Override
+        public Ray ray(double x, double y, double lensX, double lensY, RayCounts counts) {
+            Vector3d chief = chiefDirection(x, y);
+            LensRay lensRay = new LensRay(camera.position, camera.position, chief, 1 / camera.focusDistance, chief);
+            double time = camera.shutter.transmissionTime(lensRay, sceneFromCamera);
+            if (!Double.isFinite(time)) {
+                counts.withoutShutter++;
+                return null;
+            }
+            return Ray.fromCamera(
+                    camera.position.x(),
+                    camera.position.y(),
+                    camera.position.z(),
+                    chief.x,
+                    chief.y,
+                    chief.z,
+                    time,
+                    latitudePerPixel);
+        }
+    }
+}

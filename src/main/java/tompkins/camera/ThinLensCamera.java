@@ -1,0 +1,111 @@
+package tompkins.camera;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.math.Vectors;
+import tompkins.property.InvalidPropertyException;
+import tompkins.property.Meaning;
+import tompkins.property.Require;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.SceneObject;
+import tompkins.shutter.AperturePlaneShutter;
+import tompkins.shutter.LensRay;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.SpaceTimeTransformation;
+import tompkins.surface.ColouredSurface;
+
+/** A camera with an ideal thin lens, or with a pinhole if the aperture radius is 0. */
+@Meaning("A camera with an ideal thin lens, or with a pinhole if the aperture radius is 0")
+public record ThinLensCamera(
+        @Meaning(value = "Centre of the lens, in the camera frame", unit = "length")
+        Vector3dc position,
+
+        @Meaning("Direction in which the camera looks, of any length")
+        Vector3dc viewDirection,
+
+        @Meaning("Direction that points up in the picture, as far as the view direction allows")
+        Vector3dc topDirection,
+
+        @Meaning(value = "Angle between the left and the right edge of the picture, below 180", unit = "degrees")
+        double horizontalAngleDegrees,
+
+        @Meaning(value = "Angle between the upper and the lower edge; 0 gives square pixels", unit = "degrees")
+        double verticalAngleDegrees,
+
+        @Meaning(value = "Radius of the aperture; 0 is a pinhole", unit = "length")
+        double apertureRadius,
+
+        @Meaning("The object on whose surface the camera is focused, at rest in the camera frame")
+        SceneObject focus,
+
+        @Meaning(value = "Exposure compensation; 1 stop doubles the light", unit = "stops")
+        double exposureStops,
+
+        @Meaning("Where the shutter is and when it opens") Shutter shutter)
+        implements Camera {
+
+    /** The pinhole camera of the paper: 20 degrees wide, focused on the plane z = 10. */
+    public static final ThinLensCamera DEFAULT = new ThinLensCamera(
+            new Vector3d(),
+            new Vector3d(0, 0, 1),
+            new Vector3d(0, 1, 0),
+            20,
+            0,
+            0,
+            new Plane("focus", new Vector3d(0, 0, 10), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT),
+            0,
+            AperturePlaneShutter.DEFAULT);
+
+    /** Checks all values; a plane in focus must not pass through the lens centre. */
+    public ThinLensCamera {
+        position = Require.finite("position", position);
+        viewDirection = Require.direction("viewDirection", viewDirection);
+        topDirection = CameraAxes.requireTop(topDirection, viewDirection);
+        Require.between("horizontalAngleDegrees", horizontalAngleDegrees, 0, 180);
+        if (verticalAngleDegrees != 0) {
+            Require.between("verticalAngleDegrees", verticalAngleDegrees, 0, 180);
+        }
+        Require.notNegative("apertureRadius", apertureRadius);
+        Require.present("focus", focus);
+        if (focus instanceof Plane plane
+                && plane.point().sub(position, new Vector3d()).dot(plane.normal()) == 0) {
+            throw new InvalidPropertyException(
+                    "focus",
+                    "a surface that does not pass through the lens centre " + Require.text(position),
+                    plane.description());
+        }
+        Require.within("exposureStops", exposureStops, -100.0, 100.0);
+        Require.present("shutter", shutter);
+    }
+
+    @Override
+    public ThinLensCamera withShutter(Shutter newShutter) {
+        return new ThinLensCamera(
+                position,
+                viewDirection,
+                topDirection,
+                horizontalAngleDegrees,
+                verticalAngleDegrees,
+                apertureRadius,
+                focus,
+                exposureStops,
+                newShutter);
+    }
+
+    @Override
+    public boolean hasWideLens() {
+        return apertureRadius > 0;
+    }
+
+    @Override
+    public LensRay centralRay(Vector3dc point) {
+        Vector3d toPoint = point.sub(position, new Vector3d());
+        Vector3d forward = Vectors.unit(viewDirection);
+        return new LensRay(position, position, Vectors.unit(toPoint), 1 / toPoint.length(), forward);
+    }
+
+    @Override
+    public CameraRays rays(int width, int height, SpaceTimeTransformation sceneFromCamera) {
+        return new ThinLensRays(this, width, height, sceneFromCamera);
+    }
+}

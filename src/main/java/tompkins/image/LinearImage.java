@@ -1,0 +1,4 @@
+package tompkins.image;
+
+/** Temporary. */
+public record LinearImage(int width, int height, float[] rgb) {}

@@ -1,0 +1,7 @@
+package tompkins.image;
+
+/** Temporary. */
+public enum ToneCurve {
+    LINEAR,
+    SRGB
+}

@@ -1,0 +1,31 @@
+package tompkins.light;
+
+import org.joml.Vector3dc;
+import tompkins.property.Meaning;
+import tompkins.ray.Colour;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+
+/** Light that comes evenly from everywhere, without shadows. */
+@Meaning("Light that comes evenly from everywhere, without shadows")
+public record AmbientLight(
+        @Meaning("Colour and brightness of the light") Colour colour) implements LightSource {
+
+    /** A dim white. */
+    public static final AmbientLight DEFAULT = new AmbientLight(Colour.grey(0.2));
+
+    /** Checks the colour. */
+    public AmbientLight {
+        Colour.required("colour", colour);
+    }
+
+    @Override
+    public Colour reflected(Ray ray, Hit hit, Colour diffuse, Colour specular, Visibility visibility) {
+        return diffuse.times(colour);
+    }
+
+    @Override
+    public LightSource seenFrom(Vector3dc origin) {
+        return this;
+    }
+}

@@ -1,0 +1,74 @@
+package tompkins.light;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.property.Meaning;
+import tompkins.property.Require;
+import tompkins.ray.Colour;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+
+/**
+ * A small bright light that throws sharp shadows and highlights and does not fade with distance. The reflected light is
+ * the sum of a diffuse part, proportional to the cosine between normal and light, and a highlight, a power of the cosine
+ * between the mirrored light and the ray (Phong's model).
+ */
+@Meaning("A small bright light that throws sharp shadows and highlights and does not fade with distance")
+public record PointLight(
+        @Meaning(value = "Where the light is", unit = "length")
+        Vector3dc position,
+
+        @Meaning("Colour and brightness of the light on dull surfaces")
+        Colour colour,
+
+        @Meaning("Colour and brightness of the highlights on shiny surfaces")
+        Colour highlightColour,
+
+        @Meaning("How small the highlights are: the power of the cosine")
+        double highlightExponent)
+        implements LightSource {
+
+    /** A white light behind, above and to the right of the camera. */
+    public static final PointLight DEFAULT =
+            new PointLight(new Vector3d(100, 300, -500), Colour.WHITE, Colour.WHITE, 40);
+
+    /** Checks all values. */
+    public PointLight {
+        position = Require.finite("position", position);
+        Colour.required("colour", colour);
+        Colour.required("highlightColour", highlightColour);
+        Require.notNegative("highlightExponent", highlightExponent);
+    }
+
+    @Override
+    public Colour reflected(Ray ray, Hit hit, Colour diffuse, Colour specular, Visibility visibility) {
+        double lx = position.x() - hit.x;
+        double ly = position.y() - hit.y;
+        double lz = position.z() - hit.z;
+        double lightAlongNormal = lx * hit.normalX + ly * hit.normalY + lz * hit.normalZ;
+        boolean behind = lightAlongNormal * hit.cosine(ray) > 0;
+        if (behind || !visibility.isClear(hit, position.x(), position.y(), position.z())) {
+            return Colour.BLACK;
+        }
+        double distance = Math.sqrt(lx * lx + ly * ly + lz * lz);
+        if (distance == 0) {
+            return Colour.BLACK;
+        }
+        Colour dull = diffuse.times(colour).times(Math.abs(lightAlongNormal) / distance);
+        // the light mirrored at the surface, pointing into it as the ray does
+        double mx = lx - 2 * lightAlongNormal * hit.normalX;
+        double my = ly - 2 * lightAlongNormal * hit.normalY;
+        double mz = lz - 2 * lightAlongNormal * hit.normalZ;
+        double mirrored = mx * ray.dx + my * ray.dy + mz * ray.dz;
+        if (mirrored <= 0) {
+            return dull;
+        }
+        double cosine = Math.min(1, mirrored / Math.sqrt(mx * mx + my * my + mz * mz));
+        return dull.plus(specular.times(highlightColour).times(Math.pow(cosine, highlightExponent)));
+    }
+
+    @Override
+    public LightSource seenFrom(Vector3dc origin) {
+        return new PointLight(position.sub(origin, new Vector3d()), colour, highlightColour, highlightExponent);
+    }
+}

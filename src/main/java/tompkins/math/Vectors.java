@@ -1,0 +1,62 @@
+package tompkins.math;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/** Unit vectors and bases, safe for vectors of any length. */
+public final class Vectors {
+
+    private Vectors() {}
+
+    /**
+     * The unit vector along a vector.
+     *
+     * @throws ArithmeticException for the zero vector and for vectors that are not finite
+     */
+    public static Vector3d unit(Vector3dc vector) {
+        double scale = Math.max(Math.abs(vector.x()), Math.max(Math.abs(vector.y()), Math.abs(vector.z())));
+        if (!(scale > 0 && scale < Double.POSITIVE_INFINITY)) {
+            throw new ArithmeticException("no direction: " + vector.x() + ", " + vector.y() + ", " + vector.z());
+        }
+        // a power of two, so that scaling is exact
+        double power = Math.scalb(1.0, -Math.max(-1022, Math.min(1022, Math.getExponent(scale))));
+        double x = vector.x() * power;
+        double y = vector.y() * power;
+        double z = vector.z() * power;
+        double length = Math.sqrt(x * x + y * y + z * z);
+        return new Vector3d(x / length, y / length, z / length);
+    }
+
+    /**
+     * A unit vector perpendicular to {@code normal}: the x axis laid into the plane, or the z axis where the plane stands
+     * across x. A floor (normal along y) therefore has x and z as its axes.
+     *
+     * @param normal unit vector
+     */
+    public static Vector3d firstAxis(Vector3dc normal) {
+        Vector3d axis = Math.abs(normal.x()) < 0.9 ? new Vector3d(1, 0, 0) : new Vector3d(0, 0, 1);
+        double along = axis.dot(normal);
+        return unit(axis.sub(normal.x() * along, normal.y() * along, normal.z() * along));
+    }
+
+    /**
+     * The unit vector perpendicular to {@code normal} and {@code first} whose largest component is positive.
+     *
+     * @param normal unit vector
+     * @param first unit vector perpendicular to the normal
+     */
+    public static Vector3d secondAxis(Vector3dc normal, Vector3dc first) {
+        Vector3d axis = normal.cross(first, new Vector3d());
+        double largest = axis.get(axis.maxComponent());
+        // adding 0 turns -0 into 0
+        return (largest < 0 ? axis.negate() : axis).add(0, 0, 0);
+    }
+
+    /** The cross product with each component right to 2 u, also for vectors that are nearly parallel. */
+    public static Vector3d cross(Vector3dc a, Vector3dc b) {
+        return new Vector3d(
+                Precise.differenceOfProducts(a.y(), b.z(), a.z(), b.y()),
+                Precise.differenceOfProducts(a.z(), b.x(), a.x(), b.z()),
+                Precise.differenceOfProducts(a.x(), b.y(), a.y(), b.x()));
+    }
+}

@@ -1,0 +1,26 @@
+package tompkins.property;
+
+/** A property has a value that it must not have. The message names the property, what is allowed, and the value. */
+public final class InvalidPropertyException extends IllegalArgumentException {
+
+    private static final long serialVersionUID = 1;
+
+    private final String property;
+
+    /**
+     * Describes one wrong value.
+     *
+     * @param property name of the property, as in the scene file
+     * @param allowed what is allowed, continuing the sentence "(property) must be ..."
+     * @param value the value that was given
+     */
+    public InvalidPropertyException(String property, String allowed, Object value) {
+        super(property + " must be " + allowed + ", was " + value);
+        this.property = property;
+    }
+
+    /** The name of the property that is wrong, as in the scene file. */
+    public String property() {
+        return property;
+    }
+}

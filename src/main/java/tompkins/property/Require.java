@@ -1,0 +1,112 @@
+package tompkins.property;
+
+import java.util.List;
+import java.util.Objects;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/**
+ * Checks of values in the constructors of descriptions. Each method returns the value that it accepts and throws
+ * {@link InvalidPropertyException} for one that it does not; NaN and infinity are never accepted.
+ */
+public final class Require {
+
+    private Require() {}
+
+    /** Any finite number. */
+    public static double finite(String property, double value) {
+        return check(Double.isFinite(value), property, "a finite number", value);
+    }
+
+    /** A finite number above 0. */
+    public static double positive(String property, double value) {
+        return check(value > 0 && Double.isFinite(value), property, "a finite number above 0", value);
+    }
+
+    /** A finite number, 0 or above. */
+    public static double notNegative(String property, double value) {
+        return check(value >= 0 && Double.isFinite(value), property, "a finite number, 0 or above", value);
+    }
+
+    /** A number from {@code minimum} to {@code maximum}, both included. */
+    public static double within(String property, double value, double minimum, double maximum) {
+        return check(
+                value >= minimum && value <= maximum,
+                property,
+                "from " + plain(minimum) + " to " + plain(maximum),
+                value);
+    }
+
+    /** A number between {@code minimum} and {@code maximum}, both excluded. */
+    public static double between(String property, double value, double minimum, double maximum) {
+        return check(
+                value > minimum && value < maximum,
+                property,
+                "above " + plain(minimum) + " and below " + plain(maximum),
+                value);
+    }
+
+    /** A whole number from {@code minimum} to {@code maximum}, both included. */
+    public static int within(String property, int value, int minimum, int maximum) {
+        if (value < minimum || value > maximum) {
+            throw new InvalidPropertyException(property, "a whole number from " + minimum + " to " + maximum, value);
+        }
+        return value;
+    }
+
+    /** A vector of three finite numbers; returns a copy that nobody else can change. */
+    public static Vector3dc finite(String property, Vector3dc value) {
+        if (value == null || !value.isFinite()) {
+            throw new InvalidPropertyException(property, "three finite numbers", text(value));
+        }
+        return new Vector3d(value);
+    }
+
+    /** A vector of three finite numbers that are not all 0; returns a copy that nobody else can change. */
+    public static Vector3dc direction(String property, Vector3dc value) {
+        Vector3dc copy = finite(property, value);
+        if (largestComponent(copy) == 0) {
+            throw new InvalidPropertyException(property, "a direction, not the zero vector", text(copy));
+        }
+        return copy;
+    }
+
+    /** Something, not null. */
+    public static <T> T present(String property, T value) {
+        if (value == null) {
+            throw new InvalidPropertyException(property, "given", "missing");
+        }
+        return value;
+    }
+
+    /** A list without gaps; returns a copy that nobody else can change. */
+    public static <T> List<T> list(String property, List<T> value) {
+        present(property, value);
+        if (value.stream().anyMatch(Objects::isNull)) {
+            throw new InvalidPropertyException(property, "a list without empty places", "null");
+        }
+        return List.copyOf(value);
+    }
+
+    /** The vector as a scene file writes it: {@code [x, y, z]} with all digits. */
+    public static String text(Vector3dc vector) {
+        return vector == null ? "missing" : "[" + vector.x() + ", " + vector.y() + ", " + vector.z() + "]";
+    }
+
+    private static double largestComponent(Vector3dc vector) {
+        return Math.max(Math.abs(vector.x()), Math.max(Math.abs(vector.y()), Math.abs(vector.z())));
+    }
+
+    private static double check(boolean allowed, String property, String what, double value) {
+        if (!allowed) {
+            throw new InvalidPropertyException(property, what, value);
+        }
+        return value;
+    }
+
+    private static String plain(double value) {
+        return value == Math.rint(value) && Math.abs(value) < 1e9
+                ? Long.toString((long) value)
+                : Double.toString(value);
+    }
+}

@@ -1,0 +1,67 @@
+package tompkins.ray;
+
+import tompkins.property.Require;
+
+/**
+ * A colour in linear light: white is (1, 1, 1), values above 1 are brighter than the picture can show.
+ *
+ * @param red from 0 upwards
+ * @param green from 0 upwards
+ * @param blue from 0 upwards
+ */
+public record Colour(double red, double green, double blue) {
+
+    /** No light. */
+    public static final Colour BLACK = new Colour(0, 0, 0);
+
+    /** The brightest colour of the picture. */
+    public static final Colour WHITE = new Colour(1, 1, 1);
+
+    /** The same value in all channels. */
+    public static Colour grey(double value) {
+        return new Colour(value, value, value);
+    }
+
+    /**
+     * The colour, if a description may use it.
+     *
+     * @throws tompkins.property.InvalidPropertyException if it is missing, or a channel is negative or not finite
+     */
+    public static Colour required(String property, Colour colour) {
+        Require.present(property, colour);
+        Require.notNegative(property + " (red)", colour.red);
+        Require.notNegative(property + " (green)", colour.green);
+        Require.notNegative(property + " (blue)", colour.blue);
+        return colour;
+    }
+
+    /** The sum, channel by channel. */
+    public Colour plus(Colour other) {
+        return new Colour(red + other.red, green + other.green, blue + other.blue);
+    }
+
+    /** The product, channel by channel. */
+    public Colour times(Colour other) {
+        return new Colour(red * other.red, green * other.green, blue * other.blue);
+    }
+
+    /** All channels multiplied by one number. */
+    public Colour times(double factor) {
+        return new Colour(red * factor, green * factor, blue * factor);
+    }
+
+    /** {@code (1 - share)} of this colour and {@code share} of the other. */
+    public Colour mixedWith(Colour other, double share) {
+        return share == 0 ? this : share == 1 ? other : times(1 - share).plus(other.times(share));
+    }
+
+    /** The brightest channel. */
+    public double brightest() {
+        return Math.max(red, Math.max(green, blue));
+    }
+
+    /** Whether all channels are numbers that a picture can hold. */
+    public boolean isFinite() {
+        return Double.isFinite(red + green + blue);
+    }
+}

@@ -1,0 +1,92 @@
+package tompkins.ray;
+
+import java.util.Arrays;
+
+/**
+ * A picture as numbers, with the file that it came from. Pixels are red, green, blue, opacity; row 0 is at the top.
+ * Immutable: the arrays are handed over and must not be changed afterwards.
+ */
+public final class PixelPicture {
+
+    /** One white pixel, for descriptions that still need a picture. */
+    public static final PixelPicture WHITE = new PixelPicture("", 1, 1, new float[] {1, 1, 1, 1}, new byte[0]);
+
+    private final String name;
+    private final int width;
+    private final int height;
+    private final float[] rgba;
+    private final byte[] file;
+
+    /**
+     * A picture of {@code width} by {@code height} pixels.
+     *
+     * @param name the file's name, as the scene file writes it
+     * @param rgba four numbers a pixel, colours not multiplied by the opacity
+     * @param file the bytes of the picture file
+     * @throws IllegalArgumentException if the number of values does not fit the size
+     */
+    public PixelPicture(String name, int width, int height, float[] rgba, byte[] file) {
+        if (width < 1 || height < 1 || (long) width * height * 4 != rgba.length) {
+            throw new IllegalArgumentException(
+                    name + ": " + rgba.length + " values do not fill " + width + " x " + height + " pixels");
+        }
+        this.name = name;
+        this.width = width;
+        this.height = height;
+        this.rgba = rgba;
+        this.file = file;
+    }
+
+    /** The file's name, as the scene file writes it. */
+    public String name() {
+        return name;
+    }
+
+    /** Pixels in a row. */
+    public int width() {
+        return width;
+    }
+
+    /** Number of rows. */
+    public int height() {
+        return height;
+    }
+
+    /** A copy of the file's bytes. */
+    public byte[] file() {
+        return file.clone();
+    }
+
+    /** The colour of the pixel that holds (u, v): u from 0 at the left to 1, v from 0 at the bottom to 1. */
+    public Colour colour(double u, double v) {
+        int index = index(u, v);
+        return new Colour(rgba[index], rgba[index + 1], rgba[index + 2]);
+    }
+
+    /** Whether (u, v) lies on a dark and opaque pixel: opacity at least 1/2, blue below 1/2. */
+    public boolean isDark(double u, double v) {
+        int index = index(u, v);
+        return rgba[index + 3] >= 0.5f && rgba[index + 2] < 0.498f;
+    }
+
+    private int index(double u, double v) {
+        int column = Math.max(0, Math.min(width - 1, (int) (u * width)));
+        int row = Math.max(0, Math.min(height - 1, (int) ((1 - v) * height)));
+        return 4 * (row * width + column);
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof PixelPicture picture && name.equals(picture.name) && Arrays.equals(file, picture.file);
+    }
+
+    @Override
+    public int hashCode() {
+        return name.hashCode() * 31 + Arrays.hashCode(file);
+    }
+
+    @Override
+    public String toString() {
+        return name + " (" + width + " x " + height + ")";
+    }
+}

@@ -1,0 +1,41 @@
+package tompkins.ray;
+
+/** Counts what happened to the rays of one thread. Nothing that goes wrong is painted; it is counted here. */
+public final class RayCounts {
+
+    /** Samples that were started at the camera. */
+    public long samples;
+
+    /** Rays that were followed, those from the camera included. */
+    public long rays;
+
+    /** Tests whether a light is visible. */
+    public long shadowRays;
+
+    /** Samples whose chief ray misses the surface on which the camera is focused; they were focused at infinity. */
+    public long withoutFocus;
+
+    /** Samples that never cross the shutter, or only at infinity; they stayed black. */
+    public long withoutShutter;
+
+    /** Samples whose colour was no finite number; they stayed black. */
+    public long notFinite;
+
+    /** Rays that were ended because they had met too many surfaces. */
+    public long tooDeep;
+
+    /** Rays that were ended because they could bring less than 1/1024 of the light. */
+    public long tooFaint;
+
+    /** Adds the counts of another thread. */
+    public void add(RayCounts other) {
+        samples += other.samples;
+        rays += other.rays;
+        shadowRays += other.shadowRays;
+        withoutFocus += other.withoutFocus;
+        withoutShutter += other.withoutShutter;
+        notFinite += other.notFinite;
+        tooDeep += other.tooDeep;
+        tooFaint += other.tooFaint;
+    }
+}

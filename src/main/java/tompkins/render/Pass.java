@@ -1,0 +1,52 @@
+package tompkins.render;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * One pass over the picture. Coarse passes take the first sample of every 8th, 4th, 2nd pixel in both directions, and each
+ * leaves out what the coarser ones took; later passes take further samples of all pixels.
+ *
+ * @param stride distance between pixels, 1 for all of them
+ * @param coarserStride stride of the pass before this one, or 0 if this is the first
+ * @param firstSample number of the first sample
+ * @param samples samples for each pixel
+ */
+record Pass(int stride, int coarserStride, int firstSample, int samples) {
+
+    private static final int COARSEST = 8;
+
+    private static final int MOST_SAMPLES = 64;
+
+    /**
+     * The passes that take the given number of samples: 1, 1, 2, 4, ... for each pixel, at most 64 at a time.
+     *
+     * @param coarseFirst whether the first one is taken coarse to fine
+     */
+    static List<Pass> of(int samples, boolean coarseFirst) {
+        List<Pass> passes = new ArrayList<>();
+        int coarser = 0;
+        for (int stride = coarseFirst ? COARSEST : 1; stride >= 1; stride /= 2) {
+            passes.add(new Pass(stride, coarser, 0, 1));
+            coarser = stride;
+        }
+        int done = 1;
+        while (done < samples) {
+            int next = Math.min(Math.min(done, MOST_SAMPLES), samples - done);
+            passes.add(new Pass(1, 0, done, next));
+            done += next;
+        }
+        return passes;
+    }
+
+    /** Whether this pass takes samples of a pixel. */
+    boolean takes(int column, int row) {
+        return coarserStride == 0 || column % coarserStride != 0 || row % coarserStride != 0;
+    }
+
+    /** The share of the pixels that this pass takes, times its samples. */
+    double work() {
+        double share = 1.0 / (stride * stride);
+        return samples * (coarserStride == 0 ? share : share - 1.0 / (coarserStride * coarserStride));
+    }
+}

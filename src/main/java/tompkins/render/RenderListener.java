@@ -1,0 +1,17 @@
+package tompkins.render;
+
+/** Somebody who wants to know how a render goes on. Called by the threads of the renderer; must return quickly. */
+public interface RenderListener {
+
+    /** Nobody. */
+    RenderListener NONE = new RenderListener() {};
+
+    /** A tile of a pass is done; {@link RenderJob#progress()} has grown. */
+    default void tileDone(RenderJob job, Tile tile) {}
+
+    /** A pass over the whole picture is done; {@link RenderJob#image()} shows it. */
+    default void passDone(RenderJob job) {}
+
+    /** The job has ended: it is complete, was cancelled, or failed. */
+    default void ended(RenderJob job) {}
+}

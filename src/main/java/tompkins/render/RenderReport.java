@@ -1,0 +1,72 @@
+package tompkins.render;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import tompkins.ray.RayCounts;
+
+/**
+ * What a render did and what went wrong in it.
+ *
+ * @param samples samples that were taken
+ * @param rays rays that were followed, shadow rays not included
+ * @param shadowRays tests whether a light is visible
+ * @param withoutFocus samples whose chief ray misses the surface in focus; focused at infinity
+ * @param withoutShutter samples that never cross the shutter; black
+ * @param notFinite samples whose colour was no finite number; black
+ * @param tooDeep rays that were given up because of the recursion depth
+ * @param tooFaint rays that were given up because they could bring too little light
+ * @param nodes nodes of bounding-volume trees that were visited
+ * @param tests primitives that were tested
+ * @param time how long it took
+ */
+public record RenderReport(
+        long samples,
+        long rays,
+        long shadowRays,
+        long withoutFocus,
+        long withoutShutter,
+        long notFinite,
+        long tooDeep,
+        long tooFaint,
+        long nodes,
+        long tests,
+        Duration time) {
+
+    static RenderReport of(RayCounts counts, long nodes, long tests, Duration time) {
+        return new RenderReport(
+                counts.samples,
+                counts.rays,
+                counts.shadowRays,
+                counts.withoutFocus,
+                counts.withoutShutter,
+                counts.notFinite,
+                counts.tooDeep,
+                counts.tooFaint,
+                nodes,
+                tests,
+                time);
+    }
+
+    /** What the user should know: one sentence for each kind of trouble. */
+    public List<String> warnings() {
+        List<String> warnings = new ArrayList<>();
+        warn(warnings, withoutFocus, "missed the surface in focus and were focused at infinity");
+        warn(warnings, withoutShutter, "never crossed the shutter and stayed black");
+        warn(warnings, notFinite, "had no finite colour and stayed black");
+        if (tooDeep > 0) {
+            warnings.add(String.format(
+                    Locale.ROOT,
+                    "%d rays met more surfaces than maximumDepth allows; their light is missing",
+                    tooDeep));
+        }
+        return warnings;
+    }
+
+    private void warn(List<String> warnings, long count, String what) {
+        if (count > 0) {
+            warnings.add(String.format(Locale.ROOT, "%d of %d samples %s", count, samples, what));
+        }
+    }
+}

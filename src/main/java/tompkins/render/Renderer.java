@@ -1,0 +1,90 @@
+package tompkins.render;
+
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ThreadFactory;
+import java.util.concurrent.TimeUnit;
+import tompkins.trace.RenderPlan;
+
+/** A pool of threads that renders pictures, one after the other or several at a time. */
+public final class Renderer implements AutoCloseable {
+
+    /** Enough for the deepest recursion that surfaces ask for. */
+    private static final long STACK_BYTES = 16 << 20;
+
+    private final int threads;
+    private final ExecutorService pool;
+    private final Set<RenderJob> jobs = ConcurrentHashMap.newKeySet();
+
+    /** A renderer with one thread for each core. */
+    public Renderer() {
+        this(Runtime.getRuntime().availableProcessors());
+    }
+
+    /**
+     * A renderer with a number of threads.
+     *
+     * @throws IllegalArgumentException if there is less than one
+     */
+    public Renderer(int threads) {
+        if (threads < 1) {
+            throw new IllegalArgumentException("threads must be 1 or above, was " + threads);
+        }
+        this.threads = threads;
+        ThreadFactory factory = task -> {
+            Thread thread = new Thread(null, task, "tompkins-render", STACK_BYTES);
+            thread.setDaemon(true);
+            return thread;
+        };
+        pool = Executors.newFixedThreadPool(threads, factory);
+    }
+
+    /** Starts a picture from its plan. Returns at once. */
+    public RenderJob start(RenderPlan plan, RenderListener listener) {
+        return start(plan, false, listener);
+    }
+
+    /** Starts a picture for the window: the first sample of each pixel is taken coarse to fine. Returns at once. */
+    public RenderJob startCoarse(RenderPlan plan, RenderListener listener) {
+        return start(plan, true, listener);
+    }
+
+    private RenderJob start(RenderPlan plan, boolean coarseFirst, RenderListener listener) {
+        List<Pass> passes = Pass.of(plan.samples(), coarseFirst);
+        RenderJob job = new RenderJob(plan, passes, threads, listener, jobs::remove);
+        jobs.add(job);
+        try {
+            for (int worker = 0; worker < threads; worker++) {
+                pool.execute(job::work);
+            }
+        } catch (RejectedExecutionException closed) {
+            jobs.remove(job);
+            throw new IllegalStateException("the renderer is closed", closed);
+        }
+        return job;
+    }
+
+    /** Renders a picture and waits for it. */
+    public RenderJob render(RenderPlan plan) throws InterruptedException {
+        RenderJob job = start(plan, RenderListener.NONE);
+        job.await();
+        return job;
+    }
+
+    /** Ends all threads; jobs that still run end as cancelled. */
+    @Override
+    public void close() {
+        jobs.forEach(RenderJob::cancel);
+        // what no thread has begun ends here, so that nobody waits for it for ever
+        pool.shutdownNow().forEach(Runnable::run);
+        try {
+            pool.awaitTermination(1, TimeUnit.SECONDS);
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

@@ -1,0 +1,34 @@
+package tompkins.render;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/**
+ * A rectangle of pixels that one thread renders at a time.
+ *
+ * @param column first column
+ * @param row first row
+ * @param width number of columns
+ * @param height number of rows
+ */
+public record Tile(int column, int row, int width, int height) {
+
+    /** Width and height of a tile, away from the edges of the picture. */
+    static final int SIZE = 32;
+
+    /** The tiles of a picture, from the centre outwards. */
+    static List<Tile> of(int pictureWidth, int pictureHeight) {
+        List<Tile> tiles = new ArrayList<>();
+        for (int row = 0; row < pictureHeight; row += SIZE) {
+            for (int column = 0; column < pictureWidth; column += SIZE) {
+                tiles.add(new Tile(
+                        column, row, Math.min(SIZE, pictureWidth - column), Math.min(SIZE, pictureHeight - row)));
+            }
+        }
+        tiles.sort(Comparator.comparingDouble(tile -> Math.hypot(
+                tile.column + tile.width / 2.0 - pictureWidth / 2.0,
+                tile.row + tile.height / 2.0 - pictureHeight / 2.0)));
+        return tiles;
+    }
+}

@@ -1,0 +1,72 @@
+package tompkins.sceneobject;
+
+import org.joml.Vector3dc;
+
+/** A box along the axes that holds a primitive. */
+public record Bounds(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
+
+    /** Widening against rounding, relative to the largest coordinate. */
+    private static final double MARGIN = 1e-14;
+
+    /** The box around points. */
+    public static Bounds around(Vector3dc... points) {
+        Bounds all = at(points[0]);
+        for (Vector3dc point : points) {
+            all = all.with(at(point));
+        }
+        return all;
+    }
+
+    /** The box from {@code centre - half} to {@code centre + half}. */
+    public static Bounds around(Vector3dc centre, double halfX, double halfY, double halfZ) {
+        return new Bounds(
+                centre.x() - halfX,
+                centre.y() - halfY,
+                centre.z() - halfZ,
+                centre.x() + halfX,
+                centre.y() + halfY,
+                centre.z() + halfZ);
+    }
+
+    private static Bounds at(Vector3dc point) {
+        return around(point, 0, 0, 0);
+    }
+
+    /** The smallest box that holds this one and another. */
+    public Bounds with(Bounds other) {
+        return new Bounds(
+                Math.min(minX, other.minX),
+                Math.min(minY, other.minY),
+                Math.min(minZ, other.minZ),
+                Math.max(maxX, other.maxX),
+                Math.max(maxY, other.maxY),
+                Math.max(maxZ, other.maxZ));
+    }
+
+    /** This box, widened so that rounding in a ray's arithmetic cannot lose what touches its sides. */
+    public Bounds widened() {
+        double largest = 0;
+        for (double coordinate : new double[] {minX, minY, minZ, maxX, maxY, maxZ}) {
+            largest = Math.max(largest, Math.abs(coordinate));
+        }
+        double margin = largest * MARGIN;
+        return new Bounds(minX - margin, minY - margin, minZ - margin, maxX + margin, maxY + margin, maxZ + margin);
+    }
+
+    /** Half the area of the sides. */
+    public double halfArea() {
+        double x = maxX - minX;
+        double y = maxY - minY;
+        double z = maxZ - minZ;
+        return x * y + y * z + z * x;
+    }
+
+    /** Twice the coordinate of the centre along an axis (0, 1, 2). */
+    public double twiceCentre(int axis) {
+        return switch (axis) {
+            case 0 -> minX + maxX;
+            case 1 -> minY + maxY;
+            default -> minZ + maxZ;
+        };
+    }
+}

@@ -1,0 +1,120 @@
+package tompkins.sceneobject;
+
+import org.joml.Vector3d;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.SurfaceCoordinates;
+
+/** A box in space, of any orientation. Its parts are its faces: 2 axis for the lower one, 2 axis + 1 for the upper one. */
+final class BoxPrimitive extends Primitive {
+
+    private static final int NO_FACE = -1;
+
+    private final Vector3d centre;
+    private final Vector3d[] axes;
+    private final double[] half;
+
+    BoxPrimitive(Box box, Placement placement) {
+        super(box.description(), box.surface());
+        Vector3d size = box.to().sub(box.from(), new Vector3d());
+        centre = placement.point(box.from().add(size.x / 2, size.y / 2, size.z / 2, new Vector3d()));
+        axes = new Vector3d[] {
+            placement.direction(new Vector3d(1, 0, 0)),
+            placement.direction(new Vector3d(0, 1, 0)),
+            placement.direction(new Vector3d(0, 0, 1))
+        };
+        half = new double[] {
+            size.x / 2 * placement.scale(), size.y / 2 * placement.scale(), size.z / 2 * placement.scale()
+        };
+    }
+
+    /** A ray that starts on a face meets the box again only if it goes inwards, and then on another face. */
+    @Override
+    public double distance(Ray ray, double limit) {
+        int start = ray.boundary == this ? ray.part : NO_FACE;
+        double enter = Double.NEGATIVE_INFINITY;
+        double leave = Double.POSITIVE_INFINITY;
+        for (int axis = 0; axis < 3; axis++) {
+            double slope = along(axis, ray.dx, ray.dy, ray.dz);
+            double from = along(axis, ray.x - centre.x, ray.y - centre.y, ray.z - centre.z);
+            boolean startsHere = start == 2 * axis || start == 2 * axis + 1;
+            if (startsHere && (start % 2 == 0 ? slope <= 0 : slope >= 0)) {
+                return NO_HIT;
+            }
+            if (slope == 0) {
+                if (Math.abs(from) > half[axis]) {
+                    return NO_HIT;
+                }
+                continue;
+            }
+            double lower = (-half[axis] - from) / slope;
+            double upper = (half[axis] - from) / slope;
+            enter = Math.max(enter, startsHere ? 0 : Math.min(lower, upper));
+            leave = Math.min(leave, Math.max(lower, upper));
+        }
+        if (start != NO_FACE) {
+            return nearest(leave, 0, limit);
+        }
+        return enter <= leave ? nearest(enter, leave, limit) : NO_HIT;
+    }
+
+    private double along(int axis, double x, double y, double z) {
+        Vector3d unit = axes[axis];
+        return unit.x * x + unit.y * y + unit.z * z;
+    }
+
+    @Override
+    public Hit hit(Ray ray, double distance) {
+        double x = ray.x + distance * ray.dx - centre.x;
+        double y = ray.y + distance * ray.dy - centre.y;
+        double z = ray.z + distance * ray.dz - centre.z;
+        int face = NO_FACE;
+        double outermost = Double.NEGATIVE_INFINITY;
+        for (int axis = 0; axis < 3; axis++) {
+            double position = along(axis, x, y, z);
+            double depth = Math.abs(position) - half[axis];
+            if (depth > outermost) {
+                outermost = depth;
+                face = 2 * axis + (position > 0 ? 1 : 0);
+            }
+        }
+        Vector3d normal = axes[face / 2];
+        double side = face % 2 == 0 ? -1 : 1;
+        return new Hit(
+                ray,
+                distance,
+                side * normal.x,
+                side * normal.y,
+                side * normal.z,
+                this,
+                face,
+                surface().usesCoordinates() ? coordinates(face / 2, x, y, z) : null);
+    }
+
+    private SurfaceCoordinates coordinates(int axis, double x, double y, double z) {
+        int first = (axis + 1) % 3;
+        int second = (axis + 2) % 3;
+        double scaleU = 1 / (2 * half[first]);
+        double scaleV = 1 / (2 * half[second]);
+        return new SurfaceCoordinates(
+                along(first, x, y, z) * scaleU + 0.5,
+                along(second, x, y, z) * scaleV + 0.5,
+                axes[first].x * scaleU,
+                axes[first].y * scaleU,
+                axes[first].z * scaleU,
+                axes[second].x * scaleV,
+                axes[second].y * scaleV,
+                axes[second].z * scaleV);
+    }
+
+    @Override
+    public Bounds bounds() {
+        double[] reach = new double[3];
+        for (int component = 0; component < 3; component++) {
+            for (int axis = 0; axis < 3; axis++) {
+                reach[component] += Math.abs(axes[axis].get(component)) * half[axis];
+            }
+        }
+        return Bounds.around(centre, reach[0], reach[1], reach[2]);
+    }
+}

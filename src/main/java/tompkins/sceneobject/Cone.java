@@ -1,0 +1,51 @@
+package tompkins.sceneobject;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.property.Meaning;
+import tompkins.property.Require;
+import tompkins.surface.ColouredSurface;
+import tompkins.surface.Surface;
+
+/**
+ * A circular cone. Coordinates on the mantle: u once around, v from the tip (0) to the base (1); on the base as on a
+ * {@link Disc}.
+ */
+@Meaning("A circular cone; u runs once around, v from the tip (0) to the base (1)")
+public record Cone(
+        @Meaning("Name of the object") String description,
+        @Meaning(value = "The tip", unit = "length") Vector3dc tip,
+
+        @Meaning(value = "Centre of the base", unit = "length")
+        Vector3dc baseCentre,
+
+        @Meaning(value = "Radius of the base", unit = "length")
+        double baseRadius,
+
+        @Meaning("Whether a flat base closes the cone") boolean base,
+        @Meaning("What it looks like") Surface surface)
+        implements SceneObject {
+
+    /** An upright cone in front of the camera. */
+    public static final Cone DEFAULT =
+            new Cone("cone", new Vector3d(0, 1, 10), new Vector3d(0, -1, 10), 0.8, true, ColouredSurface.DEFAULT);
+
+    /** Checks all values; tip and base must differ. */
+    public Cone {
+        Require.present("description", description);
+        tip = Require.finite("tip", tip);
+        baseCentre = Require.finite("baseCentre", baseCentre);
+        Cylinder.requireDifferent("baseCentre", baseCentre, tip);
+        Require.positive("baseRadius", baseRadius);
+        Require.present("surface", surface);
+    }
+
+    @Override
+    public void addTo(PrimitiveCollector collector, Placement placement) {
+        collector.add(new ConePrimitive(this, placement));
+        if (base) {
+            Vector3d outwards = baseCentre.sub(tip, new Vector3d());
+            new Disc(description, baseCentre, outwards, baseRadius, surface).addTo(collector, placement);
+        }
+    }
+}

@@ -1,0 +1,114 @@
+package tompkins.sceneobject;
+
+import org.joml.Vector3d;
+import tompkins.math.Vectors;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.SurfaceCoordinates;
+
+/** The mantle of a cone in space. */
+final class ConePrimitive extends Primitive {
+
+    private final Vector3d tip;
+    private final Vector3d axis;
+    private final double height;
+    private final double baseRadius;
+    private final double slope;
+
+    ConePrimitive(Cone cone, Placement placement) {
+        super(cone.description(), cone.surface());
+        tip = placement.point(cone.tip());
+        Vector3d toBase = placement.vector(cone.baseCentre().sub(cone.tip(), new Vector3d()));
+        height = toBase.length();
+        axis = Vectors.unit(toBase);
+        baseRadius = cone.baseRadius() * placement.scale();
+        slope = baseRadius / height;
+    }
+
+    /** The points whose distance from the axis is {@code slope} times their height below the tip: a quadratic equation. */
+    @Override
+    public double distance(Ray ray, double limit) {
+        double wx = ray.x - tip.x;
+        double wy = ray.y - tip.y;
+        double wz = ray.z - tip.z;
+        double rayAlong = ray.dx * axis.x + ray.dy * axis.y + ray.dz * axis.z;
+        double startAlong = wx * axis.x + wy * axis.y + wz * axis.z;
+        double rayX = ray.dx - rayAlong * axis.x;
+        double rayY = ray.dy - rayAlong * axis.y;
+        double rayZ = ray.dz - rayAlong * axis.z;
+        double startX = wx - startAlong * axis.x;
+        double startY = wy - startAlong * axis.y;
+        double startZ = wz - startAlong * axis.z;
+        double across = Math.sqrt(rayX * rayX + rayY * rayY + rayZ * rayZ);
+        double from = Math.sqrt(startX * startX + startY * startY + startZ * startZ);
+        double a = (across - slope * rayAlong) * (across + slope * rayAlong);
+        double b = startX * rayX + startY * rayY + startZ * rayZ - slope * slope * startAlong * rayAlong;
+        double c = (from - slope * startAlong) * (from + slope * startAlong);
+        if (ray.boundary == this) {
+            return a == 0 ? NO_HIT : within(-2 * b / a, startAlong, rayAlong, limit);
+        }
+        double discriminant = b * b - a * c;
+        if (discriminant < 0) {
+            return NO_HIT;
+        }
+        double q = -(b + Math.copySign(Math.sqrt(discriminant), b));
+        double one = a == 0 ? NO_HIT : q / a;
+        double other = q == 0 ? NO_HIT : c / q;
+        double near = within(Math.min(one, other), startAlong, rayAlong, limit);
+        return near < NO_HIT ? near : within(Math.max(one, other), startAlong, rayAlong, limit);
+    }
+
+    private double within(double distance, double startAlong, double rayAlong, double limit) {
+        double along = startAlong + distance * rayAlong;
+        return distance > 0 && distance <= limit && along >= 0 && along <= height ? distance : NO_HIT;
+    }
+
+    @Override
+    public Hit hit(Ray ray, double distance) {
+        double x = ray.x - tip.x + distance * ray.dx;
+        double y = ray.y - tip.y + distance * ray.dy;
+        double z = ray.z - tip.z + distance * ray.dz;
+        double along = x * axis.x + y * axis.y + z * axis.z;
+        Vector3d radial = new Vector3d(x - along * axis.x, y - along * axis.y, z - along * axis.z);
+        double radius = radial.length();
+        if (radius > 0) {
+            radial.div(radius);
+        } else {
+            radial.set(Vectors.firstAxis(axis));
+        }
+        double steepness = 1 / Math.sqrt(1 + slope * slope);
+        Vector3d normal =
+                new Vector3d(radial).sub(new Vector3d(axis).mul(slope)).mul(steepness);
+        return new Hit(
+                ray,
+                distance,
+                normal.x,
+                normal.y,
+                normal.z,
+                this,
+                0,
+                surface().usesCoordinates() ? coordinates(radial, radius, along) : null);
+    }
+
+    private SurfaceCoordinates coordinates(Vector3d radial, double radius, double along) {
+        Vector3d first = Vectors.firstAxis(axis);
+        Vector3d second = axis.cross(first, new Vector3d());
+        double angle = Math.atan2(radial.dot(second), radial.dot(first));
+        double smallest = baseRadius * 1e-12;
+        Vector3d around = axis.cross(radial, new Vector3d()).div(2 * Math.PI * Math.max(radius, smallest));
+        Vector3d down = axis.div(height, new Vector3d());
+        return new SurfaceCoordinates(
+                angle / (2 * Math.PI) + 0.5, along / height, around.x, around.y, around.z, down.x, down.y, down.z);
+    }
+
+    @Override
+    public Bounds bounds() {
+        Vector3d centre = new Vector3d(axis).mul(height).add(tip);
+        return Bounds.around(
+                        centre,
+                        baseRadius * Math.hypot(axis.y, axis.z),
+                        baseRadius * Math.hypot(axis.z, axis.x),
+                        baseRadius * Math.hypot(axis.x, axis.y))
+                .with(Bounds.around(tip));
+    }
+}

@@ -1,0 +1,208 @@
+package tompkins.sceneobject;
+
+import org.joml.Vector3d;
+import tompkins.math.Precise;
+import tompkins.math.Vectors;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.SurfaceCoordinates;
+
+/**
+ * A cylinder in space, with or without caps. The axis is stored as it is, not as a unit vector, and its cross products with
+ * the ray are formed without cancellation: a ray that runs almost along the axis keeps all its digits.
+ */
+final class CylinderPrimitive extends Primitive {
+
+    private static final int MANTLE = 0;
+    private static final int START_CAP = 1;
+    private static final int END_CAP = 2;
+
+    private final double startX;
+    private final double startY;
+    private final double startZ;
+    private final double axisX;
+    private final double axisY;
+    private final double axisZ;
+    private final double squaredLength;
+    private final double length;
+    private final double radius;
+    private final boolean caps;
+
+    CylinderPrimitive(Cylinder cylinder, Placement placement) {
+        super(cylinder.description(), cylinder.surface());
+        Vector3d start = placement.point(cylinder.start());
+        Vector3d axis = placement.vector(cylinder.end().sub(cylinder.start(), new Vector3d()));
+        startX = start.x;
+        startY = start.y;
+        startZ = start.z;
+        axisX = axis.x;
+        axisY = axis.y;
+        axisZ = axis.z;
+        squaredLength = axis.lengthSquared();
+        length = axis.length();
+        radius = cylinder.radius() * placement.scale();
+        caps = cylinder.caps();
+    }
+
+    @Override
+    public double distance(Ray ray, double limit) {
+        double wx = ray.x - startX;
+        double wy = ray.y - startY;
+        double wz = ray.z - startZ;
+        // axis x direction: its length is |axis| sin(angle between them)
+        double crossX = Precise.differenceOfProducts(axisY, ray.dz, axisZ, ray.dy);
+        double crossY = Precise.differenceOfProducts(axisZ, ray.dx, axisX, ray.dz);
+        double crossZ = Precise.differenceOfProducts(axisX, ray.dy, axisY, ray.dx);
+        double squaredCross = crossX * crossX + crossY * crossY + crossZ * crossZ;
+        double cross = Math.sqrt(squaredCross);
+        // distance between the ray's line and the axis, times the length of the cross product
+        double offset = Math.abs(wx * crossX + wy * crossY + wz * crossZ);
+        double reach = radius * cross;
+        if (offset > reach) {
+            return NO_HIT;
+        }
+        double alongStart = wx * axisX + wy * axisY + wz * axisZ;
+        double slope = axisX * ray.dx + axisY * ray.dy + axisZ * ray.dz;
+        double nearest = NO_HIT;
+        if (cross > 0) {
+            nearest = mantle(ray, wx, wy, wz, crossX, crossY, crossZ, squaredCross, offset, reach, alongStart, slope);
+        }
+        if (caps) {
+            nearest = Math.min(nearest, cap(ray, START_CAP, wx, wy, wz, -alongStart / slope));
+            nearest = Math.min(nearest, cap(ray, END_CAP, wx, wy, wz, (squaredLength - alongStart) / slope));
+        }
+        return nearest <= limit ? nearest : NO_HIT;
+    }
+
+    private double mantle(
+            Ray ray,
+            double wx,
+            double wy,
+            double wz,
+            double crossX,
+            double crossY,
+            double crossZ,
+            double squaredCross,
+            double offset,
+            double reach,
+            double alongStart,
+            double slope) {
+        double sideX = Precise.differenceOfProducts(axisY, wz, axisZ, wy);
+        double sideY = Precise.differenceOfProducts(axisZ, wx, axisX, wz);
+        double sideZ = Precise.differenceOfProducts(axisX, wy, axisY, wx);
+        double middle = -(sideX * crossX + sideY * crossY + sideZ * crossZ) / squaredCross;
+        if (ray.boundary == this && ray.part == MANTLE) {
+            return within(2 * middle, alongStart, slope);
+        }
+        double halfChord = length * Math.sqrt((reach - offset) * (reach + offset)) / squaredCross;
+        double side = Math.sqrt(sideX * sideX + sideY * sideY + sideZ * sideZ);
+        double product = (side - radius * length) * (side + radius * length) / squaredCross;
+        double outer = middle + (middle > 0 ? halfChord : -halfChord);
+        double inner = outer == 0 ? 0 : product / outer;
+        double near = within(Math.min(inner, outer), alongStart, slope);
+        return near < NO_HIT ? near : within(Math.max(inner, outer), alongStart, slope);
+    }
+
+    /** The distance, if it lies in front and its point between the ends. */
+    private double within(double distance, double alongStart, double slope) {
+        double along = alongStart + distance * slope;
+        return distance > 0 && along >= 0 && along <= squaredLength ? distance : NO_HIT;
+    }
+
+    /** The distance of a cap's plane, if it lies in front and its point within the radius. */
+    private double cap(Ray ray, int part, double wx, double wy, double wz, double distance) {
+        if (!(distance > 0) || ray.boundary == this && ray.part == part) {
+            return NO_HIT;
+        }
+        double share = part == END_CAP ? 1 : 0;
+        double x = wx + distance * ray.dx - share * axisX;
+        double y = wy + distance * ray.dy - share * axisY;
+        double z = wz + distance * ray.dz - share * axisZ;
+        return x * x + y * y + z * z <= radius * radius ? distance : NO_HIT;
+    }
+
+    @Override
+    public Hit hit(Ray ray, double distance) {
+        double wx = ray.x - startX;
+        double wy = ray.y - startY;
+        double wz = ray.z - startZ;
+        double alongStart = wx * axisX + wy * axisY + wz * axisZ;
+        double slope = axisX * ray.dx + axisY * ray.dy + axisZ * ray.dz;
+        if (caps && cap(ray, START_CAP, wx, wy, wz, -alongStart / slope) == distance) {
+            return capHit(ray, distance, START_CAP, -1 / length);
+        }
+        if (caps && cap(ray, END_CAP, wx, wy, wz, (squaredLength - alongStart) / slope) == distance) {
+            return capHit(ray, distance, END_CAP, 1 / length);
+        }
+        double along = (alongStart + distance * slope) / squaredLength;
+        Vector3d normal = new Vector3d(
+                        wx + distance * ray.dx - along * axisX,
+                        wy + distance * ray.dy - along * axisY,
+                        wz + distance * ray.dz - along * axisZ)
+                .normalize();
+        return new Hit(
+                ray,
+                distance,
+                startX + along * axisX + radius * normal.x,
+                startY + along * axisY + radius * normal.y,
+                startZ + along * axisZ + radius * normal.z,
+                normal.x,
+                normal.y,
+                normal.z,
+                this,
+                MANTLE,
+                surface().usesCoordinates() ? mantleCoordinates(normal, along) : null);
+    }
+
+    private Hit capHit(Ray ray, double distance, int part, double scale) {
+        return new Hit(
+                ray,
+                distance,
+                axisX * scale,
+                axisY * scale,
+                axisZ * scale,
+                this,
+                part,
+                surface().usesCoordinates() ? capCoordinates(ray, distance) : null);
+    }
+
+    private SurfaceCoordinates mantleCoordinates(Vector3d normal, double along) {
+        Vector3d unit = new Vector3d(axisX, axisY, axisZ).div(length);
+        Vector3d first = Vectors.firstAxis(unit);
+        Vector3d second = unit.cross(first, new Vector3d());
+        double angle = Math.atan2(normal.dot(second), normal.dot(first));
+        Vector3d around = unit.cross(normal, new Vector3d()).div(2 * Math.PI * radius);
+        Vector3d up = unit.div(length, new Vector3d());
+        return new SurfaceCoordinates(
+                angle / (2 * Math.PI) + 0.5, along, around.x, around.y, around.z, up.x, up.y, up.z);
+    }
+
+    private SurfaceCoordinates capCoordinates(Ray ray, double distance) {
+        Vector3d unit = new Vector3d(axisX, axisY, axisZ).div(length);
+        Vector3d first = Vectors.firstAxis(unit).div(2 * radius);
+        Vector3d second = Vectors.secondAxis(unit, Vectors.firstAxis(unit)).div(2 * radius);
+        Vector3d offset = new Vector3d(
+                ray.x + distance * ray.dx - startX,
+                ray.y + distance * ray.dy - startY,
+                ray.z + distance * ray.dz - startZ);
+        return new SurfaceCoordinates(
+                offset.dot(first) + 0.5,
+                offset.dot(second) + 0.5,
+                first.x,
+                first.y,
+                first.z,
+                second.x,
+                second.y,
+                second.z);
+    }
+
+    @Override
+    public Bounds bounds() {
+        Vector3d start = new Vector3d(startX, startY, startZ);
+        Vector3d end = new Vector3d(axisX, axisY, axisZ).add(start);
+        double reachX = radius * Math.hypot(axisY, axisZ) / length;
+        double reachY = radius * Math.hypot(axisZ, axisX) / length;
+        double reachZ = radius * Math.hypot(axisX, axisY) / length;
+        return Bounds.around(start, reachX, reachY, reachZ).with(Bounds.around(end, reachX, reachY, reachZ));
+    }
+}

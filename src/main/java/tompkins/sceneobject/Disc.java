@@ -1,0 +1,53 @@
+package tompkins.sceneobject;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.math.Vectors;
+import tompkins.property.Meaning;
+import tompkins.property.Require;
+import tompkins.surface.ColouredSurface;
+import tompkins.surface.Surface;
+
+/** A flat disc. Coordinates: from 0 to 1 across the square around it. */
+@Meaning("A flat disc; u and v run from 0 to 1 across the square around it")
+public record Disc(
+        @Meaning("Name of the object") String description,
+        @Meaning(value = "Centre", unit = "length") Vector3dc centre,
+        @Meaning("Direction of the normal, of any length") Vector3dc normal,
+        @Meaning(value = "Radius", unit = "length") double radius,
+        @Meaning("What it looks like") Surface surface)
+        implements SceneObject {
+
+    /** In front of the camera, facing it. */
+    public static final Disc DEFAULT =
+            new Disc("disc", new Vector3d(0, 0, 10), new Vector3d(0, 0, -1), 1, ColouredSurface.DEFAULT);
+
+    /** Checks all values. */
+    public Disc {
+        Require.present("description", description);
+        centre = Require.finite("centre", centre);
+        normal = Require.direction("normal", normal);
+        Require.positive("radius", radius);
+        Require.present("surface", surface);
+    }
+
+    @Override
+    public void addTo(PrimitiveCollector collector, Placement placement) {
+        Vector3d unit = Vectors.unit(normal);
+        Vector3d first = Vectors.firstAxis(unit);
+        Vector3d second = Vectors.secondAxis(unit, first);
+        Vector3d corner =
+                new Vector3d(centre).sub(new Vector3d(first).mul(radius)).sub(new Vector3d(second).mul(radius));
+        Vector3d spanU = first.mul(2 * radius);
+        Vector3d spanV = second.mul(2 * radius);
+        // the front is the side of the normal, whatever the sense of the axes
+        boolean turned = Vectors.cross(spanU, spanV).dot(unit) < 0;
+        collector.add(new FlatPrimitive(
+                description,
+                surface,
+                FlatPrimitive.Outline.ELLIPSE,
+                placement.point(turned ? corner.add(spanU) : corner),
+                placement.vector(turned ? spanU.negate() : spanU),
+                placement.vector(spanV)));
+    }
+}

@@ -1,0 +1,129 @@
+package tompkins.sceneobject;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.math.Vectors;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.SurfaceCoordinates;
+import tompkins.surface.Surface;
+
+/** A piece of a plane with coordinates (u, v): {@code x = corner + u U + v V}. What belongs to the piece, u and v decide. */
+final class FlatPrimitive extends Primitive {
+
+    /** Which part of the plane belongs to the piece. */
+    enum Outline {
+        /** 0 to 1 in both directions. */
+        PARALLELOGRAM,
+        /** The half of the parallelogram at the corner. */
+        TRIANGLE,
+        /** The ellipse that touches the sides of the parallelogram in their middles. */
+        ELLIPSE
+    }
+
+    private final Outline outline;
+    private final double cornerX;
+    private final double cornerY;
+    private final double cornerZ;
+    private final double normalX;
+    private final double normalY;
+    private final double normalZ;
+    // gradients of u and v
+    private final double uX;
+    private final double uY;
+    private final double uZ;
+    private final double vX;
+    private final double vY;
+    private final double vZ;
+
+    /** The piece of the plane at {@code corner} that the vectors U and V span; its front is the side of U x V. */
+    FlatPrimitive(
+            String description, Surface surface, Outline outline, Vector3dc corner, Vector3dc spanU, Vector3dc spanV) {
+        super(description, surface);
+        this.outline = outline;
+        Vector3d normal = Vectors.cross(spanU, spanV);
+        Vector3d gradientU = Vectors.cross(spanV, normal);
+        Vector3d gradientV = Vectors.cross(normal, spanU);
+        gradientU.div(gradientU.dot(spanU));
+        gradientV.div(gradientV.dot(spanV));
+        Vector3d unit = Vectors.unit(normal);
+        cornerX = corner.x();
+        cornerY = corner.y();
+        cornerZ = corner.z();
+        normalX = unit.x;
+        normalY = unit.y;
+        normalZ = unit.z;
+        uX = gradientU.x;
+        uY = gradientU.y;
+        uZ = gradientU.z;
+        vX = gradientV.x;
+        vY = gradientV.y;
+        vZ = gradientV.z;
+    }
+
+    @Override
+    public double distance(Ray ray, double limit) {
+        if (ray.boundary == this) {
+            return NO_HIT;
+        }
+        double toX = cornerX - ray.x;
+        double toY = cornerY - ray.y;
+        double toZ = cornerZ - ray.z;
+        double distance = (normalX * toX + normalY * toY + normalZ * toZ)
+                / (normalX * ray.dx + normalY * ray.dy + normalZ * ray.dz);
+        if (!(distance > 0 && distance <= limit)) {
+            return NO_HIT;
+        }
+        double offsetX = distance * ray.dx - toX;
+        double offsetY = distance * ray.dy - toY;
+        double offsetZ = distance * ray.dz - toZ;
+        double u = uX * offsetX + uY * offsetY + uZ * offsetZ;
+        double v = vX * offsetX + vY * offsetY + vZ * offsetZ;
+        return holds(u, v) ? distance : NO_HIT;
+    }
+
+    private boolean holds(double u, double v) {
+        return switch (outline) {
+            case PARALLELOGRAM -> u >= 0 && u <= 1 && v >= 0 && v <= 1;
+            case TRIANGLE -> u >= 0 && v >= 0 && u + v <= 1;
+            case ELLIPSE -> (u - 0.5) * (u - 0.5) + (v - 0.5) * (v - 0.5) <= 0.25;
+        };
+    }
+
+    @Override
+    public Hit hit(Ray ray, double distance) {
+        SurfaceCoordinates coordinates = null;
+        if (surface().usesCoordinates()) {
+            double offsetX = ray.x - cornerX + distance * ray.dx;
+            double offsetY = ray.y - cornerY + distance * ray.dy;
+            double offsetZ = ray.z - cornerZ + distance * ray.dz;
+            coordinates = new SurfaceCoordinates(
+                    uX * offsetX + uY * offsetY + uZ * offsetZ,
+                    vX * offsetX + vY * offsetY + vZ * offsetZ,
+                    uX,
+                    uY,
+                    uZ,
+                    vX,
+                    vY,
+                    vZ);
+        }
+        return new Hit(ray, distance, normalX, normalY, normalZ, this, 0, coordinates);
+    }
+
+    @Override
+    public Bounds bounds() {
+        Vector3d gradientU = new Vector3d(uX, uY, uZ);
+        Vector3d gradientV = new Vector3d(vX, vY, vZ);
+        Vector3d normal = new Vector3d(normalX, normalY, normalZ);
+        // the spans are the duals of the gradients
+        Vector3d spanU = gradientV.cross(normal, new Vector3d());
+        spanU.div(spanU.dot(gradientU));
+        Vector3d spanV = normal.cross(gradientU, new Vector3d());
+        spanV.div(spanV.dot(gradientV));
+        Vector3d corner = new Vector3d(cornerX, cornerY, cornerZ);
+        Vector3d endU = spanU.add(corner, new Vector3d());
+        Vector3d endV = spanV.add(corner, new Vector3d());
+        Bounds triangle = Bounds.around(corner, endU, endV);
+        return outline == Outline.TRIANGLE ? triangle : triangle.with(Bounds.around(endU.add(spanV)));
+    }
+}

@@ -1,0 +1,28 @@
+package tompkins.sceneobject;
+
+import java.util.List;
+import tompkins.property.Meaning;
+import tompkins.property.Require;
+
+/** Several objects under one name. */
+@Meaning("Several objects under one name")
+public record Group(
+        @Meaning("Name of the group") String description,
+        @Meaning("The objects") List<SceneObject> objects) implements SceneObject {
+
+    /** Empty. */
+    public static final Group DEFAULT = new Group("group", List.of());
+
+    /** Checks that no object is missing. */
+    public Group {
+        Require.present("description", description);
+        objects = Require.list("objects", objects);
+    }
+
+    @Override
+    public void addTo(PrimitiveCollector collector, Placement placement) {
+        for (SceneObject object : objects) {
+            object.addTo(collector, placement);
+        }
+    }
+}

@@ -1,0 +1,27 @@
+package tompkins.sceneobject;
+
+import tompkins.property.Meaning;
+import tompkins.property.Require;
+
+/** An object that is kept in the scene file but left out of the picture. */
+@Meaning("An object that is kept in the scene file but left out of the picture")
+public record Hidden(@Meaning("The object") SceneObject object) implements SceneObject {
+
+    /** A hidden sphere. */
+    public static final Hidden DEFAULT = new Hidden(Sphere.DEFAULT);
+
+    /** Checks that there is an object. */
+    public Hidden {
+        Require.present("object", object);
+    }
+
+    @Override
+    public String description() {
+        return object.description();
+    }
+
+    @Override
+    public void addTo(PrimitiveCollector collector, Placement placement) {
+        // hidden: nothing
+    }
+}

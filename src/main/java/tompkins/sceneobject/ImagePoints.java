@@ -1,0 +1,16 @@
+package tompkins.sceneobject;
+
+import org.joml.Vector3dc;
+
+/** Where the camera photographs the points that its shutter makes special. */
+@FunctionalInterface
+public interface ImagePoints {
+
+    /**
+     * The place, in the frame of the objects, of the event at which a point that is fixed to the camera is photographed
+     * by the ray through the centre of the lens.
+     *
+     * @param cameraPoint the point, in the camera frame
+     */
+    Vector3dc inFrame(Vector3dc cameraPoint);
+}

@@ -1,0 +1,72 @@
+package tompkins.sceneobject;
+
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+
+/**
+ * The result of a search for the nearest primitive, with the memory that the search needs. One for each thread, used again
+ * for every ray; it also counts the work that was done.
+ */
+public final class NearestHit {
+
+    /** Below this depth a tree is cut in halves, so that it ends 40 levels deeper at most. */
+    static final int DEEPEST_CUT = 80;
+
+    private static final int DEEPEST_TREE = 128;
+
+    final TreeNode[] waiting = new TreeNode[DEEPEST_TREE];
+    final double[] entries = new double[DEEPEST_TREE];
+
+    private Primitive primitive;
+    private double distance;
+    private long nodes;
+    private long tests;
+
+    /** Starts a search of everything nearer than {@code limit}. */
+    void start(double limit) {
+        primitive = null;
+        distance = limit;
+    }
+
+    /** Tests one primitive; of equally near ones the one that is listed first stays. */
+    void test(Primitive candidate, Ray ray) {
+        double candidateDistance = candidate.distance(ray, distance);
+        if (candidateDistance < distance
+                || candidateDistance == distance
+                        && candidateDistance < Primitive.NO_HIT
+                        && (primitive == null || candidate.order() < primitive.order())) {
+            primitive = candidate;
+            distance = candidateDistance;
+        }
+    }
+
+    void count(long moreNodes, long moreTests) {
+        nodes += moreNodes;
+        tests += moreTests;
+    }
+
+    /** The nearest primitive, or null. */
+    public Primitive primitive() {
+        return primitive;
+    }
+
+    /** Distance of the nearest primitive. */
+    public double distance() {
+        return distance;
+    }
+
+    /** The hit on the nearest primitive. */
+    public Hit hit(Ray ray) {
+        return primitive.hit(ray, distance);
+    }
+
+    /** Nodes of trees that were visited since this object was made. */
+    public long nodes() {
+        return nodes;
+    }
+
+    /** Primitives that were tested since this object was made. */
+    public long tests() {
+        return tests;
+    }
+}

@@ -1,0 +1,172 @@
+package tompkins.sceneobject;
+
+import java.util.ArrayList;
+import java.util.List;
+import tompkins.ray.Ray;
+
+/**
+ * All primitives of one frame, ordered for searching: a bounding-volume tree for what has bounds, a list for infinite
+ * planes and for scenes that are too small for a tree to pay. Immutable, shared by all threads.
+ */
+public final class ObjectTree {
+
+    /** From this number of primitives a tree is faster than a list. */
+    public static final int SMALLEST_TREE = 100;
+
+    private final Primitive[] listed;
+    private final TreeNode root;
+    private final List<Primitive> all;
+
+    /** Orders primitives that were numbered by a {@link PrimitiveCollector}. */
+    public ObjectTree(List<Primitive> primitives) {
+        this(primitives, SMALLEST_TREE);
+    }
+
+    /** As above, with a tree from {@code smallestTree} bounded primitives upwards. */
+    public ObjectTree(List<Primitive> primitives, int smallestTree) {
+        List<Primitive> unbounded = new ArrayList<>();
+        List<Primitive> bounded = new ArrayList<>();
+        for (Primitive primitive : primitives) {
+            (primitive.bounds() == null ? unbounded : bounded).add(primitive);
+        }
+        boolean tree = !bounded.isEmpty() && bounded.size() >= smallestTree;
+        listed = (tree ? unbounded : primitives).toArray(Primitive[]::new);
+        root = tree ? TreeBuilder.build(bounded) : null;
+        all = List.copyOf(primitives);
+    }
+
+    /** Number of primitives. */
+    public int size() {
+        return all.size();
+    }
+
+    /** The primitives, in the order in which they are listed. */
+    public List<Primitive> primitives() {
+        return all;
+    }
+
+    /** Whether a tree was built. */
+    public boolean hasTree() {
+        return root != null;
+    }
+
+    /**
+     * Searches the nearest primitive that a ray hits.
+     *
+     * @return whether there is one; it stands in {@code nearest}
+     */
+    public boolean nearest(Ray ray, NearestHit nearest) {
+        nearest.start(Primitive.NO_HIT);
+        for (Primitive primitive : listed) {
+            nearest.test(primitive, ray);
+        }
+        nearest.count(0, listed.length);
+        if (root != null) {
+            searchTree(ray, nearest);
+        }
+        return nearest.primitive() != null;
+    }
+
+    private void searchTree(Ray ray, NearestHit nearest) {
+        double x = ray.x;
+        double y = ray.y;
+        double z = ray.z;
+        double inverseX = 1 / ray.dx;
+        double inverseY = 1 / ray.dy;
+        double inverseZ = 1 / ray.dz;
+        TreeNode[] waiting = nearest.waiting;
+        double[] entries = nearest.entries;
+        int count = 0;
+        int nodes = 0;
+        int tests = 0;
+        TreeNode node = root;
+        if (root.entry(x, y, z, inverseX, inverseY, inverseZ, nearest.distance()) == TreeNode.MISSED) {
+            node = null;
+        }
+        while (node != null) {
+            nodes++;
+            TreeNode next = null;
+            if (node.primitives != null) {
+                for (Primitive primitive : node.primitives) {
+                    nearest.test(primitive, ray);
+                    tests++;
+                }
+            } else {
+                double limit = nearest.distance();
+                double low = node.low.entry(x, y, z, inverseX, inverseY, inverseZ, limit);
+                double high = node.high.entry(x, y, z, inverseX, inverseY, inverseZ, limit);
+                // the nearer half first, so that the other is often too far by then
+                if (low <= high) {
+                    next = low == TreeNode.MISSED ? null : node.low;
+                    if (high != TreeNode.MISSED) {
+                        waiting[count] = node.high;
+                        entries[count++] = high;
+                    }
+                } else {
+                    next = node.high;
+                    if (low != TreeNode.MISSED) {
+                        waiting[count] = node.low;
+                        entries[count++] = low;
+                    }
+                }
+            }
+            while (next == null && count > 0) {
+                count--;
+                next = entries[count] > nearest.distance() ? null : waiting[count];
+            }
+            node = next;
+        }
+        nearest.count(nodes, tests);
+    }
+
+    /**
+     * Whether something throws a shadow on the start of a ray.
+     *
+     * @param limit distance of the light
+     * @param scratch memory for the search; its result is not touched
+     */
+    public boolean shadows(Ray ray, double limit, NearestHit scratch) {
+        for (Primitive primitive : listed) {
+            if (primitive.shadows(ray, limit)) {
+                return true;
+            }
+        }
+        return root != null && treeShadows(ray, limit, scratch);
+    }
+
+    private boolean treeShadows(Ray ray, double limit, NearestHit scratch) {
+        double x = ray.x;
+        double y = ray.y;
+        double z = ray.z;
+        double inverseX = 1 / ray.dx;
+        double inverseY = 1 / ray.dy;
+        double inverseZ = 1 / ray.dz;
+        TreeNode[] waiting = scratch.waiting;
+        int count = 0;
+        int nodes = 0;
+        int tests = 0;
+        TreeNode node = root;
+        boolean shadow = false;
+        search:
+        while (node != null) {
+            nodes++;
+            if (node.entry(x, y, z, inverseX, inverseY, inverseZ, limit) != TreeNode.MISSED) {
+                if (node.primitives == null) {
+                    waiting[count++] = node.high;
+                    node = node.low;
+                    continue;
+                }
+                for (Primitive primitive : node.primitives) {
+                    tests++;
+                    if (primitive.shadows(ray, limit)) {
+                        shadow = true;
+                        break search;
+                    }
+                }
+            }
+            node = count > 0 ? waiting[--count] : null;
+        }
+        scratch.count(nodes, tests);
+        return shadow;
+    }
+}

@@ -1,0 +1,47 @@
+package tompkins.sceneobject;
+
+import org.joml.Matrix3d;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.math.Vectors;
+import tompkins.property.Meaning;
+import tompkins.property.Require;
+
+/**
+ * An object that is scaled about the origin, then rotated about an axis through the origin, then moved. The sense of
+ * rotation: an observer towards whom the axis points sees a turn from x to y about z as clockwise (axes are left-handed).
+ */
+@Meaning("An object that is scaled about the origin, then rotated about an axis through the origin, then moved")
+public record Placed(
+        @Meaning("Name of the object") String description,
+        @Meaning("The object") SceneObject object,
+        @Meaning("Factor of all lengths, above 0") double scale,
+        @Meaning("Axis of the rotation, of any length") Vector3dc rotationAxis,
+
+        @Meaning(value = "Angle of the rotation; about z, 90 degrees take x to y", unit = "degrees")
+        double rotationDegrees,
+
+        @Meaning(value = "By how much the object is moved", unit = "length")
+        Vector3dc translation)
+        implements SceneObject {
+
+    /** A sphere where it is. */
+    public static final Placed DEFAULT =
+            new Placed("placed", Sphere.DEFAULT, 1, new Vector3d(0, 1, 0), 0, new Vector3d());
+
+    /** Checks all values. */
+    public Placed {
+        Require.present("description", description);
+        Require.present("object", object);
+        Require.positive("scale", scale);
+        rotationAxis = Require.direction("rotationAxis", rotationAxis);
+        Require.finite("rotationDegrees", rotationDegrees);
+        translation = Require.finite("translation", translation);
+    }
+
+    @Override
+    public void addTo(PrimitiveCollector collector, Placement placement) {
+        Matrix3d rotation = new Matrix3d().rotation(Math.toRadians(rotationDegrees), Vectors.unit(rotationAxis));
+        object.addTo(collector, placement.after(new Placement(scale, rotation, translation)));
+    }
+}

@@ -1,0 +1,103 @@
+package tompkins.sceneobject;
+
+import tompkins.ray.Boundary;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.surface.Shadow;
+import tompkins.surface.Surface;
+
+/** One simple shape, placed and ready to be met by rays. Immutable once it is collected; shared by all threads. */
+public abstract class Primitive implements Boundary {
+
+    /** What {@link #distance} returns where there is no hit. */
+    public static final double NO_HIT = Double.POSITIVE_INFINITY;
+
+    /** A line meets no primitive more often, not even with rounding at its edges. */
+    private static final int MOST_MEETINGS = 8;
+
+    private final String description;
+    private final Surface surface;
+    private final Shadow shadow;
+    private int order;
+
+    /** A primitive of the object with the given description. */
+    protected Primitive(String description, Surface surface) {
+        this.description = description;
+        this.surface = surface;
+        this.shadow = surface.shadow();
+    }
+
+    /**
+     * Distance to the nearest hit that lies in front of the ray's start and not beyond {@code limit}; {@link #NO_HIT} if
+     * there is none. A ray that starts on this primitive does not hit its own start.
+     */
+    public abstract double distance(Ray ray, double limit);
+
+    /** The hit at a distance that {@link #distance} returned. */
+    public abstract Hit hit(Ray ray, double distance);
+
+    /** A box that holds the primitive, or null if none does. */
+    public abstract Bounds bounds();
+
+    /**
+     * The inverse of the signed distance to this primitive along a line: positive in front of the ray's start, negative
+     * behind it, 0 at infinity; NaN if the line misses it.
+     */
+    public double inverseDistance(Ray line) {
+        double ahead = distance(line, NO_HIT);
+        if (ahead < NO_HIT) {
+            return 1 / ahead;
+        }
+        Ray backwards = Ray.fromCamera(line.x, line.y, line.z, -line.dx, -line.dy, -line.dz, 0);
+        double behind = distance(backwards, NO_HIT);
+        return behind < NO_HIT ? -1 / behind : Double.NaN;
+    }
+
+    /** Whether this primitive throws a shadow on the start of a ray, from a distance of at most {@code limit}. */
+    public final boolean shadows(Ray ray, double limit) {
+        if (shadow == Shadow.NEVER) {
+            return false;
+        }
+        double distance = distance(ray, limit);
+        if (shadow == Shadow.ALWAYS || distance == NO_HIT) {
+            return distance < NO_HIT;
+        }
+        Ray rest = ray;
+        double left = limit;
+        for (int meeting = 0; meeting < MOST_MEETINGS && distance < NO_HIT; meeting++) {
+            Hit hit = hit(rest, distance);
+            if (surface.throwsShadowAt(hit)) {
+                return true;
+            }
+            left -= distance;
+            rest = rest.shadowBeyond(hit);
+            distance = distance(rest, left);
+        }
+        return false;
+    }
+
+    @Override
+    public final String description() {
+        return description;
+    }
+
+    /** What the primitive looks like. */
+    public final Surface surface() {
+        return surface;
+    }
+
+    /** Place in the list of primitives: of equally near hits the one listed first counts. */
+    public final int order() {
+        return order;
+    }
+
+    final void setOrder(int order) {
+        this.order = order;
+    }
+
+    /** The nearer of two distances that lies in front and not beyond a limit. */
+    static double nearest(double near, double far, double limit) {
+        double distance = near > 0 ? near : far;
+        return distance > 0 && distance <= limit ? distance : NO_HIT;
+    }
+}

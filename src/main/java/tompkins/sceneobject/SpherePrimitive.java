@@ -1,0 +1,108 @@
+package tompkins.sceneobject;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.SurfaceCoordinates;
+
+/** A sphere in space. */
+final class SpherePrimitive extends Primitive {
+
+    private final double x;
+    private final double y;
+    private final double z;
+    private final double radius;
+    private final Placement placement;
+
+    SpherePrimitive(Sphere sphere, Placement placement) {
+        super(sphere.description(), sphere.surface());
+        Vector3d centre = placement.point(sphere.centre());
+        x = centre.x;
+        y = centre.y;
+        z = centre.z;
+        radius = sphere.radius() * placement.scale();
+        this.placement = placement;
+    }
+
+    /**
+     * By the distance of the centre from the line, which does not cancel for far or huge spheres, where the discriminant
+     * {@code b^2 - c} of the quadratic equation loses all digits. A ray that starts on the sphere meets it again only at
+     * the other end of its chord.
+     */
+    @Override
+    public double distance(Ray ray, double limit) {
+        double fx = x - ray.x;
+        double fy = y - ray.y;
+        double fz = z - ray.z;
+        double along = fx * ray.dx + fy * ray.dy + fz * ray.dz;
+        if (ray.boundary == this) {
+            return nearest(2 * along, 0, limit);
+        }
+        double lx = fx - along * ray.dx;
+        double ly = fy - along * ray.dy;
+        double lz = fz - along * ray.dz;
+        double offset = Math.sqrt(lx * lx + ly * ly + lz * lz);
+        if (offset > radius) {
+            return NO_HIT;
+        }
+        double halfChord = Math.sqrt((radius - offset) * (radius + offset));
+        double centreDistance = Math.sqrt(fx * fx + fy * fy + fz * fz);
+        double product = (centreDistance - radius) * (centreDistance + radius);
+        if (along > 0) {
+            double far = along + halfChord;
+            return nearest(product / far, far, limit);
+        }
+        // the centre lies behind: only a ray from inside meets the sphere
+        double near = along - halfChord;
+        return near < 0 ? nearest(product / near, 0, limit) : NO_HIT;
+    }
+
+    @Override
+    public Hit hit(Ray ray, double distance) {
+        double nx = ray.x - x + distance * ray.dx;
+        double ny = ray.y - y + distance * ray.dy;
+        double nz = ray.z - z + distance * ray.dz;
+        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        nx /= length;
+        ny /= length;
+        nz /= length;
+        SurfaceCoordinates coordinates = surface().usesCoordinates() ? coordinates(new Vector3d(nx, ny, nz)) : null;
+        return new Hit(
+                ray, distance, x + radius * nx, y + radius * ny, z + radius * nz, nx, ny, nz, this, 0, coordinates);
+    }
+
+    private SurfaceCoordinates coordinates(Vector3dc normal) {
+        Vector3d right = placement.direction(new Vector3d(1, 0, 0));
+        Vector3d up = placement.direction(new Vector3d(0, 1, 0));
+        Vector3d forward = placement.direction(new Vector3d(0, 0, 1));
+        double toRight = normal.dot(right);
+        double toForward = normal.dot(forward);
+        double height = normal.dot(up);
+        double level = Math.hypot(toRight, toForward);
+        // seen from outside, in front, u grows to the right
+        double u = Math.atan2(toRight, -toForward) / (2 * Math.PI) + 0.5;
+        double v = Math.atan2(height, level) / Math.PI + 0.5;
+        double perTurn = 1 / (2 * Math.PI * radius * Math.max(level, 1e-12));
+        double perHalfTurn = 1 / (Math.PI * radius);
+        Vector3d alongU = level == 0
+                ? new Vector3d(right)
+                : new Vector3d(right).mul(-toForward / level).add(new Vector3d(forward).mul(toRight / level));
+        Vector3d alongV = new Vector3d(up).sub(new Vector3d(normal).mul(height));
+        alongV.mul(level == 0 ? 0 : 1 / level);
+        return new SurfaceCoordinates(
+                u,
+                v,
+                alongU.x * perTurn,
+                alongU.y * perTurn,
+                alongU.z * perTurn,
+                alongV.x * perHalfTurn,
+                alongV.y * perHalfTurn,
+                alongV.z * perHalfTurn);
+    }
+
+    @Override
+    public Bounds bounds() {
+        return Bounds.around(new Vector3d(x, y, z), radius, radius, radius);
+    }
+}

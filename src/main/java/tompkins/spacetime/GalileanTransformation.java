@@ -1,0 +1,63 @@
+package tompkins.spacetime;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.ray.Ray;
+
+/**
+ * The change of frame of Newton's mechanics: {@code x' = x + beta t}, {@code t' = t}. Light takes its time, but there is no
+ * relativity; its speed is 1 in the first frame only. For teaching, against {@link LorentzTransformation}.
+ */
+public final class GalileanTransformation implements SpaceTimeTransformation {
+
+    private final Vector3dc beta;
+
+    /** From the frame that moves with the given velocity into the frame in which it moves. */
+    public GalileanTransformation(Velocity velocity) {
+        this(velocity.components());
+    }
+
+    private GalileanTransformation(Vector3dc beta) {
+        this.beta = new Vector3d(beta);
+    }
+
+    @Override
+    public Event transform(Event event) {
+        double time = event.time();
+        return new Event(event.x() + beta.x() * time, event.y() + beta.y() * time, event.z() + beta.z() * time, time);
+    }
+
+    /**
+     * The tangent (d, dt) of the ray becomes (d + beta dt, dt). Its spatial part is no longer of length |dt|: the ray keeps
+     * both, as a unit direction and a slowness.
+     */
+    @Override
+    public Ray transform(Ray ray) {
+        double dx = ray.dx - beta.x() * ray.slowness;
+        double dy = ray.dy - beta.y() * ray.slowness;
+        double dz = ray.dz - beta.z() * ray.slowness;
+        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        double time = ray.time;
+        return ray.inFrame(
+                ray.x + beta.x() * time,
+                ray.y + beta.y() * time,
+                ray.z + beta.z() * time,
+                dx / length,
+                dy / length,
+                dz / length,
+                time,
+                ray.slowness / length,
+                1);
+    }
+
+    /** 0: at t = 0 all places coincide. */
+    @Override
+    public double fixedPointTime(Vector3dc position) {
+        return 0;
+    }
+
+    @Override
+    public SpaceTimeTransformation inverse() {
+        return new GalileanTransformation(beta.negate(new Vector3d()));
+    }
+}

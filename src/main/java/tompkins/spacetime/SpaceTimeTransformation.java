@@ -1,0 +1,24 @@
+package tompkins.spacetime;
+
+import org.joml.Vector3dc;
+import tompkins.ray.Ray;
+
+/** A change of frame: takes the coordinates of one inertial frame and gives those of another. Linear, and immutable. */
+public sealed interface SpaceTimeTransformation
+        permits LorentzTransformation, GalileanTransformation, IdentityTransformation {
+
+    /** The same event in the other frame. */
+    Event transform(Event event);
+
+    /** The same light ray in the other frame, starting at the same event. */
+    Ray transform(Ray ray);
+
+    /**
+     * The time at which a place of the first frame has the same coordinates in the other frame: the event of the
+     * fixed-point surface that passes through the place.
+     */
+    double fixedPointTime(Vector3dc position);
+
+    /** The way back. */
+    SpaceTimeTransformation inverse();
+}

@@ -1,0 +1,134 @@
+package tompkins.studio;
+
+import java.util.List;
+import tompkins.camera.Camera;
+import tompkins.camera.ThinLensCamera;
+import tompkins.light.AmbientLight;
+import tompkins.light.LightSource;
+import tompkins.light.PointLight;
+import tompkins.property.Meaning;
+import tompkins.property.Require;
+import tompkins.sceneobject.SceneObject;
+import tompkins.spacetime.SpaceTimeTransformation;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+
+/** Everything that makes a photograph. Immutable; one scene file holds one studio. */
+@Meaning("Everything that makes a photograph")
+public record Studio(
+        @Meaning("Title of the photograph") String title,
+
+        @Meaning("Heading under which the window's menu of examples lists the scene")
+        String topic,
+
+        @Meaning("What there is to see") String remarks,
+        @Meaning("The objects at rest in the scene frame") List<SceneObject> scene,
+
+        @Meaning("The objects that move with the camera, such as windows in front of the lens")
+        List<SceneObject> cameraFrame,
+
+        @Meaning("The light sources, which light both frames")
+        List<LightSource> lights,
+
+        @Meaning("What is seen where there is no object") Background background,
+        @Meaning("The camera, described in its own frame") Camera camera,
+
+        @Meaning(value = "Velocity of the camera in the scene frame", unit = "c")
+        Velocity velocity,
+
+        @Meaning("The law by which the velocity changes what the camera sees")
+        TransformationLaw transformation,
+
+        @Meaning("Size and quality of the picture") RenderSettings settings) {
+
+    /** An empty scene, lit as in the paper, and its camera at rest. */
+    public static final Studio DEFAULT = new Studio(
+            "Untitled",
+            "Other scenes",
+            "",
+            List.of(),
+            List.of(),
+            List.of(AmbientLight.DEFAULT, PointLight.DEFAULT),
+            UniformBackground.DEFAULT,
+            ThinLensCamera.DEFAULT,
+            Velocity.REST,
+            TransformationLaw.LORENTZ,
+            RenderSettings.DEFAULT);
+
+    /** Checks that nothing is missing. */
+    public Studio {
+        Require.present("title", title);
+        Require.present("topic", topic);
+        Require.present("remarks", remarks);
+        scene = Require.list("scene", scene);
+        cameraFrame = Require.list("cameraFrame", cameraFrame);
+        lights = Require.list("lights", lights);
+        Require.present("background", background);
+        Require.present("camera", camera);
+        Require.present("velocity", velocity);
+        Require.present("transformation", transformation);
+        Require.present("settings", settings);
+    }
+
+    /** The change from the camera frame to the scene frame. */
+    public SpaceTimeTransformation sceneFromCamera() {
+        return transformation.sceneFromCamera(velocity);
+    }
+
+    /** The same studio with another scene. */
+    public Studio withScene(List<SceneObject> objects) {
+        return with(objects, cameraFrame, lights, camera, velocity, transformation, settings);
+    }
+
+    /** The same studio with other objects that move with the camera. */
+    public Studio withCameraFrame(List<SceneObject> objects) {
+        return with(scene, objects, lights, camera, velocity, transformation, settings);
+    }
+
+    /** The same studio with other light sources. */
+    public Studio withLights(List<LightSource> sources) {
+        return with(scene, cameraFrame, sources, camera, velocity, transformation, settings);
+    }
+
+    /** The same studio with another camera. */
+    public Studio withCamera(Camera other) {
+        return with(scene, cameraFrame, lights, other, velocity, transformation, settings);
+    }
+
+    /** The same studio with another velocity of the camera. */
+    public Studio withVelocity(Velocity other) {
+        return with(scene, cameraFrame, lights, camera, other, transformation, settings);
+    }
+
+    /** The same studio under another law. */
+    public Studio withTransformation(TransformationLaw law) {
+        return with(scene, cameraFrame, lights, camera, velocity, law, settings);
+    }
+
+    /** The same studio with other settings of the picture. */
+    public Studio withSettings(RenderSettings other) {
+        return with(scene, cameraFrame, lights, camera, velocity, transformation, other);
+    }
+
+    private Studio with(
+            List<SceneObject> newScene,
+            List<SceneObject> newCameraFrame,
+            List<LightSource> newLights,
+            Camera newCamera,
+            Velocity newVelocity,
+            TransformationLaw newTransformation,
+            RenderSettings newSettings) {
+        return new Studio(
+                title,
+                topic,
+                remarks,
+                newScene,
+                newCameraFrame,
+                newLights,
+                background,
+                newCamera,
+                newVelocity,
+                newTransformation,
+                newSettings);
+    }
+}

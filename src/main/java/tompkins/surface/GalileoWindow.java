@@ -1,0 +1,64 @@
+package tompkins.surface;
+
+import org.joml.Vector3dc;
+import tompkins.property.Meaning;
+import tompkins.property.Require;
+import tompkins.ray.Colour;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.spacetime.Velocity;
+
+/**
+ * A sheet that changes the direction of light as a Galilean change of frame does: the traced direction n becomes n + beta
+ * (Oxburgh et al. 2014). In front of a camera with a Galilean transformation of the same velocity it undoes the aberration.
+ */
+@Meaning("A sheet that changes the direction of light as a Galilean change of frame does")
+public record GalileoWindow(
+        @Meaning(value = "Velocity of the change of frame", unit = "c")
+        Velocity velocity,
+
+        @Meaning("The axes in which the velocity is given") WindowAxes axes,
+
+        @Meaning("Share of the light that passes, from 0 to 1")
+        double transmission)
+        implements Surface {
+
+    /** A sheet that changes nothing and dims a little. */
+    public static final GalileoWindow DEFAULT = new GalileoWindow(Velocity.REST, WindowAxes.FRAME, 0.96);
+
+    /** Checks all values. */
+    public GalileoWindow {
+        Require.present("velocity", velocity);
+        Require.present("axes", axes);
+        Transmission.required("transmission", transmission);
+    }
+
+    @Override
+    public Response respond(Ray ray, Hit hit, Tracer tracer) {
+        Vector3dc beta = axes.inFrame(velocity.components(), hit);
+        double dx = ray.dx + beta.x() * ray.slowness;
+        double dy = ray.dy + beta.y() * ray.slowness;
+        double dz = ray.dz + beta.z() * ray.slowness;
+        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        if (length == 0) {
+            return Response.ends(Colour.BLACK);
+        }
+        Ray next = ray.bent(hit, dx / length, dy / length, dz / length, ray.slowness / length, transmission);
+        return Response.goesOn(next, Colour.grey(transmission));
+    }
+
+    @Override
+    public boolean usesCoordinates() {
+        return axes == WindowAxes.SURFACE;
+    }
+
+    @Override
+    public Shadow shadow() {
+        return Shadow.NEVER;
+    }
+
+    @Override
+    public boolean continuesRays() {
+        return true;
+    }
+}

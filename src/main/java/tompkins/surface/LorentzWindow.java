@@ -1,0 +1,76 @@
+package tompkins.surface;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.property.Meaning;
+import tompkins.property.Require;
+import tompkins.ray.Colour;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.spacetime.LorentzTransformation;
+import tompkins.spacetime.Velocity;
+
+/**
+ * A sheet that changes the direction of light as a change of frame does (Oxburgh et al. 2014). In front of the lens of a
+ * camera that moves with the same velocity it undoes the camera's aberration: the traced direction becomes the spatial part
+ * of the inverse transformation, {@code d + u ((u.d)/(gamma + 1) + |d|)}. The window itself is at rest: it changes neither
+ * the place, nor the time, nor the frequency of the light.
+ */
+@Meaning("A sheet that changes the direction of light as a change of frame does, and so can undo the aberration")
+public record LorentzWindow(
+        @Meaning(
+                value = "Velocity of the change of frame; that of the camera undoes the camera's aberration",
+                unit = "c")
+        Velocity velocity,
+
+        @Meaning("The axes in which the velocity is given") WindowAxes axes,
+
+        @Meaning("Share of the light that passes, from 0 to 1")
+        double transmission)
+        implements Surface {
+
+    /** A sheet that changes nothing and dims a little. */
+    public static final LorentzWindow DEFAULT = new LorentzWindow(Velocity.REST, WindowAxes.FRAME, 0.96);
+
+    /** Checks all values. */
+    public LorentzWindow {
+        Require.present("velocity", velocity);
+        Require.present("axes", axes);
+        Transmission.required("transmission", transmission);
+    }
+
+    @Override
+    public Response respond(Ray ray, Hit hit, Tracer tracer) {
+        Ray next = velocity.isRest() ? ray.straightOn(hit, transmission) : turned(ray, hit);
+        return Response.goesOn(next, Colour.grey(transmission));
+    }
+
+    private Ray turned(Ray ray, Hit hit) {
+        Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz);
+        new LorentzTransformation(inFrame(hit)).inverse().direction(direction, direction);
+        return ray.bent(hit, direction.x, direction.y, direction.z, transmission);
+    }
+
+    private Velocity inFrame(Hit hit) {
+        if (axes == WindowAxes.FRAME) {
+            return velocity;
+        }
+        Vector3dc turned = axes.inFrame(velocity.given(), hit);
+        return velocity.scale() == null ? Velocity.of(turned) : Velocity.of(velocity.scale(), velocity.value(), turned);
+    }
+
+    @Override
+    public boolean usesCoordinates() {
+        return axes == WindowAxes.SURFACE;
+    }
+
+    @Override
+    public Shadow shadow() {
+        return Shadow.NEVER;
+    }
+
+    @Override
+    public boolean continuesRays() {
+        return true;
+    }
+}

@@ -1,0 +1,68 @@
+package tompkins.surface;
+
+import org.joml.Vector3d;
+import tompkins.property.Meaning;
+import tompkins.property.Require;
+import tompkins.ray.Colour;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+
+/**
+ * The boundary of a transparent medium such as glass: light is bent by Snell's law and partly reflected by Fresnel's
+ * equations; nothing is lost. Light sources shine through it unbent, so that glass throws no shadow.
+ */
+@Meaning("The boundary of a transparent medium such as glass: bends light, reflects part of it, loses nothing")
+public record Refractive(
+        @Meaning("Refractive index inside the object divided by that outside (glass in air: 1.5)")
+        double indexRatio) implements Surface {
+
+    /** Glass in air. */
+    public static final Refractive DEFAULT = new Refractive(1.5);
+
+    /** A part of the light that is weaker than this is given to the other part, not lost. */
+    private static final double WEAKEST_PART = 1.0 / 1024;
+
+    /** Checks the ratio. */
+    public Refractive {
+        Require.positive("indexRatio", indexRatio);
+    }
+
+    @Override
+    public Response respond(Ray ray, Hit hit, Tracer tracer) {
+        double along = hit.cosine(ray);
+        boolean entering = along < 0;
+        double before = entering ? 1 : indexRatio;
+        double behind = entering ? indexRatio : 1;
+        Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz);
+        Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
+        double cosineBehind = Refraction.bend(direction, normal, before, behind, direction);
+        double reflected = Refraction.reflectance(before, behind, Math.abs(along), cosineBehind);
+        if (ray.weight * reflected < WEAKEST_PART) {
+            return Response.goesOn(ray.bent(hit, direction.x, direction.y, direction.z, 1), Colour.WHITE);
+        }
+        double transmitted = 1 - reflected;
+        if (ray.weight * transmitted < WEAKEST_PART) {
+            return Response.goesOn(Mirror.reflected(ray, hit, 1), Colour.WHITE);
+        }
+        Ray mirrored = Mirror.reflected(ray, hit, reflected);
+        Ray bent = ray.bent(hit, direction.x, direction.y, direction.z, transmitted);
+        // the tracer loops over the stronger part, so that each level of recursion halves the light at least
+        return reflected < transmitted
+                ? split(tracer, mirrored, reflected, bent, transmitted)
+                : split(tracer, bent, transmitted, mirrored, reflected);
+    }
+
+    private static Response split(Tracer tracer, Ray weaker, double weakerShare, Ray stronger, double strongerShare) {
+        return new Response(tracer.colour(weaker).times(weakerShare), Colour.grey(strongerShare), stronger);
+    }
+
+    @Override
+    public Shadow shadow() {
+        return Shadow.NEVER;
+    }
+
+    @Override
+    public boolean continuesRays() {
+        return true;
+    }
+}

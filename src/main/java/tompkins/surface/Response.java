@@ -1,0 +1,31 @@
+package tompkins.surface;
+
+import tompkins.ray.Colour;
+import tompkins.ray.Ray;
+
+/**
+ * What a surface makes of a ray: light of its own, and at most one ray that goes on. The tracer follows that ray in a loop,
+ * so that a thousand reflections need no deep stack; a surface that splits a ray asks the tracer for the colour of the
+ * weaker part.
+ *
+ * @param light what the surface sends back by itself
+ * @param factor what becomes of the light of the ray that goes on
+ * @param next the ray that goes on, or null
+ */
+public record Response(Colour light, Colour factor, Ray next) {
+
+    /** Light of the surface alone. */
+    public static Response ends(Colour light) {
+        return new Response(light, Colour.BLACK, null);
+    }
+
+    /** Only the light of the ray that goes on, multiplied by a factor. */
+    public static Response goesOn(Ray next, Colour factor) {
+        return new Response(Colour.BLACK, factor, next);
+    }
+
+    /** All the light of this response, with the ray that goes on followed to its end. */
+    public Colour followed(Tracer tracer) {
+        return next == null ? light : light.plus(tracer.colour(next).times(factor));
+    }
+}

@@ -1,0 +1,30 @@
+package tompkins.surface;
+
+/** The wave that is +1 on [0, 1), -1 on [1, 2), and so on: one direction of a chequerboard. */
+final class SquareWave {
+
+    private SquareWave() {}
+
+    /**
+     * The mean of the wave from {@code centre - half} to {@code centre + half}, by its integral, a triangle wave. Within
+     * the rounding of the coordinates also where the window is far narrower than a tile or holds millions of them.
+     */
+    static double mean(double centre, double half) {
+        // where the wave is seen as constant, its value; this also keeps half = 0 from a division by zero
+        double lower = Math.floor(centre - half);
+        if (lower == Math.floor(centre + half)) {
+            return lower % 2 == 0 ? 1 : -1;
+        }
+        // the period is 2: both ends are taken back to the same period, so that their difference keeps its digits
+        double periods = 2 * Math.floor((centre - half) / 2);
+        double from = centre - half - periods;
+        double to = centre + half - periods;
+        return (integral(to) - integral(from)) / (2 * half);
+    }
+
+    /** Integral of the wave from 0 to {@code x >= 0}: rises to 1 at 1 and falls back to 0 at 2. */
+    private static double integral(double x) {
+        double phase = x - 2 * Math.floor(x / 2);
+        return phase < 1 ? phase : 2 - phase;
+    }
+}

@@ -1,0 +1,99 @@
+package tompkins.surface;
+
+import tompkins.property.Meaning;
+import tompkins.property.Require;
+import tompkins.ray.Colour;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.SurfaceCoordinates;
+
+/**
+ * A chequerboard of two surfaces. Far away a pixel sees many tiles, and single rays would draw a moire that is not there;
+ * a filtered tiling shows the share of each surface in the spot that the ray lights, worked out exactly: the mean of the
+ * product of two square waves over the spot's box.
+ */
+@Meaning("A chequerboard of two surfaces")
+public record Tiling(
+        @Meaning("Surface of the tile at coordinates 0 to 1 tile, and of every second one")
+        Surface first,
+
+        @Meaning("Surface of the other tiles") Surface second,
+
+        @Meaning(value = "Width of a tile, along the first coordinate", unit = "surface coordinate")
+        double width,
+
+        @Meaning(value = "Height of a tile, along the second coordinate", unit = "surface coordinate")
+        double height,
+
+        @Meaning("Whether tiles that are smaller than a pixel merge into their mean instead of flickering")
+        boolean filtered)
+        implements Surface {
+
+    /** Grey and white unit tiles, filtered. */
+    public static final Tiling DEFAULT = new Tiling(
+            new ColouredSurface(Colour.grey(0.5), Colour.BLACK),
+            new ColouredSurface(Colour.WHITE, Colour.BLACK),
+            1,
+            1,
+            true);
+
+    /** Checks both surfaces and the size. */
+    public Tiling {
+        Require.present("first", first);
+        Require.present("second", second);
+        Require.positive("width", width);
+        Require.positive("height", height);
+    }
+
+    @Override
+    public Response respond(Ray ray, Hit hit, Tracer tracer) {
+        double share = shareOfSecond(ray, hit);
+        if (share == 0) {
+            return first.respond(ray, hit, tracer);
+        }
+        if (share == 1) {
+            return second.respond(ray, hit, tracer);
+        }
+        return Response.ends(first.respond(ray, hit, tracer)
+                .followed(tracer)
+                .mixedWith(second.respond(ray, hit, tracer).followed(tracer), share));
+    }
+
+    private double shareOfSecond(Ray ray, Hit hit) {
+        SurfaceCoordinates at = hit.coordinates;
+        double u = at.u() / width;
+        double v = at.v() / height;
+        if (!filtered) {
+            return isOdd(Math.floor(u) + Math.floor(v)) ? 1 : 0;
+        }
+        double waves =
+                SquareWave.mean(u, at.spreadU(ray, hit) / width) * SquareWave.mean(v, at.spreadV(ray, hit) / height);
+        return (1 - waves) / 2;
+    }
+
+    /** Parity by a remainder of doubles: a whole number that no int can hold is still odd or even. */
+    private static boolean isOdd(double whole) {
+        return Math.abs(whole % 2) == 1;
+    }
+
+    @Override
+    public boolean usesCoordinates() {
+        return true;
+    }
+
+    @Override
+    public Shadow shadow() {
+        return first.shadow() == second.shadow() ? first.shadow() : Shadow.BY_POINT;
+    }
+
+    @Override
+    public boolean throwsShadowAt(Hit hit) {
+        boolean odd = isOdd(Math.floor(hit.coordinates.u() / width) + Math.floor(hit.coordinates.v() / height));
+        return (odd ? second : first).throwsShadowAt(hit);
+    }
+
+    @Override
+    public boolean continuesRays() {
+        return first.continuesRays() || second.continuesRays();
+    }
+}

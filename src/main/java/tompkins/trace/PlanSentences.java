@@ -1,0 +1,127 @@
+package tompkins.trace;
+
+import java.util.List;
+import java.util.Locale;
+import tompkins.sceneobject.ObjectTree;
+import tompkins.sceneobject.Primitive;
+import tompkins.shutter.AperturePlaneShutter;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.surface.Surface;
+
+/** Says in sentences what a picture models and what it leaves out. */
+final class PlanSentences {
+
+    private final Studio studio;
+    private final ObjectTree scene;
+    private final ObjectTree cameraFrame;
+    private final boolean atRest;
+
+    PlanSentences(Studio studio, ObjectTree scene, ObjectTree cameraFrame, boolean atRest) {
+        this.studio = studio;
+        this.scene = scene;
+        this.cameraFrame = cameraFrame;
+        this.atRest = atRest;
+    }
+
+    void addTo(List<String> sentences) {
+        sentences.add(motion());
+        sentences.add(lens());
+        sentences.add(shutter());
+        sentences.add(cameraObjects());
+        sentences.add(search());
+        sentences.add(recursion());
+        sentences.add(samples());
+        sentences.add("Colours stay as they are in the scene: no Doppler shift, no searchlight effect.");
+        if (studio.velocity().gamma() > Velocity.GUARANTEED_GAMMA) {
+            sentences.add(format(
+                    "Warning: gamma %.3g is above %.0g; directions may be wrong by more than %.0g radians.",
+                    studio.velocity().gamma(),
+                    Velocity.GUARANTEED_GAMMA,
+                    8 * studio.velocity().gamma() * 0x1p-53));
+        }
+    }
+
+    private String motion() {
+        if (studio.velocity().isRest()) {
+            return "The camera is at rest: no change of frame, and every opening time gives the same picture.";
+        }
+        String speed = format("gamma %.6g", studio.velocity().gamma());
+        if (studio.transformation() == TransformationLaw.NONE) {
+            return "The camera's velocity (" + speed + ") is ignored: no change of frame.";
+        }
+        String law = studio.transformation() == TransformationLaw.LORENTZ ? "Lorentz" : "Galilean";
+        return "The camera moves (" + speed + "): each ray goes once through the " + law
+                + " transformation, at its last event in the camera frame.";
+    }
+
+    private String lens() {
+        if (studio.camera().hasWideLens()) {
+            return "A wide lens: each sample takes its own point of the lens; the focus decides what is sharp.";
+        }
+        return "A pinhole: one point of the lens, everything is sharp"
+                + (studio.camera().shutter().needsFocus()
+                        ? "; the focus only sets the time."
+                        : "; the focus does not matter.");
+    }
+
+    private String shutter() {
+        if (atRest) {
+            return "Nothing in the scene changes with time, so all shutter models give this picture.";
+        }
+        if (studio.camera().shutter() instanceof AperturePlaneShutter shutter) {
+            boolean atOrigin = shutter.openingTime() == 0
+                    && !studio.camera().hasWideLens()
+                    && studio.camera().position().length() == 0;
+            return atOrigin
+                    ? "All light crosses the pinhole at time 0, where the origins of both frames meet: only directions"
+                            + " change (aberration), the point of view does not."
+                    : "All light crosses the lens at one time: the shutter is a constant.";
+        }
+        return "The time at the lens is worked out for each ray: different pixels see the scene from different places.";
+    }
+
+    private String cameraObjects() {
+        int count = cameraFrame.size();
+        return count == 0
+                ? "Nothing moves with the camera: rays start in the scene frame at once."
+                : format(
+                        "%d primitive%s with the camera and %s searched first.",
+                        count, count == 1 ? " moves" : "s move", count == 1 ? "is" : "are");
+    }
+
+    private String search() {
+        return scene.hasTree()
+                ? format("%d primitives in the scene: a bounding-volume tree finds the nearest.", scene.size())
+                : format(
+                        "%d primitive%s in the scene: too few for a tree, a list is faster.",
+                        scene.size(), scene.size() == 1 ? "" : "s");
+    }
+
+    private String recursion() {
+        boolean continues = scene.primitives().stream().map(Primitive::surface).anyMatch(Surface::continuesRays)
+                || cameraFrame.primitives().stream().map(Primitive::surface).anyMatch(Surface::continuesRays);
+        return continues
+                ? format(
+                        "Mirrors, glass or windows send rays on, at most %d times, while they bring 1/1024 of the light.",
+                        studio.settings().maximumDepth())
+                : "No mirrors, glass or windows: each ray ends where it hits.";
+    }
+
+    private String samples() {
+        int samples = studio.settings().samples();
+        return samples == 1
+                ? "One sample for each pixel, in its centre"
+                        + (studio.camera().hasWideLens()
+                                ? " and through the centre of the lens: blur needs more samples."
+                                : ".")
+                : format(
+                        "%d samples for each pixel, spread evenly over pixel%s.",
+                        samples, studio.camera().hasWideLens() ? " and lens" : "");
+    }
+
+    private static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
+    }
+}

@@ -1,0 +1,109 @@
+package tompkins.trace;
+
+import java.util.List;
+import tompkins.light.LightSource;
+import tompkins.ray.Colour;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
+import tompkins.sceneobject.NearestHit;
+import tompkins.sceneobject.ObjectTree;
+import tompkins.surface.Response;
+import tompkins.surface.Surface;
+import tompkins.surface.Tracer;
+
+/**
+ * Follows rays among the objects of one frame: the nearest hit decides, and what leaves the objects goes beyond. One for each
+ * thread and frame.
+ */
+final class RayTracer implements Tracer {
+
+    /** A ray that can bring less than this share of the sample's light is ended. */
+    private static final double FAINTEST = 1.0 / 1024;
+
+    private final Frame frame;
+    private final ObjectTree objects;
+    private final List<LightSource> lights;
+    private final Beyond beyond;
+    private final int maximumDepth;
+    private final RayCounts counts;
+    private final RayWitness witness;
+    private final NearestHit nearest = new NearestHit();
+
+    /** A tracer of one frame; the witness may be null. */
+    RayTracer(
+            Frame frame,
+            ObjectTree objects,
+            List<LightSource> lights,
+            Beyond beyond,
+            int maximumDepth,
+            RayCounts counts,
+            RayWitness witness) {
+        this.frame = frame;
+        this.objects = objects;
+        this.lights = lights;
+        this.beyond = beyond;
+        this.maximumDepth = maximumDepth;
+        this.counts = counts;
+        this.witness = witness;
+    }
+
+    @Override
+    public Colour colour(Ray start) {
+        Ray ray = start;
+        Colour sum = Colour.BLACK;
+        Colour factor = Colour.WHITE;
+        while (true) {
+            counts.rays++;
+            if (!objects.nearest(ray, nearest)) {
+                return sum.plus(beyond.colour(ray).times(factor));
+            }
+            Hit hit = nearest.hit(ray);
+            Surface surface = nearest.primitive().surface();
+            if (witness != null) {
+                witness.hits(frame, ray, hit, surface);
+            }
+            Response response = surface.respond(ray, hit, this);
+            sum = sum.plus(response.light().times(factor));
+            Ray next = response.next();
+            if (next == null || isGivenUp(next)) {
+                return sum;
+            }
+            factor = factor.times(response.factor());
+            ray = next;
+        }
+    }
+
+    private boolean isGivenUp(Ray ray) {
+        if (ray.weight < FAINTEST) {
+            counts.tooFaint++;
+            return true;
+        }
+        if (ray.generation > maximumDepth) {
+            counts.tooDeep++;
+            return true;
+        }
+        return false;
+    }
+
+    @Override
+    public boolean isClear(Hit from, double x, double y, double z) {
+        counts.shadowRays++;
+        double toX = x - from.x;
+        double toY = y - from.y;
+        double toZ = z - from.z;
+        double distance = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
+        Ray ray = Ray.shadow(from, toX / distance, toY / distance, toZ / distance);
+        return !objects.shadows(ray, distance, nearest);
+    }
+
+    @Override
+    public List<LightSource> lights() {
+        return lights;
+    }
+
+    /** Nodes and primitives that were looked at so far. */
+    NearestHit work() {
+        return nearest;
+    }
+}

@@ -1,0 +1,23 @@
+package tompkins.trace;
+
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.surface.Surface;
+
+/** Somebody who watches the life of a ray. */
+public interface RayWitness {
+
+    /** A ray starts in the camera frame. */
+    void starts(Ray ray);
+
+    /** The ray crosses into the scene frame, where it starts as the given ray. */
+    void crosses(Ray ray);
+
+    /**
+     * The ray, or one that came of it, hits something.
+     *
+     * @param frame the frame of the ray and the hit
+     * @param hit the hit, which names the object
+     */
+    void hits(Frame frame, Ray ray, Hit hit, Surface surface);
+}

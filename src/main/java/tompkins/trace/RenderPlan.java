@@ -1,0 +1,159 @@
+package tompkins.trace;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.joml.Matrix3d;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.camera.CameraRays;
+import tompkins.light.LightSource;
+import tompkins.ray.RayCounts;
+import tompkins.sceneobject.ImagePoints;
+import tompkins.sceneobject.ObjectTree;
+import tompkins.sceneobject.Placement;
+import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.sceneobject.SceneObject;
+import tompkins.shutter.LensRay;
+import tompkins.spacetime.Event;
+import tompkins.spacetime.IdentityTransformation;
+import tompkins.spacetime.SpaceTimeTransformation;
+import tompkins.studio.Studio;
+
+/**
+ * What a picture needs, and no more: worked out once from a studio, used by all threads, and thrown away with the picture. A
+ * camera at rest needs no change of frame, a pinhole no points on the lens, a studio without objects that move with the
+ * camera no first search, a small scene no tree.
+ */
+public final class RenderPlan {
+
+    private final Studio studio;
+    private final SpaceTimeTransformation sceneFromCamera;
+    private final CameraRays cameraRays;
+    private final FrameCrossing crossing;
+    private final ObjectTree scene;
+    private final ObjectTree cameraFrame;
+    private final List<LightSource> sceneLights;
+
+    private RenderPlan(Studio studio) {
+        this.studio = studio;
+        sceneFromCamera = studio.sceneFromCamera();
+        cameraRays = studio.camera()
+                .rays(studio.settings().width(), studio.settings().height(), sceneFromCamera);
+        crossing = new FrameCrossing(sceneFromCamera, lensEvent());
+        Vector3dc origin = crossing.origin();
+        Placement placement = new Placement(1, new Matrix3d(), origin.negate(new Vector3d()));
+        scene = tree(studio.scene(), placement, point -> imagePoint(point).position());
+        cameraFrame = tree(studio.cameraFrame(), Placement.NONE, point -> point);
+        sceneLights =
+                studio.lights().stream().map(light -> light.seenFrom(origin)).toList();
+    }
+
+    /** The plan for a studio's picture. */
+    public static RenderPlan of(Studio studio) {
+        return new RenderPlan(studio);
+    }
+
+    private static ObjectTree tree(List<SceneObject> objects, Placement placement, ImagePoints imagePoints) {
+        PrimitiveCollector collector = new PrimitiveCollector(imagePoints);
+        for (SceneObject object : objects) {
+            object.addTo(collector, placement);
+        }
+        return new ObjectTree(collector.primitives());
+    }
+
+    /** An event at the lens at about the time of the picture. */
+    private Event lensEvent() {
+        Vector3dc place = studio.camera().position();
+        int width = studio.settings().width();
+        int height = studio.settings().height();
+        Vector3dc ahead = cameraRays.chiefDirection(width / 2.0, height / 2.0);
+        LensRay axis = studio.camera().centralRay(place.add(ahead, new Vector3d()));
+        double time = studio.camera().shutter().transmissionTime(axis, sceneFromCamera);
+        return new Event(place.x(), place.y(), place.z(), Double.isFinite(time) ? time : 0);
+    }
+
+    /** The event, in the scene frame, at which a point that is fixed to the camera is photographed through the lens centre. */
+    private Event imagePoint(Vector3dc point) {
+        LensRay ray = studio.camera().centralRay(point);
+        double time = studio.camera().shutter().transmissionTime(ray, sceneFromCamera)
+                - point.distance(studio.camera().position());
+        return sceneFromCamera.transform(new Event(point.x(), point.y(), point.z(), time));
+    }
+
+    /** The studio. */
+    public Studio studio() {
+        return studio;
+    }
+
+    /** Pixels in a row. */
+    public int width() {
+        return studio.settings().width();
+    }
+
+    /** Number of rows. */
+    public int height() {
+        return studio.settings().height();
+    }
+
+    /** Samples for each pixel. */
+    public int samples() {
+        return studio.settings().samples();
+    }
+
+    /** Whether the camera and the scene share one frame. */
+    public boolean isAtRest() {
+        return sceneFromCamera instanceof IdentityTransformation;
+    }
+
+    /** Where the lens is in the scene frame at the time of the picture. */
+    public Event lensInScene() {
+        return sceneFromCamera.transform(lensEvent());
+    }
+
+    /** A tracer for one thread, which adds to the given counts. */
+    public SampleTracer tracer(RayCounts counts) {
+        return tracer(counts, null);
+    }
+
+    /** As {@link #tracer(RayCounts)}, watched by a witness. */
+    public SampleTracer tracer(RayCounts counts, RayWitness witness) {
+        int depth = studio.settings().maximumDepth();
+        RayTracer sceneTracer = new RayTracer(
+                Frame.SCENE,
+                scene,
+                sceneLights,
+                ray -> studio.background().colour(ray.dx, ray.dy, ray.dz),
+                depth,
+                counts,
+                witness);
+        Beyond intoScene = ray -> {
+            var crossed = isAtRest() ? ray : crossing.cross(ray);
+            if (witness != null) {
+                witness.crosses(crossed);
+            }
+            return sceneTracer.colour(crossed);
+        };
+        RayTracer cameraTracer =
+                new RayTracer(Frame.CAMERA, cameraFrame, studio.lights(), intoScene, depth, counts, witness);
+        boolean firstSearch = cameraFrame.size() > 0;
+        return new SampleTracer(
+                studio.settings(),
+                cameraRays,
+                firstSearch ? cameraTracer::colour : intoScene,
+                counts,
+                witness,
+                List.of(sceneTracer.work(), cameraTracer.work()));
+    }
+
+    /** The place from which the tracer describes the scene; usually the origin of the scene frame. */
+    Vector3dc sceneOrigin() {
+        return crossing.origin();
+    }
+
+    /** The plan in sentences: what this picture needs, what it leaves out, and why. */
+    public List<String> sentences() {
+        List<String> sentences = new ArrayList<>();
+        new PlanSentences(studio, scene, cameraFrame, isAtRest()).addTo(sentences);
+        return sentences;
+    }
+}

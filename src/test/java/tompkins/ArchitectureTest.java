@@ -1,0 +1,321 @@
+package tompkins;
+
+import static com.tngtech.archunit.core.domain.JavaCall.Predicates.target;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.assignableTo;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.name;
+import static com.tngtech.archunit.core.domain.properties.HasOwner.Predicates.With.owner;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.lang.syntax.elements.GivenClassesConjunction;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.lang.reflect.Field;
+import java.lang.reflect.GenericArrayType;
+import java.lang.reflect.Modifier;
+import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.RecordComponent;
+import java.lang.reflect.Type;
+import java.lang.reflect.WildcardType;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.function.Predicate;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Holds what the design promises about packages, names, state and size, over all classes and source files. */
+class ArchitectureTest {
+
+    /** In order: a package may use those before it, never those after it. */
+    private static final List<String> PACKAGES = List.of(
+            "property",
+            "math",
+            "ray",
+            "spacetime",
+            "light",
+            "surface",
+            "sceneobject",
+            "shutter",
+            "camera",
+            "studio",
+            "trace",
+            "render",
+            "image",
+            "io",
+            "study",
+            "ui",
+            "app");
+
+    /** The packages whose records describe a scene. */
+    private static final List<String> DESCRIPTIONS =
+            List.of("property", "spacetime", "light", "surface", "sceneobject", "shutter", "camera", "studio");
+
+    /** A sealed family that is computed from a velocity, not described, and so needs no default. */
+    private static final String COMPUTED_FAMILY = "tompkins.spacetime.SpaceTimeTransformation";
+
+    private static final int LONGEST_FILE = 400;
+    private static final Pattern LEFT_OVER = Pattern.compile(".*(_old|Old|_copy|\\d)$");
+    private static final Pattern WILDCARD_IMPORT = Pattern.compile("^\\s*import\\s.*\\*\\s*;.*");
+
+    private static final Path SOURCES = Path.of(System.getProperty("basedir", ""), "src");
+    private static final JavaClasses CLASSES = new ClassFileImporter()
+            .withImportOption(new ImportOption.DoNotIncludeTests())
+            .importPackages("tompkins");
+
+    @Test
+    void rulesSeeTheProgram() {
+        assertThat(CLASSES).hasSizeGreaterThan(50);
+        assertThat(sourceFiles("main")).hasSizeGreaterThan(50);
+        assertThat(defaultedRecords()).hasSizeGreaterThan(10);
+    }
+
+    @Test
+    void everyClassLiesInAKnownPackage() {
+        classes().should().resideInAnyPackage(within(PACKAGES)).check(CLASSES);
+    }
+
+    @ParameterizedTest
+    @MethodSource("packagesWithLaterOnes")
+    void packageDoesNotUseLaterOnes(String name, List<String> laterOnes) {
+        noClasses()
+                .that()
+                .resideInAPackage(within(name))
+                .should()
+                .dependOnClassesThat()
+                .resideInAnyPackage(within(laterOnes))
+                .allowEmptyShould(true)
+                .check(CLASSES);
+    }
+
+    static Stream<Arguments> packagesWithLaterOnes() {
+        return IntStream.range(0, PACKAGES.size() - 1)
+                .mapToObj(i -> arguments(PACKAGES.get(i), PACKAGES.subList(i + 1, PACKAGES.size())));
+    }
+
+    @Test
+    void packagesAreFreeOfCycles() {
+        slices().matching("tompkins.(*)..").should().beFreeOfCycles().check(CLASSES);
+    }
+
+    @Test
+    void imageKnowsOnlyRaysAndProperties() {
+        noClasses()
+                .that()
+                .resideInAPackage(within("image"))
+                .should()
+                .dependOnClassesThat(resideInAPackage("tompkins..")
+                        .and(DescribedPredicate.not(
+                                JavaClass.Predicates.resideInAnyPackage(within(List.of("image", "ray", "property"))))))
+                .allowEmptyShould(true)
+                .check(CLASSES);
+    }
+
+    @Test
+    void onlyTheWindowKnowsSwing() {
+        classesOutside("ui")
+                .should()
+                .dependOnClassesThat()
+                .resideInAPackage("javax.swing..")
+                .check(CLASSES);
+    }
+
+    @Test
+    void onlyWindowPicturesAndChartsKnowAwt() {
+        classesOutside("ui", "image", "study")
+                .should()
+                .dependOnClassesThat()
+                .resideInAPackage("java.awt..")
+                .check(CLASSES);
+    }
+
+    @Test
+    void onlyFilesKnowJackson() {
+        classesOutside("io")
+                .should()
+                .dependOnClassesThat()
+                .resideInAPackage("tools.jackson..")
+                .check(CLASSES);
+    }
+
+    @Test
+    void onlyTheApplicationPrintsAndExits() {
+        classesOutside("app")
+                .should()
+                .accessField(System.class, "out")
+                .orShould()
+                .accessField(System.class, "err")
+                .orShould()
+                .callMethod(System.class, "exit", int.class)
+                .orShould()
+                .callMethodWhere(target(name("printStackTrace")).and(target(owner(assignableTo(Throwable.class)))))
+                .check(CLASSES);
+    }
+
+    @Test
+    void chanceHasASeed() {
+        noClasses()
+                .should()
+                .callMethod(Math.class, "random")
+                .orShould()
+                .callConstructor(Random.class)
+                .check(CLASSES);
+    }
+
+    @Test
+    void noStateIsShared() {
+        fields().that().areStatic().should().beFinal().check(CLASSES);
+    }
+
+    @Test
+    void nothingIsKeptUnderAnotherName() {
+        assertThat(CLASSES.stream()
+                        .filter(type -> !type.isAnonymousClass())
+                        .map(JavaClass::getSimpleName)
+                        .filter(LEFT_OVER.asMatchPredicate()))
+                .isEmpty();
+        assertThat(sourceFiles("")
+                        .filter(file -> LEFT_OVER
+                                .matcher(file.getFileName().toString().replace(".java", ""))
+                                .matches()))
+                .isEmpty();
+    }
+
+    @Test
+    void filesAreShort() {
+        assertThat(sourceFiles("main").filter(file -> lines(file).size() > LONGEST_FILE))
+                .as("files of more than %d lines", LONGEST_FILE)
+                .isEmpty();
+    }
+
+    @Test
+    void importsNameTheirTypes() {
+        assertThat(sourceFiles("")
+                        .flatMap(file -> lines(file).stream()
+                                .filter(WILDCARD_IMPORT.asMatchPredicate())
+                                .map(line -> file + ": " + line)))
+                .isEmpty();
+    }
+
+    @Test
+    void descriptionsCannotBeChangedThroughTheirVectors() {
+        assertThat(descriptionTypes()
+                        .filter(Class::isRecord)
+                        .flatMap(type -> Arrays.stream(type.getRecordComponents()))
+                        .filter(component -> isMutableVector(component.getGenericType())))
+                .extracting(
+                        RecordComponent::toString,
+                        component -> component.getDeclaringRecord().getName())
+                .as("record components")
+                .isEmpty();
+        assertThat(descriptionTypes()
+                        .flatMap(type -> Arrays.stream(type.getDeclaredFields()))
+                        .filter(field -> Modifier.isPublic(field.getModifiers()))
+                        .filter(field -> isMutableVector(field.getGenericType())))
+                .as("public fields")
+                .isEmpty();
+    }
+
+    @Test
+    void everyDescribedTypeHasADefault() {
+        assertThat(defaultedRecords().filter(Predicate.not(ArchitectureTest::hasDefault)))
+                .as("records without a public static final DEFAULT of their own type")
+                .isEmpty();
+    }
+
+    private static GivenClassesConjunction classesOutside(String... packages) {
+        return noClasses().that().resideOutsideOfPackages(within(List.of(packages)));
+    }
+
+    private static String within(String name) {
+        return "tompkins." + name + "..";
+    }
+
+    private static String[] within(List<String> names) {
+        return names.stream().map(ArchitectureTest::within).toArray(String[]::new);
+    }
+
+    private static Stream<Class<?>> descriptionTypes() {
+        return CLASSES.stream()
+                .filter(JavaClass.Predicates.resideInAnyPackage(within(DESCRIPTIONS)))
+                .map(JavaClass::reflect);
+    }
+
+    /** The records that a scene file can name: all that are permitted, at any depth, by a sealed interface. */
+    private static Stream<Class<?>> defaultedRecords() {
+        return descriptionTypes()
+                .filter(Class::isInterface)
+                .filter(type -> !type.getName().equals(COMPUTED_FAMILY))
+                .flatMap(ArchitectureTest::permitted)
+                .filter(Class::isRecord)
+                .distinct();
+    }
+
+    private static Stream<Class<?>> permitted(Class<?> type) {
+        Class<?>[] subtypes = type.getPermittedSubclasses();
+        return subtypes == null
+                ? Stream.empty()
+                : Arrays.stream(subtypes).flatMap(subtype -> Stream.concat(Stream.of(subtype), permitted(subtype)));
+    }
+
+    private static boolean hasDefault(Class<?> type) {
+        int constant = Modifier.PUBLIC | Modifier.STATIC | Modifier.FINAL;
+        return Arrays.stream(type.getDeclaredFields())
+                .filter(field -> field.getName().equals("DEFAULT"))
+                .filter(field -> (field.getModifiers() & constant) == constant)
+                .map(Field::getType)
+                .anyMatch(type::equals);
+    }
+
+    /** Whether a type is, or holds, one of JOML's classes: all of them can be written to; its interfaces cannot. */
+    private static boolean isMutableVector(Type type) {
+        if (type instanceof ParameterizedType generic) {
+            return Arrays.stream(generic.getActualTypeArguments()).anyMatch(ArchitectureTest::isMutableVector);
+        }
+        if (type instanceof WildcardType wildcard) {
+            return Arrays.stream(wildcard.getUpperBounds()).anyMatch(ArchitectureTest::isMutableVector);
+        }
+        if (type instanceof GenericArrayType array) {
+            return isMutableVector(array.getGenericComponentType());
+        }
+        if (type instanceof Class<?> plain) {
+            Class<?> element = plain.isArray() ? plain.getComponentType() : plain;
+            return element.getPackageName().equals("org.joml") && !element.isInterface();
+        }
+        return false;
+    }
+
+    /** The Java files of one source folder ("main", "test"), or of all (""). */
+    private static Stream<Path> sourceFiles(String folder) {
+        try (Stream<Path> files = Files.walk(SOURCES.resolve(folder))) {
+            return files.filter(file -> file.toString().endsWith(".java")).toList().stream();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static List<String> lines(Path file) {
+        try {
+            return Files.readAllLines(file);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}
