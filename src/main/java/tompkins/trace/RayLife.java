@@ -1,0 +1,122 @@
+package tompkins.trace;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.camera.PixelSampler;
+import tompkins.ray.Colour;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
+import tompkins.spacetime.Event;
+import tompkins.surface.Surface;
+
+/**
+ * The life of one sample: where and when its ray starts in both frames, what it hits, and the colour that comes back.
+ *
+ * @param cameraStart the event at which the ray starts, in the camera frame
+ * @param cameraDirection unit direction in which it is traced, in the camera frame
+ * @param sceneStart the event at which it enters the scene frame, or null if it never does
+ * @param sceneDirection unit direction in the scene frame, or null
+ * @param frequencyRatio frequency of the light that the camera sees divided by that in the scene frame; 1 without crossing
+ * @param gamma Lorentz factor of the camera
+ * @param hits everything that was hit, in the order of tracing
+ * @param colour the colour of the sample, before exposure
+ * @param counts what went wrong on the way
+ */
+public record RayLife(
+        Event cameraStart,
+        Vector3dc cameraDirection,
+        Event sceneStart,
+        Vector3dc sceneDirection,
+        double frequencyRatio,
+        double gamma,
+        List<Encounter> hits,
+        Colour colour,
+        RayCounts counts) {
+
+    /**
+     * One hit.
+     *
+     * @param object what the user calls the object
+     * @param frame the frame of place, time and distance
+     * @param event where and when
+     * @param distance distance from the start of the ray that hit
+     * @param surface the surface
+     */
+    public record Encounter(String object, Frame frame, Event event, double distance, Surface surface) {}
+
+    /**
+     * Follows one sample.
+     *
+     * @param x place in the picture in pixels; the centre of pixel (i, j) is (i + 1/2, j + 1/2)
+     * @param y place in the picture in pixels
+     * @param lensX place on the lens in units of its radius
+     * @param lensY place on the lens in units of its radius
+     * @return its life, or null if the sample never crosses the shutter and so has none
+     */
+    public static RayLife of(RenderPlan plan, double x, double y, double lensX, double lensY) {
+        Recorder recorder = new Recorder(plan.sceneOrigin());
+        RayCounts counts = new RayCounts();
+        Colour colour = plan.tracer(counts, recorder).sample(x, y, lensX, lensY);
+        return recorder.start == null ? null : recorder.life(plan.studio().velocity().gamma(), colour, counts);
+    }
+
+    /** As above, for a sample as the renderer takes it. */
+    public static RayLife ofSample(RenderPlan plan, int column, int row, int sample) {
+        PixelSampler sampler =
+                new PixelSampler(plan.studio().settings().seed(), plan.studio().settings().samples());
+        sampler.start(column, row, sample);
+        return of(plan, sampler.x(), sampler.y(), sampler.lensX(), sampler.lensY());
+    }
+
+    private static final class Recorder implements RayWitness {
+
+        private final Vector3dc sceneOrigin;
+        private final List<Encounter> hits = new ArrayList<>();
+        private Ray start;
+        private Ray crossed;
+
+        Recorder(Vector3dc sceneOrigin) {
+            this.sceneOrigin = sceneOrigin;
+        }
+
+        @Override
+        public void starts(Ray ray) {
+            start = ray;
+        }
+
+        @Override
+        public void crosses(Ray ray) {
+            // a ray that is split in front of the lens may cross more than once; the first is the main one
+            crossed = crossed == null ? ray : crossed;
+        }
+
+        @Override
+        public void hits(Frame frame, Ray ray, Hit hit, Surface surface) {
+            Event event = inFrame(frame, hit.x, hit.y, hit.z, hit.time);
+            hits.add(new Encounter(hit.boundary.description(), frame, event, hit.distance, surface));
+        }
+
+        private Event inFrame(Frame frame, double x, double y, double z, double time) {
+            return frame == Frame.CAMERA
+                    ? new Event(x, y, z, time)
+                    : new Event(x + sceneOrigin.x(), y + sceneOrigin.y(), z + sceneOrigin.z(), time);
+        }
+
+        RayLife life(double gamma, Colour colour, RayCounts counts) {
+            boolean entered = crossed != null;
+            return new RayLife(
+                    inFrame(Frame.CAMERA, start.x, start.y, start.z, start.time),
+                    new Vector3d(start.dx, start.dy, start.dz),
+                    entered ? inFrame(Frame.SCENE, crossed.x, crossed.y, crossed.z, crossed.time) : null,
+                    entered ? new Vector3d(crossed.dx, crossed.dy, crossed.dz) : null,
+                    entered ? 1 / crossed.frequency : 1,
+                    gamma,
+                    List.copyOf(hits),
+                    colour,
+                    counts);
+        }
+    }
+}
