@@ -13,4 +13,9 @@ public sealed interface LightSource permits AmbientLight, PointLight {
 
     /** The same source in a coordinate system whose origin lies at {@code origin} of this one. */
     LightSource seenFrom(Vector3dc origin);
+
+    /** The place from which the light comes, or null if it has none. */
+    default Vector3dc position() {
+        return null;
+    }
 }

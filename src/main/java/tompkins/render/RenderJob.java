@@ -8,8 +8,10 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.atomic.DoubleAdder;
 import java.util.function.Consumer;
 import tompkins.image.LinearImage;
+import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
 import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleTaker;
 import tompkins.trace.SampleTracer;
 
 /**
@@ -76,27 +78,32 @@ public final class RenderJob {
     }
 
     private void renderTile(Pass pass, Tile tile, SampleTracer tracer) {
-        int stride = pass.stride();
-        for (int row = tile.row(); row < tile.row() + tile.height(); row += stride) {
-            if (isStopped()) {
-                return;
+        SampleTaker taker = new SampleTaker() {
+            @Override
+            public boolean wants(int column, int row) {
+                return pass.takes(column, row) && !cancelled;
             }
-            for (int column = tile.column(); column < tile.column() + tile.width(); column += stride) {
-                if (pass.takes(column, row)) {
-                    renderPixel(pass, column, row, tracer);
-                }
-            }
-        }
-    }
 
-    private void renderPixel(Pass pass, int column, int row, SampleTracer tracer) {
+            @Override
+            public void take(int column, int row, Colour colour) {
+                film.add(column, row, colour);
+            }
+        };
+        int side = SampleTracer.LARGEST_BLOCK * pass.stride();
         int end = pass.firstSample() + pass.samples();
-        for (int sample = pass.firstSample(); sample < end && !cancelled; sample++) {
-            try {
-                film.add(column, row, tracer.sample(column, row, sample));
-            } catch (RuntimeException | StackOverflowError | OutOfMemoryError error) {
-                failure.compareAndSet(null, new RenderFailedException(column, row, sample, error));
-                return;
+        for (int row = 0; row < tile.height(); row += side) {
+            for (int column = 0; column < tile.width(); column += side) {
+                int width = Math.min(side, tile.width() - column);
+                int height = Math.min(side, tile.height() - row);
+                for (int sample = pass.firstSample(); sample < end && !isStopped(); sample++) {
+                    try {
+                        tracer.sampleBlock(
+                                tile.column() + column, tile.row() + row, width, height, pass.stride(), sample, taker);
+                    } catch (RuntimeException | StackOverflowError | OutOfMemoryError error) {
+                        failure.compareAndSet(
+                                null, new RenderFailedException(tracer.column(), tracer.row(), sample, error));
+                    }
+                }
             }
         }
     }

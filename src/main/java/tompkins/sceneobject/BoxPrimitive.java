@@ -108,6 +108,15 @@ final class BoxPrimitive extends Primitive {
     }
 
     @Override
+    public double least(double nx, double ny, double nz) {
+        double least = nx * centre.x + ny * centre.y + nz * centre.z;
+        for (int axis = 0; axis < 3; axis++) {
+            least -= Math.abs(along(axis, nx, ny, nz)) * half[axis];
+        }
+        return least;
+    }
+
+    @Override
     public Bounds bounds() {
         double[] reach = new double[3];
         for (int component = 0; component < 3; component++) {

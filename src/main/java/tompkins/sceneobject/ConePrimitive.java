@@ -102,6 +102,14 @@ final class ConePrimitive extends Primitive {
     }
 
     @Override
+    public double least(double nx, double ny, double nz) {
+        double top = nx * tip.x + ny * tip.y + nz * tip.z;
+        double rise = nx * axis.x + ny * axis.y + nz * axis.z;
+        double across = nx * nx + ny * ny + nz * nz - rise * rise;
+        return Math.min(top, top + rise * height - baseRadius * Math.sqrt(Math.max(0, across)));
+    }
+
+    @Override
     public Bounds bounds() {
         Vector3d centre = new Vector3d(axis).mul(height).add(tip);
         return Bounds.around(

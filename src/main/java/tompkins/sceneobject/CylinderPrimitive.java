@@ -111,7 +111,7 @@ final class CylinderPrimitive extends Primitive {
 
     /** The distance of a cap's plane, if it lies in front and its point within the radius. */
     private double cap(Ray ray, int part, double wx, double wy, double wz, double distance) {
-        if (!(distance > 0) || ray.boundary == this && ray.part == part) {
+        if (!(distance > 0) || (ray.boundary == this && ray.part == part)) {
             return NO_HIT;
         }
         double share = part == END_CAP ? 1 : 0;
@@ -194,6 +194,14 @@ final class CylinderPrimitive extends Primitive {
                 second.x,
                 second.y,
                 second.z);
+    }
+
+    @Override
+    public double least(double nx, double ny, double nz) {
+        double start = nx * startX + ny * startY + nz * startZ;
+        double rise = nx * axisX + ny * axisY + nz * axisZ;
+        double across = nx * nx + ny * ny + nz * nz - rise * rise / squaredLength;
+        return Math.min(start, start + rise) - radius * Math.sqrt(Math.max(0, across));
     }
 
     @Override

@@ -28,6 +28,12 @@ final class FlatPrimitive extends Primitive {
     private final double normalX;
     private final double normalY;
     private final double normalZ;
+    private final double spanUX;
+    private final double spanUY;
+    private final double spanUZ;
+    private final double spanVX;
+    private final double spanVY;
+    private final double spanVZ;
     // gradients of u and v
     private final double uX;
     private final double uY;
@@ -53,6 +59,12 @@ final class FlatPrimitive extends Primitive {
         normalX = unit.x;
         normalY = unit.y;
         normalZ = unit.z;
+        spanUX = spanU.x();
+        spanUY = spanU.y();
+        spanUZ = spanU.z();
+        spanVX = spanV.x();
+        spanVY = spanV.y();
+        spanVZ = spanV.z();
         uX = gradientU.x;
         uY = gradientU.y;
         uZ = gradientU.z;
@@ -111,19 +123,20 @@ final class FlatPrimitive extends Primitive {
     }
 
     @Override
+    public double least(double nx, double ny, double nz) {
+        double corner = nx * cornerX + ny * cornerY + nz * cornerZ;
+        double alongU = nx * spanUX + ny * spanUY + nz * spanUZ;
+        double alongV = nx * spanVX + ny * spanVY + nz * spanVZ;
+        double least = Math.min(0, Math.min(alongU, alongV));
+        return corner + (outline == Outline.TRIANGLE ? least : Math.min(least, alongU + alongV));
+    }
+
+    @Override
     public Bounds bounds() {
-        Vector3d gradientU = new Vector3d(uX, uY, uZ);
-        Vector3d gradientV = new Vector3d(vX, vY, vZ);
-        Vector3d normal = new Vector3d(normalX, normalY, normalZ);
-        // the spans are the duals of the gradients
-        Vector3d spanU = gradientV.cross(normal, new Vector3d());
-        spanU.div(spanU.dot(gradientU));
-        Vector3d spanV = normal.cross(gradientU, new Vector3d());
-        spanV.div(spanV.dot(gradientV));
         Vector3d corner = new Vector3d(cornerX, cornerY, cornerZ);
-        Vector3d endU = spanU.add(corner, new Vector3d());
-        Vector3d endV = spanV.add(corner, new Vector3d());
+        Vector3d endU = new Vector3d(spanUX, spanUY, spanUZ).add(corner);
+        Vector3d endV = new Vector3d(spanVX, spanVY, spanVZ).add(corner);
         Bounds triangle = Bounds.around(corner, endU, endV);
-        return outline == Outline.TRIANGLE ? triangle : triangle.with(Bounds.around(endU.add(spanV)));
+        return outline == Outline.TRIANGLE ? triangle : triangle.with(Bounds.around(endU.add(spanVX, spanVY, spanVZ)));
     }
 }

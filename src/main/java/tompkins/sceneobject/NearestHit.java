@@ -12,7 +12,7 @@ public final class NearestHit {
     /** Below this depth a tree is cut in halves, so that it ends 40 levels deeper at most. */
     static final int DEEPEST_CUT = 80;
 
-    private static final int DEEPEST_TREE = 128;
+    static final int DEEPEST_TREE = 128;
 
     final TreeNode[] waiting = new TreeNode[DEEPEST_TREE];
     final double[] entries = new double[DEEPEST_TREE];
@@ -31,10 +31,9 @@ public final class NearestHit {
     /** Tests one primitive; of equally near ones the one that is listed first stays. */
     void test(Primitive candidate, Ray ray) {
         double candidateDistance = candidate.distance(ray, distance);
-        if (candidateDistance < distance
-                || candidateDistance == distance
-                        && candidateDistance < Primitive.NO_HIT
-                        && (primitive == null || candidate.order() < primitive.order())) {
+        boolean nearer = candidateDistance < distance;
+        boolean tie = candidateDistance == distance && candidateDistance < Primitive.NO_HIT;
+        if (nearer || (tie && (primitive == null || candidate.order() < primitive.order()))) {
             primitive = candidate;
             distance = candidateDistance;
         }

@@ -16,6 +16,8 @@ public final class ObjectTree {
     private final Primitive[] listed;
     private final TreeNode root;
     private final List<Primitive> all;
+    private final List<Primitive> bounded;
+    private final List<Primitive> unbounded;
 
     /** Orders primitives that were numbered by a {@link PrimitiveCollector}. */
     public ObjectTree(List<Primitive> primitives) {
@@ -24,8 +26,8 @@ public final class ObjectTree {
 
     /** As above, with a tree from {@code smallestTree} bounded primitives upwards. */
     public ObjectTree(List<Primitive> primitives, int smallestTree) {
-        List<Primitive> unbounded = new ArrayList<>();
-        List<Primitive> bounded = new ArrayList<>();
+        unbounded = new ArrayList<>();
+        bounded = new ArrayList<>();
         for (Primitive primitive : primitives) {
             (primitive.bounds() == null ? unbounded : bounded).add(primitive);
         }
@@ -48,6 +50,26 @@ public final class ObjectTree {
     /** Whether a tree was built. */
     public boolean hasTree() {
         return root != null;
+    }
+
+    /** The primitives that have an end. */
+    List<Primitive> bounded() {
+        return bounded;
+    }
+
+    /** The primitives without end. */
+    List<Primitive> unbounded() {
+        return unbounded;
+    }
+
+    /** What is searched one by one, beside the tree. */
+    Primitive[] listed() {
+        return listed;
+    }
+
+    /** The tree, or null if there is none. */
+    TreeNode root() {
+        return root;
     }
 
     /**

@@ -66,6 +66,11 @@ final class PlanePrimitive extends Primitive {
         return new Hit(ray, distance, normal.x, normal.y, normal.z, this, 0, coordinates);
     }
 
+    @Override
+    public double least(double nx, double ny, double nz) {
+        return Double.NEGATIVE_INFINITY;
+    }
+
     /** Null: a plane has no end. */
     @Override
     public Bounds bounds() {

@@ -40,6 +40,12 @@ public abstract class Primitive implements Boundary {
     public abstract Bounds bounds();
 
     /**
+     * The least value of n.x over the primitive, or something less: it tells whether the primitive lies beyond a plane with
+     * the normal n (of any length).
+     */
+    public abstract double least(double nx, double ny, double nz);
+
+    /**
      * The inverse of the signed distance to this primitive along a line: positive in front of the ray's start, negative
      * behind it, 0 at infinity; NaN if the line misses it.
      */

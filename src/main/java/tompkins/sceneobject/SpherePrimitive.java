@@ -102,6 +102,11 @@ final class SpherePrimitive extends Primitive {
     }
 
     @Override
+    public double least(double nx, double ny, double nz) {
+        return nx * x + ny * y + nz * z - radius * Math.sqrt(nx * nx + ny * ny + nz * nz);
+    }
+
+    @Override
     public Bounds bounds() {
         return Bounds.around(new Vector3d(x, y, z), radius, radius, radius);
     }

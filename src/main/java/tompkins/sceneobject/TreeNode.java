@@ -56,14 +56,14 @@ final class TreeNode {
         double low = (minX - x) * inverseX;
         double high = (maxX - x) * inverseX;
         double sum = low + high;
-        if (sum == sum) {
+        if (!Double.isNaN(sum)) {
             enter = low < high ? low : high;
             leave = low < high ? high : low;
         }
         low = (minY - y) * inverseY;
         high = (maxY - y) * inverseY;
         sum = low + high;
-        if (sum == sum) {
+        if (!Double.isNaN(sum)) {
             double near = low < high ? low : high;
             double far = low < high ? high : low;
             enter = near > enter ? near : enter;
@@ -72,12 +72,17 @@ final class TreeNode {
         low = (minZ - z) * inverseZ;
         high = (maxZ - z) * inverseZ;
         sum = low + high;
-        if (sum == sum) {
+        if (!Double.isNaN(sum)) {
             double near = low < high ? low : high;
             double far = low < high ? high : low;
             enter = near > enter ? near : enter;
             leave = far < leave ? far : leave;
         }
         return enter > leave * ROUNDING || leave < 0 || enter > limit ? MISSED : enter;
+    }
+
+    /** The least value of n.x over the box. */
+    double least(double nx, double ny, double nz) {
+        return (nx > 0 ? minX : maxX) * nx + (ny > 0 ? minY : maxY) * ny + (nz > 0 ? minZ : maxZ) * nz;
     }
 }

@@ -60,13 +60,15 @@ public record RayLife(
         Recorder recorder = new Recorder(plan.sceneOrigin());
         RayCounts counts = new RayCounts();
         Colour colour = plan.tracer(counts, recorder).sample(x, y, lensX, lensY);
-        return recorder.start == null ? null : recorder.life(plan.studio().velocity().gamma(), colour, counts);
+        return recorder.start == null
+                ? null
+                : recorder.life(plan.studio().velocity().gamma(), colour, counts);
     }
 
     /** As above, for a sample as the renderer takes it. */
     public static RayLife ofSample(RenderPlan plan, int column, int row, int sample) {
-        PixelSampler sampler =
-                new PixelSampler(plan.studio().settings().seed(), plan.studio().settings().samples());
+        PixelSampler sampler = new PixelSampler(
+                plan.studio().settings().seed(), plan.studio().settings().samples());
         sampler.start(column, row, sample);
         return of(plan, sampler.x(), sampler.y(), sampler.lensX(), sampler.lensY());
     }

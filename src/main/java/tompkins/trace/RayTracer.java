@@ -6,6 +6,8 @@ import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
+import tompkins.sceneobject.Candidates;
+import tompkins.sceneobject.LightGrid;
 import tompkins.sceneobject.NearestHit;
 import tompkins.sceneobject.ObjectTree;
 import tompkins.surface.Response;
@@ -24,6 +26,7 @@ final class RayTracer implements Tracer {
     private final Frame frame;
     private final ObjectTree objects;
     private final List<LightSource> lights;
+    private final LightGrid[] lightGrids;
     private final Beyond beyond;
     private final int maximumDepth;
     private final RayCounts counts;
@@ -35,6 +38,7 @@ final class RayTracer implements Tracer {
             Frame frame,
             ObjectTree objects,
             List<LightSource> lights,
+            LightGrid[] lightGrids,
             Beyond beyond,
             int maximumDepth,
             RayCounts counts,
@@ -42,6 +46,7 @@ final class RayTracer implements Tracer {
         this.frame = frame;
         this.objects = objects;
         this.lights = lights;
+        this.lightGrids = lightGrids;
         this.beyond = beyond;
         this.maximumDepth = maximumDepth;
         this.counts = counts;
@@ -50,13 +55,32 @@ final class RayTracer implements Tracer {
 
     @Override
     public Colour colour(Ray start) {
+        counts.rays++;
+        return colour(start, objects.nearest(start, nearest));
+    }
+
+    /** As {@link #colour(Ray)}, for one of the rays for which candidates were found. */
+    Colour colour(Ray start, Candidates candidates) {
+        counts.rays++;
+        return colour(start, candidates.nearest(start, nearest));
+    }
+
+    /** Looks for the primitives that some rays can meet; false if all must be searched. */
+    boolean find(Candidates candidates, Ray[] rays, int count) {
+        return candidates.find(objects, rays, count);
+    }
+
+    /** Follows a ray whose nearest hit has just been searched. */
+    private Colour colour(Ray start, boolean startHits) {
         Ray ray = start;
+        boolean hits = startHits;
         Colour sum = Colour.BLACK;
         Colour factor = Colour.WHITE;
         while (true) {
-            counts.rays++;
-            if (!objects.nearest(ray, nearest)) {
-                return sum.plus(beyond.colour(ray).times(factor));
+            if (!hits) {
+                return ray == start
+                        ? beyond.colour(ray)
+                        : sum.plus(beyond.colour(ray).times(factor));
             }
             Hit hit = nearest.hit(ray);
             Surface surface = nearest.primitive().surface();
@@ -64,6 +88,9 @@ final class RayTracer implements Tracer {
                 witness.hits(frame, ray, hit, surface);
             }
             Response response = surface.respond(ray, hit, this);
+            if (ray == start && response.next() == null) {
+                return response.light();
+            }
             sum = sum.plus(response.light().times(factor));
             Ray next = response.next();
             if (next == null || isGivenUp(next)) {
@@ -71,6 +98,8 @@ final class RayTracer implements Tracer {
             }
             factor = factor.times(response.factor());
             ray = next;
+            counts.rays++;
+            hits = objects.nearest(ray, nearest);
         }
     }
 
@@ -94,6 +123,11 @@ final class RayTracer implements Tracer {
         double toZ = z - from.z;
         double distance = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
         Ray ray = Ray.shadow(from, toX / distance, toY / distance, toZ / distance);
+        for (LightGrid grid : lightGrids) {
+            if (grid.isOf(x, y, z)) {
+                return !grid.shadows(ray, distance, nearest);
+            }
+        }
         return !objects.shadows(ray, distance, nearest);
     }
 

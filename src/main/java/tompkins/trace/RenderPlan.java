@@ -2,6 +2,7 @@ package tompkins.trace;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import org.joml.Matrix3d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -9,6 +10,7 @@ import tompkins.camera.CameraRays;
 import tompkins.light.LightSource;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.ImagePoints;
+import tompkins.sceneobject.LightGrid;
 import tompkins.sceneobject.ObjectTree;
 import tompkins.sceneobject.Placement;
 import tompkins.sceneobject.PrimitiveCollector;
@@ -33,6 +35,7 @@ public final class RenderPlan {
     private final ObjectTree scene;
     private final ObjectTree cameraFrame;
     private final List<LightSource> sceneLights;
+    private final LightGrid[] lightGrids;
 
     private RenderPlan(Studio studio) {
         this.studio = studio;
@@ -46,6 +49,11 @@ public final class RenderPlan {
         cameraFrame = tree(studio.cameraFrame(), Placement.NONE, point -> point);
         sceneLights =
                 studio.lights().stream().map(light -> light.seenFrom(origin)).toList();
+        lightGrids = sceneLights.stream()
+                .filter(light -> light.position() != null)
+                .map(light -> LightGrid.of(light.position(), scene))
+                .filter(Objects::nonNull)
+                .toArray(LightGrid[]::new);
     }
 
     /** The plan for a studio's picture. */
@@ -122,27 +130,17 @@ public final class RenderPlan {
                 Frame.SCENE,
                 scene,
                 sceneLights,
+                lightGrids,
                 ray -> studio.background().colour(ray.dx, ray.dy, ray.dz),
                 depth,
                 counts,
                 witness);
-        Beyond intoScene = ray -> {
-            var crossed = isAtRest() ? ray : crossing.cross(ray);
-            if (witness != null) {
-                witness.crosses(crossed);
-            }
-            return sceneTracer.colour(crossed);
-        };
-        RayTracer cameraTracer =
-                new RayTracer(Frame.CAMERA, cameraFrame, studio.lights(), intoScene, depth, counts, witness);
-        boolean firstSearch = cameraFrame.size() > 0;
-        return new SampleTracer(
-                studio.settings(),
-                cameraRays,
-                firstSearch ? cameraTracer::colour : intoScene,
-                counts,
-                witness,
-                List.of(sceneTracer.work(), cameraTracer.work()));
+        SceneEntry entry = new SceneEntry(isAtRest() ? null : crossing, sceneTracer, witness);
+        RayTracer cameraTracer = cameraFrame.size() == 0
+                ? null
+                : new RayTracer(
+                        Frame.CAMERA, cameraFrame, studio.lights(), new LightGrid[0], entry, depth, counts, witness);
+        return new SampleTracer(studio.settings(), cameraRays, cameraTracer, entry, counts, witness);
     }
 
     /** The place from which the tracer describes the scene; usually the origin of the scene frame. */

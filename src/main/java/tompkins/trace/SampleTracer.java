@@ -1,42 +1,53 @@
 package tompkins.trace;
 
-import java.util.List;
 import tompkins.camera.CameraRays;
 import tompkins.camera.PixelSampler;
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
+import tompkins.sceneobject.Candidates;
 import tompkins.sceneobject.NearestHit;
 import tompkins.studio.RenderSettings;
 
-/** Takes single samples of a picture. One for each thread. */
+/** Takes samples of a picture. One for each thread. */
 public final class SampleTracer {
+
+    /** Largest width and height of a block of samples that are taken together. */
+    public static final int LARGEST_BLOCK = 16;
 
     private final PixelSampler sampler;
     private final CameraRays cameraRays;
-    private final Beyond first;
+    private final RayTracer cameraTracer;
+    private final SceneEntry sceneEntry;
     private final RayCounts counts;
     private final RayWitness witness;
-    private final List<NearestHit> work;
 
+    private final Ray[] rays = new Ray[LARGEST_BLOCK * LARGEST_BLOCK];
+    private final int[] columns = new int[rays.length];
+    private final int[] rows = new int[rays.length];
+    private final Candidates candidates = new Candidates();
+    private int column;
+    private int row;
+
+    /** A tracer; the tracer of the camera frame is null if no objects move with the camera, the witness may be null. */
     SampleTracer(
             RenderSettings settings,
             CameraRays cameraRays,
-            Beyond first,
+            RayTracer cameraTracer,
+            SceneEntry sceneEntry,
             RayCounts counts,
-            RayWitness witness,
-            List<NearestHit> work) {
+            RayWitness witness) {
         this.sampler = new PixelSampler(settings.seed(), settings.samples());
         this.cameraRays = cameraRays;
-        this.first = first;
+        this.cameraTracer = cameraTracer;
+        this.sceneEntry = sceneEntry;
         this.counts = counts;
         this.witness = witness;
-        this.work = work;
     }
 
     /** The colour of one sample of a pixel, before exposure. Black where something went wrong, which is counted. */
-    public Colour sample(int column, int row, int sample) {
-        sampler.start(column, row, sample);
+    public Colour sample(int pixelColumn, int pixelRow, int sample) {
+        sampler.start(pixelColumn, pixelRow, sample);
         return sample(sampler.x(), sampler.y(), sampler.lensX(), sampler.lensY());
     }
 
@@ -57,7 +68,71 @@ public final class SampleTracer {
         if (witness != null) {
             witness.starts(ray);
         }
-        Colour colour = first.colour(ray);
+        return finite(cameraTracer == null ? sceneEntry.colour(ray) : cameraTracer.colour(ray));
+    }
+
+    /**
+     * Takes one sample of each pixel of a block. All rays of the block are made first; where nothing stands before the lens,
+     * the few objects that they can meet are found for all of them at once. The colours are those of single samples.
+     *
+     * @param left first column
+     * @param top first row
+     * @param width columns of the block
+     * @param height rows of the block
+     * @param stride distance between the pixels that are sampled; at most {@link #LARGEST_BLOCK} of them each way
+     */
+    public void sampleBlock(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
+        int count = makeRays(left, top, width, height, stride, sample, taker);
+        if (cameraTracer != null) {
+            for (int i = 0; i < count; i++) {
+                if (goTo(i, taker)) {
+                    taker.take(column, row, finite(cameraTracer.colour(rays[i])));
+                }
+            }
+            return;
+        }
+        for (int i = 0; i < count; i++) {
+            rays[i] = sceneEntry.cross(rays[i]);
+        }
+        RayTracer tracer = sceneEntry.sceneTracer();
+        boolean few = tracer.find(candidates, rays, count);
+        for (int i = 0; i < count; i++) {
+            if (goTo(i, taker)) {
+                taker.take(column, row, finite(few ? tracer.colour(rays[i], candidates) : tracer.colour(rays[i])));
+            }
+        }
+    }
+
+    private int makeRays(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
+        int count = 0;
+        for (row = top; row < top + height; row += stride) {
+            for (column = left; column < left + width; column += stride) {
+                if (!taker.wants(column, row)) {
+                    continue;
+                }
+                sampler.start(column, row, sample);
+                counts.samples++;
+                Ray ray = cameraRays.ray(sampler.x(), sampler.y(), sampler.lensX(), sampler.lensY(), counts);
+                if (ray == null) {
+                    taker.take(column, row, Colour.BLACK);
+                } else {
+                    rays[count] = ray;
+                    columns[count] = column;
+                    rows[count] = row;
+                    count++;
+                }
+            }
+        }
+        return count;
+    }
+
+    private boolean goTo(int index, SampleTaker taker) {
+        column = columns[index];
+        row = rows[index];
+        return taker.wants(column, row);
+    }
+
+    private Colour finite(Colour colour) {
         if (!colour.isFinite()) {
             counts.notFinite++;
             return Colour.BLACK;
@@ -65,13 +140,29 @@ public final class SampleTracer {
         return colour;
     }
 
+    /** The column of the pixel at which this tracer is at work, for reports of failures. */
+    public int column() {
+        return column;
+    }
+
+    /** The row of the pixel at which this tracer is at work. */
+    public int row() {
+        return row;
+    }
+
     /** Nodes of trees that this tracer visited. */
     public long nodes() {
-        return work.stream().mapToLong(NearestHit::nodes).sum();
+        return sceneWork().nodes()
+                + (cameraTracer == null ? 0 : cameraTracer.work().nodes());
     }
 
     /** Tests of primitives in trees and lists that this tracer made. */
     public long tests() {
-        return work.stream().mapToLong(NearestHit::tests).sum();
+        return sceneWork().tests()
+                + (cameraTracer == null ? 0 : cameraTracer.work().tests());
+    }
+
+    private NearestHit sceneWork() {
+        return sceneEntry.sceneTracer().work();
     }
 }

@@ -1,0 +1,181 @@
+package tompkins.sceneobject;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.math.Vectors;
+import tompkins.ray.Ray;
+
+/**
+ * The primitives as a lamp sees them: a grid of directions, each with the primitives that stand there. A shadow ray asks only
+ * those of its direction. Built once for a scene and a lamp that stands outside it.
+ */
+public final class LightGrid {
+
+    private static final int DEPTH = 7;
+
+    private static final int SIDE = 1 << DEPTH;
+
+    /** Widening of a cell against rounding, relative to the grid. */
+    private static final double MARGIN = 1e-9;
+
+    /** More primitives than this are left to the tree: the grid would be large, and a cell long. */
+    private static final int MOST_PRIMITIVES = 20_000;
+
+    private static final Primitive[] NONE = {};
+
+    private final double x;
+    private final double y;
+    private final double z;
+    private final Vector3dc right;
+    private final Vector3dc up;
+    private final Vector3dc forward;
+    private final double leastU;
+    private final double leastV;
+    private final double cellU;
+    private final double cellV;
+    private final Primitive[] everywhere;
+    private final Primitive[][] cells = new Primitive[SIDE * SIDE][];
+
+    private LightGrid(Vector3dc position, Vector3dc forward, ObjectTree objects, double[] extent) {
+        x = position.x();
+        y = position.y();
+        z = position.z();
+        this.forward = forward;
+        right = Vectors.firstAxis(forward);
+        up = forward.cross(right, new Vector3d());
+        leastU = extent[0];
+        leastV = extent[2];
+        cellU = (extent[1] - extent[0]) / SIDE;
+        cellV = (extent[3] - extent[2]) / SIDE;
+        everywhere = objects.unbounded().toArray(Primitive[]::new);
+        fill(0, 0, DEPTH, objects.bounded());
+    }
+
+    /**
+     * The grid of a lamp, or null if none can be made: the lamp stands among the primitives, or there are too many of them,
+     * or none.
+     */
+    public static LightGrid of(Vector3dc position, ObjectTree objects) {
+        List<Primitive> bounded = objects.bounded();
+        if (bounded.isEmpty() || bounded.size() > MOST_PRIMITIVES) {
+            return null;
+        }
+        Bounds all = bounded.get(0).bounds();
+        for (Primitive primitive : bounded) {
+            all = all.with(primitive.bounds());
+        }
+        Vector3d centre = new Vector3d(all.twiceCentre(0) / 2, all.twiceCentre(1) / 2, all.twiceCentre(2) / 2);
+        Vector3d toCentre = centre.sub(position);
+        if (!(toCentre.length() > 0)) {
+            return null;
+        }
+        Vector3d forward = Vectors.unit(toCentre);
+        double[] extent = extent(all, position, forward);
+        return extent == null ? null : new LightGrid(position, forward, objects, extent);
+    }
+
+    /** Range of the slopes to the right and up under which a box is seen; null if it reaches beside or behind the lamp. */
+    private static double[] extent(Bounds box, Vector3dc position, Vector3dc forward) {
+        Vector3d right = Vectors.firstAxis(forward);
+        Vector3d up = forward.cross(right, new Vector3d());
+        double[] extent = {
+            Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY
+        };
+        for (int corner = 0; corner < 8; corner++) {
+            Vector3d to = new Vector3d(
+                            (corner & 1) == 0 ? box.minX() : box.maxX(),
+                            (corner & 2) == 0 ? box.minY() : box.maxY(),
+                            (corner & 4) == 0 ? box.minZ() : box.maxZ())
+                    .sub(position);
+            double ahead = to.dot(forward);
+            if (!(ahead > 0.3 * to.length())) {
+                return null;
+            }
+            extent[0] = Math.min(extent[0], to.dot(right) / ahead - MARGIN);
+            extent[1] = Math.max(extent[1], to.dot(right) / ahead + MARGIN);
+            extent[2] = Math.min(extent[2], to.dot(up) / ahead - MARGIN);
+            extent[3] = Math.max(extent[3], to.dot(up) / ahead + MARGIN);
+        }
+        return extent;
+    }
+
+    /** Hands primitives down to the quarters of a square of cells that they can be seen in. */
+    private void fill(int column, int row, int depth, List<Primitive> primitives) {
+        if (primitives.isEmpty()) {
+            return;
+        }
+        if (depth == 0) {
+            cells[row * SIDE + column] = primitives.toArray(Primitive[]::new);
+            return;
+        }
+        int half = 1 << (depth - 1);
+        for (int quarter = 0; quarter < 4; quarter++) {
+            int first = column + (quarter & 1) * half;
+            int lowest = row + (quarter >> 1) * half;
+            List<Primitive> seen = new ArrayList<>();
+            for (Primitive primitive : primitives) {
+                if (isSeen(primitive, first, lowest, half)) {
+                    seen.add(primitive);
+                }
+            }
+            fill(first, lowest, depth - 1, seen);
+        }
+    }
+
+    private boolean isSeen(Primitive primitive, int column, int row, int side) {
+        return !(isBeyond(primitive, right, leastU + (column + side) * cellU + margin(cellU), 1)
+                || isBeyond(primitive, right, leastU + column * cellU - margin(cellU), -1)
+                || isBeyond(primitive, up, leastV + (row + side) * cellV + margin(cellV), 1)
+                || isBeyond(primitive, up, leastV + row * cellV - margin(cellV), -1));
+    }
+
+    private static double margin(double cell) {
+        return MARGIN * SIDE * cell + MARGIN;
+    }
+
+    /** Whether all of a primitive is seen under a slope above (sign 1) or below (sign -1) a limit. */
+    private boolean isBeyond(Primitive primitive, Vector3dc across, double slope, int sign) {
+        double nx = sign * (across.x() - slope * forward.x());
+        double ny = sign * (across.y() - slope * forward.y());
+        double nz = sign * (across.z() - slope * forward.z());
+        return primitive.least(nx, ny, nz) > nx * x + ny * y + nz * z;
+    }
+
+    /** Whether this is the grid of the lamp at (x, y, z). */
+    public boolean isOf(double lampX, double lampY, double lampZ) {
+        return x == lampX && y == lampY && z == lampZ;
+    }
+
+    /** Whether something throws a shadow on the start of a ray that goes to the lamp, {@code limit} away. */
+    public boolean shadows(Ray ray, double limit, NearestHit scratch) {
+        for (Primitive primitive : everywhere) {
+            if (primitive.shadows(ray, limit)) {
+                return true;
+            }
+        }
+        Primitive[] seen = cell(ray);
+        for (Primitive primitive : seen) {
+            if (primitive.shadows(ray, limit)) {
+                return true;
+            }
+        }
+        scratch.count(0, everywhere.length + seen.length);
+        return false;
+    }
+
+    private Primitive[] cell(Ray ray) {
+        double ahead = -(ray.dx * forward.x() + ray.dy * forward.y() + ray.dz * forward.z());
+        if (!(ahead > 0)) {
+            return NONE;
+        }
+        double u = (-(ray.dx * right.x() + ray.dy * right.y() + ray.dz * right.z()) / ahead - leastU) / cellU;
+        double v = (-(ray.dx * up.x() + ray.dy * up.y() + ray.dz * up.z()) / ahead - leastV) / cellV;
+        if (!(u >= 0 && v >= 0 && u < SIDE && v < SIDE)) {
+            return NONE;
+        }
+        Primitive[] seen = cells[(int) v * SIDE + (int) u];
+        return seen == null ? NONE : seen;
+    }
+}

@@ -1,0 +1,13 @@
+package tompkins.trace;
+
+import tompkins.ray.Colour;
+
+/** Somebody who takes samples of a block of pixels. */
+public interface SampleTaker {
+
+    /** Whether a sample of a pixel is wanted; asked before its ray is made and again before it is followed. */
+    boolean wants(int column, int row);
+
+    /** Takes the colour of one sample of a pixel, before exposure. */
+    void take(int column, int row, Colour colour);
+}
