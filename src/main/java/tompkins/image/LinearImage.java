@@ -1,4 +1,78 @@
 package tompkins.image;
 
-/** Temporary. */
-public record LinearImage(int width, int height, float[] rgb) {}
+/**
+ * A photograph in linear light: red, green and blue for each pixel, row 0 at the top. Values are not bounded; 1 is the
+ * brightest that a screen shows. The array is handed over, not copied: nobody may change it afterwards.
+ */
+public final class LinearImage {
+
+    private final int width;
+    private final int height;
+    private final float[] rgb;
+
+    /**
+     * A photograph of {@code width} by {@code height} pixels.
+     *
+     * @param rgb three numbers a pixel, row after row from the top
+     * @throws IllegalArgumentException if a side is below 1, if the pixels do not fit into one array, or if the number
+     *     of values does not fit the size
+     */
+    public LinearImage(int width, int height, float[] rgb) {
+        int length = requireSize(width, height);
+        if (rgb.length != length) {
+            throw new IllegalArgumentException("a picture of " + width + " x " + height + " pixels needs " + length
+                    + " values, there are " + rgb.length);
+        }
+        this.width = width;
+        this.height = height;
+        this.rgb = rgb;
+    }
+
+    /**
+     * Number of values that a picture of this size needs: three for each pixel.
+     *
+     * @throws IllegalArgumentException if a side is below 1, or if the values do not fit into one array
+     */
+    public static int requireSize(int width, int height) {
+        if (width < 1 || height < 1) {
+            throw new IllegalArgumentException(
+                    "width and height of a picture must be 1 or more, were " + width + " x " + height);
+        }
+        if (3L * width * height > Integer.MAX_VALUE) {
+            throw new IllegalArgumentException(
+                    "a picture must have at most " + Integer.MAX_VALUE / 3 + " pixels, was " + width + " x " + height);
+        }
+        return 3 * width * height;
+    }
+
+    /** Pixels in a row. */
+    public int width() {
+        return width;
+    }
+
+    /** Number of rows. */
+    public int height() {
+        return height;
+    }
+
+    /** The values themselves, not a copy: three numbers a pixel, row after row from the top. Must not be changed. */
+    public float[] rgb() {
+        return rgb;
+    }
+
+    /**
+     * One value of one pixel.
+     *
+     * @param x column, from 0 at the left
+     * @param y row, from 0 at the top
+     * @param channel 0 red, 1 green, 2 blue
+     * @throws IndexOutOfBoundsException if there is no such pixel or channel
+     */
+    public float value(int x, int y, int channel) {
+        if (x < 0 || x >= width || y < 0 || y >= height || channel < 0 || channel > 2) {
+            throw new IndexOutOfBoundsException("no channel " + channel + " of pixel (" + x + ", " + y
+                    + ") in a picture of " + width + " x " + height + " pixels");
+        }
+        return rgb[3 * (y * width + x) + channel];
+    }
+}

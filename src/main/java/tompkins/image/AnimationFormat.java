@@ -1,0 +1,71 @@
+package tompkins.image;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+
+/** The formats in which animations are saved. They play for ever, where the format can say so. */
+public enum AnimationFormat {
+
+    /** Animated PNG: exact. The scene of the first frame travels inside. */
+    APNG("an animated PNG", List.of(".png", ".apng")),
+
+    /** Animated GIF: at most 256 colours a frame, delays in hundredths of a second and not below two of them. */
+    GIF("an animated GIF", List.of(".gif")),
+
+    /** H.264 video, made by the program ffmpeg where it is installed; not exact. */
+    MP4("an MP4 video", List.of(".mp4")),
+
+    /** A folder of PNG pictures {@code frame0001.png}, {@code frame0002.png}, ..., each with its scene inside: exact. */
+    NUMBERED_PNG("a folder of numbered PNG pictures", List.of());
+
+    /** The most frames a second; screens show no more. */
+    public static final int FASTEST = 60;
+
+    private final String description;
+    private final List<String> endings;
+
+    AnimationFormat(String description, List<String> endings) {
+        this.description = description;
+        this.endings = endings;
+    }
+
+    /** The endings that the name of a file in this format may have; none for a folder. */
+    public List<String> endings() {
+        return endings;
+    }
+
+    /** Whether this computer can write the format: all but MP4 always, MP4 if ffmpeg is on the path. */
+    public boolean isAvailable() {
+        return this != MP4 || Mp4Writer.findProgram().isPresent();
+    }
+
+    /**
+     * Begins an animation.
+     *
+     * @param target the file, or for numbered pictures the folder, which must be new or empty
+     * @param framesPerSecond from 1 to {@link #FASTEST}
+     * @param curve how light becomes levels
+     * @throws PictureException if the name does not fit the format, nothing can be written there, or ffmpeg is missing
+     * @throws IllegalArgumentException if {@code framesPerSecond} is out of range
+     */
+    public AnimationWriter open(Path target, int framesPerSecond, ToneCurve curve) throws PictureException {
+        if (framesPerSecond < 1 || framesPerSecond > FASTEST) {
+            throw new IllegalArgumentException(
+                    "framesPerSecond must be a whole number from 1 to " + FASTEST + ", was " + framesPerSecond);
+        }
+        if (!endings.isEmpty()) {
+            FileEndings.require(target, endings, description);
+        }
+        try {
+            return switch (this) {
+                case APNG -> new ApngWriter(target, framesPerSecond, curve);
+                case GIF -> new GifWriter(target, framesPerSecond, curve);
+                case MP4 -> new Mp4Writer(target, framesPerSecond, curve, Mp4Writer.program());
+                case NUMBERED_PNG -> new NumberedPngWriter(target, curve);
+            };
+        } catch (IOException e) {
+            throw PictureException.cannotWrite(target, e);
+        }
+    }
+}

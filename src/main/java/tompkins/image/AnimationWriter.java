@@ -1,0 +1,132 @@
+package tompkins.image;
+
+import java.awt.image.BufferedImage;
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.file.Path;
+
+/**
+ * An animation that is being saved, frame by frame: no more than a frame is held in memory. It appears under its name
+ * with {@link #finish}; closed without it, it leaves no trace. For one thread at a time.
+ *
+ * <pre>{@code
+ * try (AnimationWriter animation = AnimationFormat.GIF.open(file, 25, ToneCurve.LINEAR)) {
+ *     animation.add(frame, info);
+ *     ...
+ *     animation.finish();
+ * }
+ * }</pre>
+ */
+public abstract sealed class AnimationWriter implements Closeable
+        permits ApngWriter, GifWriter, Mp4Writer, NumberedPngWriter {
+
+    private final Path target;
+    private final PendingFile pending;
+    private final ToneCurve curve;
+    private int width;
+    private int height;
+    private int frames;
+    private boolean ended;
+
+    AnimationWriter(Path target, PendingFile pending, ToneCurve curve) {
+        this.target = target;
+        this.pending = pending;
+        this.curve = curve;
+    }
+
+    /**
+     * Adds a frame. All frames have the size of the first.
+     *
+     * @param info what the frame says about itself: numbered pictures keep it for each, an animated PNG for its first
+     *     frame, the other formats have no place for it
+     * @throws PictureException if the frame cannot be written; the animation is then closed
+     * @throws IllegalArgumentException if the frame has another size than the first, or a size that the format does not
+     *     allow
+     * @throws IllegalStateException after {@link #finish} or {@link #close}
+     */
+    public final void add(LinearImage frame, PhotographInfo info) throws PictureException {
+        requireOpen();
+        if (frames == 0) {
+            width = frame.width();
+            height = frame.height();
+        } else if (frame.width() != width || frame.height() != height) {
+            throw new IllegalArgumentException("all frames must have the size of the first, " + width + " x " + height
+                    + ", was " + frame.width() + " x " + frame.height());
+        }
+        try {
+            write(BufferedImages.toBufferedImage(frame, curve), info, frames);
+        } catch (IOException e) {
+            throw givenUp(e);
+        }
+        frames++;
+    }
+
+    /**
+     * Completes the animation and gives it its name.
+     *
+     * @throws PictureException if it cannot be written; it is then closed
+     * @throws IllegalStateException if there is no frame, or after {@link #finish} or {@link #close}
+     */
+    public final void finish() throws PictureException {
+        requireOpen();
+        if (frames == 0) {
+            throw new IllegalStateException("an animation must have a frame");
+        }
+        try {
+            complete(frames);
+            pending.commit();
+            ended = true;
+        } catch (IOException e) {
+            throw givenUp(e);
+        }
+    }
+
+    /** After a failure nothing can be added: half a frame may be in the file. */
+    private PictureException givenUp(IOException cause) {
+        PictureException failure = PictureException.cannotWrite(target, cause);
+        try {
+            close();
+        } catch (PictureException e) {
+            failure.addSuppressed(e);
+        }
+        return failure;
+    }
+
+    /**
+     * Gives up what is not finished and removes it; does nothing after {@link #finish}.
+     *
+     * @throws PictureException if it cannot be removed
+     */
+    @Override
+    public final void close() throws PictureException {
+        if (ended) {
+            return;
+        }
+        ended = true;
+        try (pending) {
+            abandon();
+        } catch (IOException e) {
+            throw PictureException.cannotWrite(target, e);
+        }
+    }
+
+    private void requireOpen() {
+        if (ended) {
+            throw new IllegalStateException("the animation is already finished or closed");
+        }
+    }
+
+    /** The file or folder to write to. */
+    final PendingFile pending() {
+        return pending;
+    }
+
+    /** Writes one frame; {@code index} counts from 0. */
+    abstract void write(BufferedImage frame, PhotographInfo info, int index) throws IOException;
+
+    /** Writes what comes after the last frame, and closes all streams. */
+    abstract void complete(int frames) throws IOException;
+
+    /** Closes all streams and ends all processes. */
+    abstract void abandon() throws IOException;
+}

@@ -1,0 +1,70 @@
+package tompkins.image;
+
+import java.awt.Point;
+import java.awt.Transparency;
+import java.awt.color.ColorSpace;
+import java.awt.image.BufferedImage;
+import java.awt.image.ColorModel;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.DataBufferFloat;
+import java.awt.image.DataBufferUShort;
+import java.awt.image.PixelInterleavedSampleModel;
+import java.awt.image.Raster;
+import java.awt.image.SampleModel;
+import java.awt.image.WritableRaster;
+
+/** Photographs in the forms that screens and image writers take. */
+public final class BufferedImages {
+
+    private static final LevelTable LINEAR_LEVELS = new LevelTable(ToneCurve.LINEAR);
+    private static final LevelTable SRGB_LEVELS = new LevelTable(ToneCurve.SRGB);
+
+    private BufferedImages() {}
+
+    /** The photograph for the screen: 8 bits a channel, type {@link BufferedImage#TYPE_INT_RGB}. */
+    public static BufferedImage toBufferedImage(LinearImage image, ToneCurve curve) {
+        LevelTable levels = switch (curve) {
+            case LINEAR -> LINEAR_LEVELS;
+            case SRGB -> SRGB_LEVELS;
+        };
+        int width = image.width();
+        BufferedImage result = new BufferedImage(width, image.height(), BufferedImage.TYPE_INT_RGB);
+        WritableRaster raster = result.getRaster();
+        float[] rgb = image.rgb();
+        int[] row = new int[width];
+        for (int y = 0, index = 0; y < image.height(); y++) {
+            for (int x = 0; x < width; x++, index += 3) {
+                row[x] = levels.level(rgb[index]) << 16
+                        | levels.level(rgb[index + 1]) << 8
+                        | levels.level(rgb[index + 2]);
+            }
+            // Row by row: an image whose data buffer was asked for is slow to draw for ever after.
+            raster.setDataElements(0, y, width, 1, row);
+        }
+        return result;
+    }
+
+    /** The photograph with 16 bits a channel. */
+    static BufferedImage sixteenBit(LinearImage image, ToneCurve curve) {
+        float[] rgb = image.rgb();
+        short[] levels = new short[rgb.length];
+        for (int i = 0; i < rgb.length; i++) {
+            levels[i] = (short) curve.quantise(rgb[i], 65535);
+        }
+        return interleaved(image, DataBuffer.TYPE_USHORT, new DataBufferUShort(levels, levels.length));
+    }
+
+    /** The photograph's own values; the array is shared. */
+    static BufferedImage floatingPoint(LinearImage image) {
+        return interleaved(image, DataBuffer.TYPE_FLOAT, new DataBufferFloat(image.rgb(), image.rgb().length));
+    }
+
+    private static BufferedImage interleaved(LinearImage image, int dataType, DataBuffer buffer) {
+        SampleModel samples = new PixelInterleavedSampleModel(
+                dataType, image.width(), image.height(), 3, 3 * image.width(), new int[] {0, 1, 2});
+        ColorModel colours = new ComponentColorModel(
+                ColorSpace.getInstance(ColorSpace.CS_sRGB), false, false, Transparency.OPAQUE, dataType);
+        return new BufferedImage(colours, Raster.createWritableRaster(samples, buffer, new Point()), false, null);
+    }
+}

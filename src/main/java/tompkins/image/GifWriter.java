@@ -1,0 +1,97 @@
+package tompkins.image;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Path;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.ImageWriter;
+import javax.imageio.metadata.IIOMetadata;
+import javax.imageio.metadata.IIOMetadataNode;
+import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+
+/** An animated GIF that plays for ever; each frame has its own palette. */
+final class GifWriter extends AnimationWriter {
+
+    private static final String NATIVE = "javax_imageio_gif_image_1.0";
+    private static final int LARGEST_SIDE = 65535;
+
+    /** Browsers take shorter delays for a mistake and play slowly. */
+    private static final int SHORTEST_DELAY = 2;
+
+    private final int framesPerSecond;
+    private final OutputStream out;
+    private final ImageOutputStream stream;
+    private final ImageWriter writer;
+
+    GifWriter(Path target, int framesPerSecond, ToneCurve curve) throws IOException {
+        super(target, PendingFile.file(target), curve);
+        this.framesPerSecond = framesPerSecond;
+        this.writer = ImageProviders.gifWriter();
+        this.out = pending().open();
+        this.stream = new MemoryCacheImageOutputStream(out);
+    }
+
+    @Override
+    void write(BufferedImage frame, PhotographInfo info, int index) throws IOException {
+        if (index == 0) {
+            begin(frame);
+        }
+        IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(frame), null);
+        IIOMetadataNode root = new IIOMetadataNode(NATIVE);
+        root.appendChild(delayNode(index));
+        if (index == 0) {
+            root.appendChild(loopNode());
+        }
+        metadata.mergeTree(NATIVE, root);
+        writer.writeToSequence(new IIOImage(frame, null, metadata), null);
+        stream.flush();
+    }
+
+    private void begin(BufferedImage frame) throws IOException {
+        if (frame.getWidth() > LARGEST_SIDE || frame.getHeight() > LARGEST_SIDE) {
+            throw new IllegalArgumentException("a GIF must have at most " + LARGEST_SIDE + " pixels a side, was "
+                    + frame.getWidth() + " x " + frame.getHeight());
+        }
+        writer.setOutput(stream);
+        writer.prepareWriteSequence(null);
+    }
+
+    /** Whole hundredths of a second whose sum stays with the time, whatever the rate. */
+    private IIOMetadataNode delayNode(int index) {
+        long delay = Math.round(100.0 * (index + 1) / framesPerSecond) - Math.round(100.0 * index / framesPerSecond);
+        IIOMetadataNode control = new IIOMetadataNode("GraphicControlExtension");
+        control.setAttribute("disposalMethod", "none");
+        control.setAttribute("userInputFlag", "FALSE");
+        control.setAttribute("transparentColorFlag", "FALSE");
+        control.setAttribute("transparentColorIndex", "0");
+        control.setAttribute("delayTime", Long.toString(Math.max(SHORTEST_DELAY, delay)));
+        return control;
+    }
+
+    private static IIOMetadataNode loopNode() {
+        IIOMetadataNode loop = new IIOMetadataNode("ApplicationExtension");
+        loop.setAttribute("applicationID", "NETSCAPE");
+        loop.setAttribute("authenticationCode", "2.0");
+        loop.setUserObject(new byte[] {1, 0, 0});
+        IIOMetadataNode extensions = new IIOMetadataNode("ApplicationExtensions");
+        extensions.appendChild(loop);
+        return extensions;
+    }
+
+    @Override
+    void complete(int frames) throws IOException {
+        writer.endWriteSequence();
+        abandon();
+    }
+
+    @Override
+    void abandon() throws IOException {
+        writer.dispose();
+        try (out) {
+            stream.close();
+        }
+    }
+}

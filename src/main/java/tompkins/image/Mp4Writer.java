@@ -1,0 +1,172 @@
+package tompkins.image;
+
+import java.awt.image.BufferedImage;
+import java.io.BufferedOutputStream;
+import java.io.File;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/** H.264 video, by feeding the pixels to the program ffmpeg. What it complains of becomes the message. */
+final class Mp4Writer extends AnimationWriter {
+
+    private final Path program;
+    private final int framesPerSecond;
+    private Process process;
+    private OutputStream pixels;
+    private Path complaints;
+
+    Mp4Writer(Path target, int framesPerSecond, ToneCurve curve, Path program) throws IOException {
+        super(target, PendingFile.file(target), curve);
+        this.program = program;
+        this.framesPerSecond = framesPerSecond;
+    }
+
+    /** The program ffmpeg, looked for in the folders of the path. */
+    static Optional<Path> findProgram() {
+        String path = System.getenv("PATH");
+        if (path == null) {
+            return Optional.empty();
+        }
+        return Pattern.compile(Pattern.quote(File.pathSeparator))
+                .splitAsStream(path)
+                .flatMap(folder -> Stream.of(new File(folder, "ffmpeg"), new File(folder, "ffmpeg.exe")))
+                .filter(file -> file.isFile() && file.canExecute())
+                .map(File::toPath)
+                .findFirst();
+    }
+
+    /**
+     * The program ffmpeg.
+     *
+     * @throws PictureException if it is not on the path
+     */
+    static Path program() throws PictureException {
+        return findProgram()
+                .orElseThrow(() -> new PictureException("ffmpeg: not found on the path; install it to save MP4 videos,"
+                        + " or save an animated PNG, an animated GIF or numbered pictures"));
+    }
+
+    @Override
+    void write(BufferedImage frame, PhotographInfo info, int index) throws IOException {
+        if (index == 0) {
+            start(frame.getWidth(), frame.getHeight());
+        }
+        try {
+            writeRows(frame);
+        } catch (IOException e) {
+            throw failure(e);
+        }
+    }
+
+    private void start(int width, int height) throws IOException {
+        complaints = Files.createTempFile("tompkins-ffmpeg", ".log");
+        process = new ProcessBuilder(command(width, height))
+                .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                .redirectError(complaints.toFile())
+                .start();
+        pixels = new BufferedOutputStream(process.getOutputStream(), 1 << 16);
+    }
+
+    private List<String> command(int width, int height) {
+        List<String> input = List.of(
+                "-f",
+                "rawvideo",
+                "-pix_fmt",
+                "rgb24",
+                "-s",
+                width + "x" + height,
+                "-r",
+                Integer.toString(framesPerSecond),
+                "-i",
+                "-");
+        // The colours of yuv420p cover two by two pixels: an odd picture gets a black row or column.
+        List<String> output = List.of(
+                "-vf",
+                "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                "-c:v",
+                "libx264",
+                "-pix_fmt",
+                "yuv420p",
+                "-crf",
+                "18",
+                "-movflags",
+                "+faststart",
+                "-f",
+                "mp4",
+                pending().path().toString());
+        return Stream.of(List.of(program.toString(), "-y", "-loglevel", "error"), input, output)
+                .flatMap(List::stream)
+                .toList();
+    }
+
+    private void writeRows(BufferedImage frame) throws IOException {
+        int width = frame.getWidth();
+        int[] colours = new int[width];
+        byte[] row = new byte[3 * width];
+        for (int y = 0; y < frame.getHeight(); y++) {
+            frame.getRGB(0, y, width, 1, colours, 0, width);
+            for (int x = 0; x < width; x++) {
+                row[3 * x] = (byte) (colours[x] >> 16);
+                row[3 * x + 1] = (byte) (colours[x] >> 8);
+                row[3 * x + 2] = (byte) colours[x];
+            }
+            pixels.write(row);
+        }
+    }
+
+    @Override
+    void complete(int frames) throws IOException {
+        try {
+            pixels.close();
+        } catch (IOException e) {
+            throw failure(e);
+        }
+        if (awaitExit() != 0) {
+            throw failure(null);
+        }
+        abandon();
+    }
+
+    private int awaitExit() throws IOException {
+        try {
+            return process.waitFor();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new InterruptedIOException("interrupted while ffmpeg was working");
+        }
+    }
+
+    /** What ffmpeg says is the reason; that it no longer reads is only the consequence. */
+    private IOException failure(IOException consequence) throws IOException {
+        process.destroy();
+        int exitCode = awaitExit();
+        String said = new String(Files.readAllBytes(complaints), StandardCharsets.UTF_8).strip();
+        String last = said.substring(said.lastIndexOf('\n') + 1).strip();
+        IOException failure =
+                new IOException("ffmpeg failed with exit code " + exitCode + (last.isEmpty() ? "" : ": " + last));
+        if (consequence != null) {
+            failure.addSuppressed(consequence);
+        }
+        return failure;
+    }
+
+    @Override
+    void abandon() throws IOException {
+        if (process != null) {
+            process.destroyForcibly();
+            awaitExit();
+            process.getOutputStream().close();
+        }
+        if (complaints != null) {
+            Files.deleteIfExists(complaints);
+        }
+    }
+}

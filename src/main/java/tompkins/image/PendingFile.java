@@ -1,0 +1,117 @@
+package tompkins.image;
+
+import java.io.BufferedOutputStream;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.Comparator;
+import java.util.List;
+import java.util.UUID;
+import java.util.stream.Stream;
+
+/**
+ * A file, or a folder of files, that appears under its name only when it is complete. Until {@link #commit} it has
+ * another name in the same folder; {@link #close} without it removes every trace, and what was there before stays.
+ */
+final class PendingFile implements Closeable {
+
+    private final Path target;
+    private final Path temporary;
+
+    private PendingFile(Path target, Path temporary) {
+        this.target = target;
+        this.temporary = temporary;
+    }
+
+    /**
+     * A pending file that will have the name of {@code target}. A link is followed: what it points to is replaced.
+     *
+     * @throws IOException if there is no such folder, or something that must not be replaced has the name
+     */
+    static PendingFile file(Path target) throws IOException {
+        if (Files.isDirectory(target)) {
+            throw new PictureException(target + ": cannot be written: it is a folder; name a file in it");
+        }
+        if (Files.exists(target) && !Files.isWritable(target)) {
+            throw new PictureException(target + ": cannot be written: the file is write-protected");
+        }
+        PendingFile pending = beside(Files.exists(target) ? target.toRealPath() : target);
+        // Not Files.createTempFile, which hides the file from everybody but its owner.
+        Files.createFile(pending.temporary);
+        return pending;
+    }
+
+    /**
+     * A pending folder that will have the name of {@code target}.
+     *
+     * @throws IOException if there is no such folder to put it in, or a file or a folder with content has the name
+     */
+    static PendingFile folder(Path target) throws IOException {
+        if (Files.exists(target) && !isEmptyFolder(target)) {
+            throw new PictureException(target + ": cannot be written: it exists; name a new or an empty folder");
+        }
+        PendingFile pending = beside(target);
+        Files.createDirectory(pending.temporary);
+        return pending;
+    }
+
+    private static PendingFile beside(Path target) throws IOException {
+        Path folder = target.toAbsolutePath().getParent();
+        if (folder == null || !Files.isDirectory(folder)) {
+            throw new PictureException(target + ": cannot be written: there is no folder " + folder);
+        }
+        return new PendingFile(target, folder.resolve(".tompkins-" + UUID.randomUUID() + ".part"));
+    }
+
+    private static boolean isEmptyFolder(Path path) throws IOException {
+        if (!Files.isDirectory(path)) {
+            return false;
+        }
+        try (Stream<Path> content = Files.list(path)) {
+            return content.findAny().isEmpty();
+        }
+    }
+
+    /** Where the content is to be written. */
+    Path path() {
+        return temporary;
+    }
+
+    /** A buffered stream into the pending file. */
+    OutputStream open() throws IOException {
+        return new BufferedOutputStream(Files.newOutputStream(temporary, StandardOpenOption.WRITE), 1 << 16);
+    }
+
+    /** Gives the complete file its name; all streams into it must be closed. */
+    void commit() throws IOException {
+        if (Files.isDirectory(temporary)) {
+            // Not every system replaces a folder, even an empty one.
+            Files.deleteIfExists(target);
+        }
+        try {
+            Files.move(temporary, target, StandardCopyOption.ATOMIC_MOVE);
+        } catch (AtomicMoveNotSupportedException e) {
+            Files.move(temporary, target, StandardCopyOption.REPLACE_EXISTING);
+        }
+    }
+
+    /** Removes what was not committed. */
+    @Override
+    public void close() throws IOException {
+        if (Files.notExists(temporary)) {
+            return;
+        }
+        List<Path> parts;
+        try (Stream<Path> tree = Files.walk(temporary)) {
+            parts = tree.sorted(Comparator.reverseOrder()).toList();
+        }
+        for (Path part : parts) {
+            Files.deleteIfExists(part);
+        }
+    }
+}

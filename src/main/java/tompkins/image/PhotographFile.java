@@ -1,0 +1,88 @@
+package tompkins.image;
+
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+
+/** Saves photographs with the scene inside, and finds the scene in saved photographs. */
+public final class PhotographFile {
+
+    private PhotographFile() {}
+
+    /**
+     * Saves a photograph. The file appears complete or not at all, and what was there before stays until then. The same
+     * arguments give the same bytes.
+     *
+     * @param curve how light becomes levels; formats that hold the light itself do without
+     * @throws PictureException if the file's name does not fit the format, or the file cannot be written
+     */
+    public static void write(Path file, LinearImage image, PictureFormat format, ToneCurve curve, PhotographInfo info)
+            throws PictureException {
+        format.requireFor(file);
+        try (PendingFile pending = PendingFile.file(file)) {
+            try (OutputStream out = pending.open()) {
+                encode(out, image, format, curve, info);
+            }
+            pending.commit();
+        } catch (IOException e) {
+            throw PictureException.cannotWrite(file, e);
+        }
+    }
+
+    private static void encode(
+            OutputStream out, LinearImage image, PictureFormat format, ToneCurve curve, PhotographInfo info)
+            throws IOException {
+        switch (format) {
+            case PNG -> PngFile.write(out, BufferedImages.toBufferedImage(image, curve), info);
+            case PNG16 -> PngFile.write(out, BufferedImages.sixteenBit(image, curve), info);
+            case TIFF -> TiffFile.write(out, BufferedImages.sixteenBit(image, curve), info);
+            case TIFF_FLOAT -> TiffFile.write(out, BufferedImages.floatingPoint(image), info);
+            case HDR -> RadianceFile.write(out, image, info);
+        }
+    }
+
+    /**
+     * The scene in a saved photograph, as it was given to {@link #write}; line ends may be line feeds instead, and
+     * letters may stand for escapes of JSON. The file is recognised by its content, not by its name.
+     *
+     * @return the JSON of the scene; empty if the picture holds none
+     * @throws PictureException if the file cannot be read, is damaged, or is not a PNG, TIFF or Radiance picture
+     */
+    public static Optional<String> readScene(Path file) throws PictureException {
+        try {
+            return scene(file, encoding(file));
+        } catch (IOException e) {
+            throw PictureException.cannotRead(file, e);
+        } catch (RuntimeException e) {
+            // The readers trust the file and fail in any way when it is damaged.
+            throw PictureException.cannotRead(file, new IOException(e));
+        }
+    }
+
+    private static PictureEncoding encoding(Path file) throws IOException {
+        try (InputStream in = Files.newInputStream(file)) {
+            return PictureEncoding.of(in.readNBytes(PictureEncoding.LONGEST_START))
+                    .orElseThrow(() -> notAPhotograph(file, "not a picture"));
+        }
+    }
+
+    private static Optional<String> scene(Path file, PictureEncoding encoding) throws IOException {
+        try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {
+            return switch (encoding) {
+                case PNG -> PngFile.readScene(in);
+                case TIFF -> TiffFile.readScene(file);
+                case HDR -> RadianceFile.readScene(in);
+                default -> throw notAPhotograph(file, "a " + encoding.label() + " picture");
+            };
+        }
+    }
+
+    private static PictureException notAPhotograph(Path file, String what) {
+        return new PictureException(
+                file + ": " + what + "; a photograph that holds its scene is a PNG, TIFF or Radiance HDR picture");
+    }
+}

@@ -1,0 +1,49 @@
+package tompkins.image;
+
+/**
+ * What a photograph's file says about itself.
+ *
+ * @param title what it shows, one line; may be empty
+ * @param software the program that took it, with its version; may be empty
+ * @param sceneJson the scene from which it can be taken again, a JSON object; empty if there is none
+ */
+public record PhotographInfo(String title, String software, String sceneJson) {
+
+    /** The most characters that a scene may have; no file that claims more is believed. */
+    public static final int LONGEST_SCENE = 16 << 20;
+
+    /** The most bytes that such a scene takes in a file, where a character may become an escape of six. */
+    static final int LONGEST_STORED_SCENE = 6 * LONGEST_SCENE;
+
+    /** A photograph that says nothing about itself. */
+    public static final PhotographInfo NONE = new PhotographInfo("", "", "");
+
+    /**
+     * Checks the texts.
+     *
+     * @throws IllegalArgumentException if the scene does not begin as a JSON object or is too long, or a text holds a control
+     *     character that the formats cannot keep (the scene may hold tabs and line ends)
+     */
+    public PhotographInfo {
+        requireText("title", title, "");
+        requireText("software", software, "");
+        requireText("sceneJson", sceneJson, "\t\n\r");
+        if (sceneJson.length() > LONGEST_SCENE) {
+            throw new IllegalArgumentException(
+                    "sceneJson must have at most " + LONGEST_SCENE + " characters, was " + sceneJson.length());
+        }
+        if (!sceneJson.isEmpty() && !sceneJson.stripLeading().startsWith("{")) {
+            throw new IllegalArgumentException("sceneJson must be a JSON object, which begins with {, or empty");
+        }
+    }
+
+    private static void requireText(String name, String text, String allowedControls) {
+        for (int i = 0; i < text.length(); i++) {
+            char letter = text.charAt(i);
+            if (letter < ' ' && allowedControls.indexOf(letter) < 0) {
+                throw new IllegalArgumentException(
+                        name + " must not hold control characters, has code " + (int) letter + " at " + i);
+            }
+        }
+    }
+}

@@ -1,0 +1,64 @@
+package tompkins.image;
+
+import java.io.EOFException;
+import java.io.FileNotFoundException;
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
+
+/** A picture could not be read or written. The message is one line: the file, what is wrong, and what is allowed. */
+public final class PictureException extends IOException {
+
+    private static final long serialVersionUID = 1;
+
+    PictureException(String message) {
+        super(message);
+    }
+
+    PictureException(String message, Throwable cause) {
+        super(message, cause);
+    }
+
+    /** The failure of writing a file or folder, in words. */
+    static PictureException cannotWrite(Object file, IOException cause) {
+        return wrap(file, "cannot be written", cause);
+    }
+
+    /** The failure of reading a file, in words. */
+    static PictureException cannotRead(Object file, IOException cause) {
+        return wrap(file, "cannot be read", cause);
+    }
+
+    private static PictureException wrap(Object file, String problem, IOException cause) {
+        if (cause instanceof PictureException clear) {
+            return clear;
+        }
+        return new PictureException(file + ": " + problem + ": " + reason(cause), cause);
+    }
+
+    /** What the innermost cause says, in one line. */
+    static String reason(Throwable failure) {
+        Throwable root = failure;
+        while (root.getCause() != null) {
+            root = root.getCause();
+        }
+        if (root instanceof RuntimeException || root instanceof EOFException) {
+            // What a reader says when it stumbles over a damaged file is about the reader.
+            return "the file ends too early or contradicts itself";
+        }
+        if (root instanceof AccessDeniedException) {
+            return "there is no permission";
+        }
+        if (root instanceof NoSuchFileException || root instanceof FileNotFoundException) {
+            return "there is no such file or folder";
+        }
+        String message = root instanceof FileSystemException system && system.getReason() != null
+                ? system.getReason()
+                : root.getMessage();
+        if (message == null || message.isBlank()) {
+            return root.getClass().getSimpleName();
+        }
+        return message.strip().lines().findFirst().orElseThrow();
+    }
+}

@@ -1,0 +1,157 @@
+package tompkins.image;
+
+import com.twelvemonkeys.imageio.plugins.hdr.HDRImageReadParam;
+import com.twelvemonkeys.imageio.plugins.hdr.tonemap.NullToneMapper;
+import com.twelvemonkeys.imageio.stream.ByteArrayImageInputStream;
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBuffer;
+import java.io.EOFException;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javax.imageio.ImageReadParam;
+import javax.imageio.ImageReader;
+import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.stream.ImageInputStream;
+import tompkins.ray.PixelPicture;
+
+/**
+ * Reads pictures of any origin, for surfaces and masks: PNG, JPEG, GIF, BMP, TIFF and Radiance. Values are taken as they
+ * are stored, divided by the largest for whole numbers: no tone curve is undone, no turning in the metadata of a camera
+ * followed, of an animation only the first frame taken.
+ */
+public final class PictureFile {
+
+    /** The most pixels that a picture may have. */
+    public static final int MOST_PIXELS = 64_000_000;
+
+    private static final long MOST_BYTES = 1L << 30;
+
+    private PictureFile() {}
+
+    /**
+     * Reads a picture, named after the file.
+     *
+     * @throws PictureException if there is no such file, or it is not a picture that can be read
+     */
+    public static PixelPicture read(Path file) throws PictureException {
+        try {
+            if (Files.exists(file) && !Files.isRegularFile(file)) {
+                throw new PictureException(file + ": not a file");
+            }
+            if (Files.size(file) > MOST_BYTES) {
+                throw new PictureException(
+                        file + ": has " + Files.size(file) + " bytes; a picture may have at most " + MOST_BYTES);
+            }
+            return read(Files.readAllBytes(file), file.toString());
+        } catch (IOException e) {
+            throw PictureException.cannotRead(file, e);
+        }
+    }
+
+    /**
+     * Reads a picture from the bytes of its file. The array is handed over and must not be changed afterwards.
+     *
+     * @param name the file's name, for messages and for {@link PixelPicture#name}
+     * @throws PictureException if they are not a picture that can be read
+     */
+    public static PixelPicture read(byte[] file, String name) throws PictureException {
+        if (file.length == 0) {
+            throw new PictureException(name + ": the file is empty; allowed are " + PictureEncoding.ALLOWED);
+        }
+        PictureEncoding encoding = PictureEncoding.of(file)
+                .orElseThrow(() -> new PictureException(
+                        name + ": not a picture that can be read; allowed are " + PictureEncoding.ALLOWED));
+        try {
+            return decode(encoding, file, name);
+        } catch (PictureException e) {
+            throw e;
+        } catch (IOException | RuntimeException e) {
+            // The readers trust the file and fail in any way when it is damaged.
+            throw damaged(encoding, name, PictureException.reason(e), e);
+        } catch (OutOfMemoryError e) {
+            throw damaged(encoding, name, "it needs more memory than there is", e);
+        }
+    }
+
+    private static PictureException damaged(PictureEncoding encoding, String name, String reason, Throwable cause) {
+        return new PictureException(name + ": " + encoding.label() + " picture cannot be read: " + reason, cause);
+    }
+
+    private static PixelPicture decode(PictureEncoding encoding, byte[] file, String name) throws IOException {
+        ImageReader reader = ImageProviders.reader(encoding);
+        List<String> warnings = new ArrayList<>();
+        try (ImageInputStream stream = new ByteArrayImageInputStream(file)) {
+            reader.addIIOReadWarningListener((source, warning) -> warnings.add(warning));
+            reader.setInput(stream, true, true);
+            requireSize(reader, encoding, file, name);
+            PixelPicture picture = pixels(reader, encoding, file, name);
+            for (String warning : warnings) {
+                // A JPEG picture that ends too early is filled with grey, and only a warning tells.
+                if (warning.startsWith("Truncated File") || warning.contains("premature end")) {
+                    throw new EOFException(warning);
+                }
+            }
+            return picture;
+        } finally {
+            reader.dispose();
+        }
+    }
+
+    private static PixelPicture pixels(ImageReader reader, PictureEncoding encoding, byte[] file, String name)
+            throws IOException {
+        ImageTypeSpecifier stored = encoding == PictureEncoding.TIFF ? reader.getRawImageType(0) : null;
+        if (stored != null && isFloatingPoint(stored)) {
+            // Not read(), which clips floating point to [0, 1].
+            var raster = reader.readRaster(0, null);
+            float[] rgba = PixelDecoder.rgba(raster, stored.getColorModel(), name);
+            return new PixelPicture(name, raster.getWidth(), raster.getHeight(), rgba, file);
+        }
+        BufferedImage image = reader.read(0, parameters(reader, encoding));
+        float[] rgba = PixelDecoder.rgba(image.getRaster(), image.getColorModel(), name);
+        return new PixelPicture(name, image.getWidth(), image.getHeight(), rgba, file);
+    }
+
+    private static boolean isFloatingPoint(ImageTypeSpecifier type) {
+        int dataType = type.getSampleModel().getDataType();
+        return dataType == DataBuffer.TYPE_FLOAT || dataType == DataBuffer.TYPE_DOUBLE;
+    }
+
+    private static ImageReadParam parameters(ImageReader reader, PictureEncoding encoding) {
+        if (encoding != PictureEncoding.HDR) {
+            return reader.getDefaultReadParam();
+        }
+        HDRImageReadParam param = new HDRImageReadParam();
+        param.setToneMapper(new NullToneMapper());
+        return param;
+    }
+
+    /** Believes no header: the size is checked before anything of that size is made. */
+    private static void requireSize(ImageReader reader, PictureEncoding encoding, byte[] file, String name)
+            throws IOException {
+        requireSize(reader.getWidth(0), reader.getHeight(0), name);
+        if (encoding == PictureEncoding.GIF) {
+            // The reader makes the whole screen, of which the first frame may be a part.
+            requireSize(littleEndian(file, 6), littleEndian(file, 8), name);
+        }
+        if (encoding == PictureEncoding.HDR
+                && (reader.getWidth(0) < RadianceFile.NARROWEST_PACKED
+                        || reader.getWidth(0) > RadianceFile.WIDEST_PACKED)) {
+            throw new PictureException(name + ": a Radiance picture must be from " + RadianceFile.NARROWEST_PACKED
+                    + " to " + RadianceFile.WIDEST_PACKED + " pixels wide, is " + reader.getWidth(0));
+        }
+    }
+
+    private static void requireSize(int width, int height, String name) throws PictureException {
+        if (width < 1 || height < 1 || (long) width * height > MOST_PIXELS) {
+            throw new PictureException(name + ": claims to have " + width + " x " + height
+                    + " pixels; a picture may have from 1 to " + MOST_PIXELS);
+        }
+    }
+
+    private static int littleEndian(byte[] file, int at) {
+        return file[at] & 0xff | (file[at + 1] & 0xff) << 8;
+    }
+}

@@ -1,0 +1,74 @@
+package tompkins.image;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** The formats in which photographs are saved. Of those that share an ending, the first is the usual one. */
+public enum PictureFormat {
+
+    /** PNG, 8 bits a channel. */
+    PNG("an 8-bit PNG picture", List.of(".png")),
+
+    /** PNG, 16 bits a channel. */
+    PNG16("a 16-bit PNG picture", List.of(".png")),
+
+    /** TIFF, 16 bits a channel. */
+    TIFF("a 16-bit TIFF picture", List.of(".tif", ".tiff")),
+
+    /** TIFF, 32-bit floating point: the light itself, exactly, with no tone curve. */
+    TIFF_FLOAT("a floating-point TIFF picture", List.of(".tif", ".tiff")),
+
+    /** Radiance RGBE: the light itself, to one part in 128 of the brightest channel, with no tone curve. */
+    HDR("a Radiance picture", List.of(".hdr", ".pic"));
+
+    private final String description;
+    private final List<String> endings;
+
+    PictureFormat(String description, List<String> endings) {
+        this.description = description;
+        this.endings = endings;
+    }
+
+    /**
+     * The usual format for a file's name.
+     *
+     * @throws PictureException if the name has none of the endings that are allowed
+     */
+    public static PictureFormat of(Path file) throws PictureException {
+        for (PictureFormat format : values()) {
+            if (FileEndings.match(file, format.endings)) {
+                return format;
+            }
+        }
+        throw new PictureException(file + ": the name of a photograph must end in " + allowedEndings());
+    }
+
+    /** All endings that a photograph's name may have, for messages: {@code .png, .tif, .tiff, .hdr, .pic}. */
+    public static String allowedEndings() {
+        return Stream.of(values())
+                .flatMap(format -> format.endings.stream())
+                .distinct()
+                .collect(Collectors.joining(", "));
+    }
+
+    /** The endings of file names in this format, the usual one first. */
+    public List<String> endings() {
+        return endings;
+    }
+
+    /** Whether the format holds levels, made by a tone curve, and not the light itself. */
+    public boolean usesToneCurve() {
+        return this != TIFF_FLOAT && this != HDR;
+    }
+
+    /**
+     * Checks that a file's name fits this format.
+     *
+     * @throws PictureException if the name has none of this format's endings
+     */
+    public void requireFor(Path file) throws PictureException {
+        FileEndings.require(file, endings, description);
+    }
+}

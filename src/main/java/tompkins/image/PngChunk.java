@@ -1,0 +1,82 @@
+package tompkins.image;
+
+import java.io.ByteArrayInputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.zip.CRC32;
+
+/**
+ * One chunk of a PNG file: length, type, data, check sum (PNG specification, section 5.3).
+ *
+ * @param type four letters
+ * @param data the content, without length and check sum
+ */
+record PngChunk(String type, byte[] data) {
+
+    /** The bytes before the first chunk. */
+    private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+
+    /** The chunks of a PNG file that this program has made. */
+    static List<PngChunk> all(byte[] png) throws IOException {
+        DataInputStream in = new DataInputStream(new ByteArrayInputStream(png));
+        skipSignature(in);
+        List<PngChunk> chunks = new ArrayList<>();
+        do {
+            int length = in.readInt();
+            chunks.add(read(in, readType(in), length));
+        } while (!chunks.get(chunks.size() - 1).type.equals("IEND"));
+        return chunks;
+    }
+
+    /** Begins a PNG file. */
+    static void writeSignature(OutputStream out) throws IOException {
+        out.write(SIGNATURE);
+    }
+
+    /** Goes to the first chunk. */
+    static void skipSignature(InputStream in) throws IOException {
+        in.readNBytes(SIGNATURE.length);
+    }
+
+    /** The four letters of a type, with the length before it already read. */
+    static String readType(DataInputStream in) throws IOException {
+        byte[] letters = new byte[4];
+        in.readFully(letters);
+        return new String(letters, StandardCharsets.ISO_8859_1);
+    }
+
+    /** The rest of a chunk, whose length and type are already read. */
+    static PngChunk read(DataInputStream in, String type, int length) throws IOException {
+        byte[] data = in.readNBytes(length);
+        if (data.length < length) {
+            throw new EOFException("the file ends inside a chunk");
+        }
+        PngChunk chunk = new PngChunk(type, data);
+        if (in.readInt() != chunk.checksum()) {
+            throw new IOException("the check sum of a chunk is wrong");
+        }
+        return chunk;
+    }
+
+    void write(OutputStream out) throws IOException {
+        DataOutputStream chunk = new DataOutputStream(out);
+        chunk.writeInt(data.length);
+        chunk.writeBytes(type);
+        chunk.write(data);
+        chunk.writeInt(checksum());
+    }
+
+    private int checksum() {
+        CRC32 sum = new CRC32();
+        sum.update(type.getBytes(StandardCharsets.ISO_8859_1));
+        sum.update(data);
+        return (int) sum.getValue();
+    }
+}

@@ -1,0 +1,71 @@
+package tompkins.image;
+
+import com.twelvemonkeys.imageio.metadata.Entry;
+import com.twelvemonkeys.imageio.metadata.tiff.TIFF;
+import com.twelvemonkeys.imageio.metadata.tiff.TIFFReader;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Path;
+import java.util.Optional;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.ImageWriter;
+import javax.imageio.plugins.tiff.BaselineTIFFTagSet;
+import javax.imageio.plugins.tiff.TIFFDirectory;
+import javax.imageio.plugins.tiff.TIFFField;
+import javax.imageio.plugins.tiff.TIFFTag;
+import javax.imageio.stream.FileImageInputStream;
+import javax.imageio.stream.ImageInputStream;
+import javax.imageio.stream.ImageOutputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+
+/** Photographs as TIFF. The scene is the image description (tag 270), in ASCII as the tag demands. */
+final class TiffFile {
+
+    private TiffFile() {}
+
+    static void write(OutputStream out, BufferedImage image, PhotographInfo info) throws IOException {
+        ImageWriter writer = ImageProviders.tiffWriter();
+        try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
+            ImageWriteParam compression = writer.getDefaultWriteParam();
+            compression.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
+            compression.setCompressionType("ZLib");
+            TIFFDirectory directory = TIFFDirectory.createFromMetadata(
+                    writer.getDefaultImageMetadata(new ImageTypeSpecifier(image), compression));
+            addText(directory, BaselineTIFFTagSet.TAG_DOCUMENT_NAME, info.title());
+            addText(directory, BaselineTIFFTagSet.TAG_SOFTWARE, info.software());
+            addText(directory, BaselineTIFFTagSet.TAG_IMAGE_DESCRIPTION, info.sceneJson());
+            writer.setOutput(stream);
+            writer.write(null, new IIOImage(image, null, directory.getAsMetadata()), compression);
+        } finally {
+            writer.dispose();
+        }
+    }
+
+    private static void addText(TIFFDirectory directory, int number, String text) {
+        if (!text.isEmpty()) {
+            TIFFTag tag = BaselineTIFFTagSet.getInstance().getTag(number);
+            String[] value = {AsciiText.escape(text)};
+            directory.addTIFFField(new TIFFField(tag, TIFFTag.TIFF_ASCII, 1, value));
+        }
+    }
+
+    /**
+     * The image description, if it is a JSON object; other programs put other things there. Not through the JDK, which
+     * ends texts at 64 kB.
+     */
+    static Optional<String> readScene(Path file) throws IOException {
+        try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
+            Entry description = new TIFFReader().read(stream).getEntryById(TIFF.TAG_IMAGE_DESCRIPTION);
+            Object value = description == null ? null : description.getValue();
+            if (value instanceof IOException damage) {
+                throw damage;
+            }
+            return value instanceof String text && text.stripLeading().startsWith("{")
+                    ? Optional.of(AsciiText.unescape(text))
+                    : Optional.empty();
+        }
+    }
+}
