@@ -11,18 +11,34 @@ final class SobolPoints {
     private static final int DIMENSIONS = 4;
     private static final double TWO_TO_32 = 0x1p32;
 
-    /** The direction numbers: the points with the numbers 1, 2, 4, 8, ... as fractions of 2^32. */
-    private static final int[][] DIRECTIONS = directions();
+    /** For each dimension and each byte of a point's number, what each value of the byte adds to the fraction. */
+    private static final int[][][] FRACTIONS = fractionsOfBytes();
 
     private SobolPoints() {}
 
+    private static int[][][] fractionsOfBytes() {
+        int[][] directions = directions();
+        int[][][] table = new int[DIMENSIONS][Integer.BYTES][256];
+        for (int dimension = 0; dimension < DIMENSIONS; dimension++) {
+            for (int bit = 0; bit < Integer.SIZE; bit++) {
+                int[] ofByte = table[dimension][bit / 8];
+                int first = 1 << (bit % 8);
+                // a value is its highest bit and the rest, which is known by then
+                for (int rest = 0; rest < first; rest++) {
+                    ofByte[first + rest] = ofByte[rest] ^ directions[dimension][bit];
+                }
+            }
+        }
+        return table;
+    }
+
+    /** The direction numbers: the fractions that the bits of a point's number add up to (without carry). */
     private static int[][] directions() {
         SobolSequenceGenerator sequence = new SobolSequenceGenerator(DIMENSIONS);
-        int[][] directions = new int[DIMENSIONS][32];
-        int[] before = new int[DIMENSIONS];
-        for (int bit = 0; bit < 31; bit++) {
-            // the library runs in Gray code: its points 2^bit - 1 and 2^bit differ by one direction number
-            before = bit == 0 ? before : fractions(sequence.skipTo((1 << bit) - 1));
+        int[][] directions = new int[DIMENSIONS][Integer.SIZE];
+        for (int bit = 0; bit < Integer.SIZE - 1; bit++) {
+            // the library counts in Gray code, where the numbers 2^bit - 1 and 2^bit differ in one bit only
+            int[] before = bit == 0 ? new int[DIMENSIONS] : fractions(sequence.skipTo((1 << bit) - 1));
             int[] after = fractions(sequence.skipTo(1 << bit));
             for (int dimension = 0; dimension < DIMENSIONS; dimension++) {
                 directions[dimension][bit] = before[dimension] ^ after[dimension];
@@ -46,13 +62,11 @@ final class SobolPoints {
 
     /** One coordinate of a point, scrambled, from 0 to below 1. */
     static double coordinate(int number, int dimension, int seed) {
-        int fraction = 0;
-        int[] directions = DIRECTIONS[dimension];
-        for (int rest = number, bit = 0; rest != 0; rest >>>= 1, bit++) {
-            if ((rest & 1) != 0) {
-                fraction ^= directions[bit];
-            }
-        }
+        int[][] table = FRACTIONS[dimension];
+        int fraction = table[0][number & 0xff]
+                ^ table[1][number >>> 8 & 0xff]
+                ^ table[2][number >>> 16 & 0xff]
+                ^ table[3][number >>> 24];
         // scrambling works from the highest bit downwards, the hash from the lowest upwards
         int scrambled = Integer.reverse(scramble(Integer.reverse(fraction), seed));
         return (scrambled & 0xffffffffL) / TWO_TO_32;

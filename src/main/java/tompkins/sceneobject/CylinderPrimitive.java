@@ -54,18 +54,16 @@ final class CylinderPrimitive extends Primitive {
         double crossY = Precise.differenceOfProducts(axisZ, ray.dx, axisX, ray.dz);
         double crossZ = Precise.differenceOfProducts(axisX, ray.dy, axisY, ray.dx);
         double squaredCross = crossX * crossX + crossY * crossY + crossZ * crossZ;
-        double cross = Math.sqrt(squaredCross);
         // distance between the ray's line and the axis, times the length of the cross product
-        double offset = Math.abs(wx * crossX + wy * crossY + wz * crossZ);
-        double reach = radius * cross;
-        if (offset > reach) {
+        double offset = wx * crossX + wy * crossY + wz * crossZ;
+        if (offset * offset > radius * radius * squaredCross) {
             return NO_HIT;
         }
         double alongStart = wx * axisX + wy * axisY + wz * axisZ;
         double slope = axisX * ray.dx + axisY * ray.dy + axisZ * ray.dz;
         double nearest = NO_HIT;
-        if (cross > 0) {
-            nearest = mantle(ray, wx, wy, wz, crossX, crossY, crossZ, squaredCross, offset, reach, alongStart, slope);
+        if (squaredCross > 0) {
+            nearest = mantle(ray, wx, wy, wz, crossX, crossY, crossZ, squaredCross, Math.abs(offset), alongStart, slope);
         }
         if (caps) {
             nearest = Math.min(nearest, cap(ray, START_CAP, wx, wy, wz, -alongStart / slope));
@@ -84,7 +82,6 @@ final class CylinderPrimitive extends Primitive {
             double crossZ,
             double squaredCross,
             double offset,
-            double reach,
             double alongStart,
             double slope) {
         double sideX = Precise.differenceOfProducts(axisY, wz, axisZ, wy);
@@ -94,7 +91,9 @@ final class CylinderPrimitive extends Primitive {
         if (ray.boundary == this && ray.part == MANTLE) {
             return within(2 * middle, alongStart, slope);
         }
-        double halfChord = length * Math.sqrt((reach - offset) * (reach + offset)) / squaredCross;
+        double reach = radius * Math.sqrt(squaredCross);
+        // rounding may put a grazing ray beyond the reach
+        double halfChord = length * Math.sqrt(Math.max(0, (reach - offset) * (reach + offset))) / squaredCross;
         double side = Math.sqrt(sideX * sideX + sideY * sideY + sideZ * sideZ);
         double product = (side - radius * length) * (side + radius * length) / squaredCross;
         double outer = middle + (middle > 0 ? halfChord : -halfChord);

@@ -93,24 +93,29 @@ final class RayBundle {
 
     /** Along a ray n.x only falls, so that its start decides. */
     private void boundStarts(Ray[] rays, int count) {
-        double farthest = 0;
+        Ray first = rays[0];
+        double farthest = Math.abs(first.x) + Math.abs(first.y) + Math.abs(first.z);
         for (int plane = 0; plane < PLANES; plane++) {
-            double x = normals[3 * plane];
-            double y = normals[3 * plane + 1];
-            double z = normals[3 * plane + 2];
-            double bound = Double.NEGATIVE_INFINITY;
-            for (int i = 0; i < count; i++) {
-                double height = x * rays[i].x + y * rays[i].y + z * rays[i].z;
-                bound = height > bound ? height : bound;
-            }
-            bounds[plane] = bound;
+            bounds[plane] = height(plane, first);
         }
-        for (int i = 0; i < count; i++) {
-            farthest = Math.max(farthest, Math.abs(rays[i].x) + Math.abs(rays[i].y) + Math.abs(rays[i].z));
+        for (int i = 1; i < count; i++) {
+            Ray ray = rays[i];
+            // all rays of a pinhole start at one point, usually
+            if (ray.x == first.x && ray.y == first.y && ray.z == first.z) {
+                continue;
+            }
+            farthest = Math.max(farthest, Math.abs(ray.x) + Math.abs(ray.y) + Math.abs(ray.z));
+            for (int plane = 0; plane < PLANES; plane++) {
+                bounds[plane] = Math.max(bounds[plane], height(plane, ray));
+            }
         }
         for (int plane = 0; plane < PLANES; plane++) {
             bounds[plane] += MARGIN * (1 + farthest);
         }
+    }
+
+    private double height(int plane, Ray ray) {
+        return normals[3 * plane] * ray.x + normals[3 * plane + 1] * ray.y + normals[3 * plane + 2] * ray.z;
     }
 
     /** Whether no ray of the bundle can meet a primitive. */

@@ -91,9 +91,6 @@ public final class SampleTracer {
             }
             return;
         }
-        for (int i = 0; i < count; i++) {
-            rays[i] = sceneEntry.cross(rays[i]);
-        }
         RayTracer tracer = sceneEntry.sceneTracer();
         boolean few = tracer.find(candidates, rays, count);
         for (int i = 0; i < count; i++) {
@@ -116,7 +113,7 @@ public final class SampleTracer {
                 if (ray == null) {
                     taker.take(column, row, Colour.BLACK);
                 } else {
-                    rays[count] = ray;
+                    rays[count] = cameraTracer == null ? sceneEntry.cross(ray) : ray;
                     columns[count] = column;
                     rows[count] = row;
                     count++;
