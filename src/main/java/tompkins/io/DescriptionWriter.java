@@ -1,0 +1,101 @@
+package tompkins.io;
+
+import java.lang.reflect.RecordComponent;
+import java.lang.reflect.Type;
+import java.util.Base64;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Predicate;
+import org.joml.Vector2ic;
+import org.joml.Vector3dc;
+import org.joml.Vector3ic;
+import tompkins.ray.Colour;
+import tompkins.ray.PixelPicture;
+import tompkins.spacetime.Velocity;
+
+/** Makes maps and lists, ready for {@link JsonLayout}, from descriptions; leaves out what the default says anyway. */
+final class DescriptionWriter {
+
+    private final Predicate<PixelPicture> embedded;
+
+    /** A writer that includes the files of some pictures, and names the others. */
+    DescriptionWriter(Predicate<PixelPicture> embedded) {
+        this.embedded = embedded;
+    }
+
+    /** A value as the component of type {@code type} that it is. */
+    Object tree(Type type, Object value) {
+        Optional<Class<?>> element = Descriptions.elementType(type);
+        if (element.isPresent()) {
+            return ((List<?>) value)
+                    .stream().map(each -> tree(element.get(), each)).toList();
+        }
+        if (value instanceof Colour colour) {
+            return tree(colour);
+        }
+        if (value instanceof Record record) {
+            return record(record, Descriptions.isFamily((Class<?>) type));
+        }
+        if (value instanceof Enum<?>) {
+            return Descriptions.constantName(value);
+        }
+        if (value instanceof Vector3dc vector) {
+            return List.of(vector.x(), vector.y(), vector.z());
+        }
+        if (value instanceof Vector3ic vector) {
+            return List.of(vector.x(), vector.y(), vector.z());
+        }
+        if (value instanceof Vector2ic vector) {
+            return List.of(vector.x(), vector.y());
+        }
+        if (value instanceof Velocity velocity) {
+            return tree(velocity);
+        }
+        return value instanceof PixelPicture picture ? tree(picture) : value;
+    }
+
+    /** The keys of a record whose values are not those of the default. */
+    private Map<String, Object> record(Record record, boolean named) {
+        Map<String, Object> members = new LinkedHashMap<>();
+        if (named) {
+            members.put(DescriptionReader.TYPE, record.getClass().getSimpleName());
+        }
+        Object standard = Descriptions.standard(record.getClass());
+        for (RecordComponent component : record.getClass().getRecordComponents()) {
+            Object value = Descriptions.value(component, record);
+            if (!value.equals(Descriptions.value(component, standard))) {
+                members.put(component.getName(), tree(component.getGenericType(), value));
+            }
+        }
+        return members;
+    }
+
+    private static Object tree(Colour colour) {
+        return colour.equals(Colour.grey(colour.red()))
+                ? (Object) colour.red()
+                : List.of(colour.red(), colour.green(), colour.blue());
+    }
+
+    private Object tree(Velocity velocity) {
+        Object given = tree(Vector3dc.class, velocity.given());
+        if (velocity.scale() == null) {
+            return given;
+        }
+        Map<String, Object> members = new LinkedHashMap<>();
+        members.put(velocity.scale().key(), velocity.value());
+        members.put(VelocityReader.DIRECTION, given);
+        return members;
+    }
+
+    private Object tree(PixelPicture picture) {
+        if (!embedded.test(picture)) {
+            return picture.name();
+        }
+        Map<String, Object> members = new LinkedHashMap<>();
+        members.put(PictureReader.NAME, picture.name());
+        members.put(PictureReader.BASE64, Base64.getEncoder().encodeToString(picture.file()));
+        return members;
+    }
+}

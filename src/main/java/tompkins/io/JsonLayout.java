@@ -1,0 +1,75 @@
+package tompkins.io;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import tools.jackson.core.io.JsonStringEncoder;
+import tools.jackson.core.io.NumberOutput;
+
+/**
+ * Lays out JSON for people: what fits on one line stands on one line, the rest has a line for each key. The same values
+ * give the same text on every system.
+ */
+final class JsonLayout {
+
+    private static final int WIDTH = 100;
+    private static final int INDENT = 2;
+    private static final double LARGEST_PLAIN = 1e9;
+
+    private JsonLayout() {}
+
+    /**
+     * The text of a value.
+     *
+     * @param value a map with texts as keys, a list, a text, a number or a truth value
+     */
+    static String text(Object value) {
+        return text(value, 0, WIDTH);
+    }
+
+    /** The text of a value on one line, however long. */
+    static String oneLine(Object value) {
+        return text(value, 0, Integer.MAX_VALUE);
+    }
+
+    private static String text(Object value, int indent, int width) {
+        if (value instanceof Map<?, ?> map) {
+            List<String> parts = new ArrayList<>();
+            map.forEach((key, member) -> parts.add(quoted((String) key) + ": " + text(member, indent + INDENT, width)));
+            return bracketed("{", parts, "}", indent, width);
+        }
+        if (value instanceof List<?> list) {
+            List<String> parts = new ArrayList<>();
+            list.forEach(element -> parts.add(text(element, indent + INDENT, width)));
+            return bracketed("[", parts, "]", indent, width);
+        }
+        if (value instanceof Double number) {
+            return number(number);
+        }
+        return value instanceof String text ? quoted(text) : value.toString();
+    }
+
+    private static String bracketed(String open, List<String> parts, String close, int indent, int width) {
+        int length = parts.stream().mapToInt(part -> part.length() + 2).sum();
+        if (length <= width - indent && parts.stream().noneMatch(part -> part.contains("\n"))) {
+            return open + String.join(", ", parts) + close;
+        }
+        String margin = "\n" + " ".repeat(indent);
+        String inner = margin + " ".repeat(INDENT);
+        return open + inner + String.join("," + inner, parts) + margin + close;
+    }
+
+    private static String quoted(String text) {
+        return '"' + String.valueOf(JsonStringEncoder.getInstance().quoteAsCharArray(text)) + '"';
+    }
+
+    /** The shortest decimal number that is read as the same bits. */
+    static String number(double value) {
+        boolean whole = value == Math.rint(value) && Math.abs(value) < LARGEST_PLAIN;
+        boolean negativeZero = value == 0 && 1 / value < 0;
+        if (whole && !negativeZero) {
+            return Long.toString((long) value);
+        }
+        return NumberOutput.toString(value, true).replace(".0E", "e").replace('E', 'e');
+    }
+}

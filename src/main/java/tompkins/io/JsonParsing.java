@@ -1,0 +1,173 @@
+package tompkins.io;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import tompkins.io.JsonValue.JsonFlag;
+import tompkins.io.JsonValue.JsonList;
+import tompkins.io.JsonValue.JsonNull;
+import tompkins.io.JsonValue.JsonNumber;
+import tompkins.io.JsonValue.JsonObject;
+import tompkins.io.JsonValue.JsonText;
+import tompkins.io.JsonValue.Member;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.JsonParser;
+import tools.jackson.core.JsonToken;
+import tools.jackson.core.ObjectReadContext;
+import tools.jackson.core.StreamReadConstraints;
+import tools.jackson.core.TokenStreamFactory;
+import tools.jackson.core.TokenStreamLocation;
+import tools.jackson.core.json.JsonFactory;
+import tools.jackson.core.json.JsonReadFeature;
+
+/** Makes a tree of values from the text of a scene file: JSON with comments and trailing commas. */
+final class JsonParsing {
+
+    /** Values inside values inside values... */
+    static final int DEEPEST = 200;
+
+    private static final int LONGEST_KEY = 200;
+
+    /** Bounds the memory that a file can take. */
+    static final int MOST_VALUES = 2_000_000;
+
+    private static final JsonFactory FACTORY = JsonFactory.builder()
+            .enable(JsonReadFeature.ALLOW_JAVA_COMMENTS)
+            .enable(JsonReadFeature.ALLOW_TRAILING_COMMA)
+            // accepted here, so that the message can say where they are and what is allowed
+            .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)
+            .disable(TokenStreamFactory.Feature.CANONICALIZE_PROPERTY_NAMES)
+            // the length of the file bounds all of these
+            .streamReadConstraints(StreamReadConstraints.builder()
+                    .maxNestingDepth(DEEPEST + 10)
+                    .maxStringLength(Integer.MAX_VALUE)
+                    .maxNameLength(Integer.MAX_VALUE)
+                    .maxNumberLength(Integer.MAX_VALUE)
+                    .build())
+            .build();
+
+    private final JsonParser parser;
+    private final Problems problems;
+    private int values;
+
+    private JsonParsing(JsonParser parser, Problems problems) {
+        this.parser = parser;
+        this.problems = problems;
+    }
+
+    /**
+     * The object that a text holds. Keys that occur twice are noted; the first one counts.
+     *
+     * @throws SceneFileException if the text is not JSON, or no object
+     */
+    static JsonObject parse(String text, Problems problems) {
+        try (JsonParser parser = FACTORY.createParser(ObjectReadContext.empty(), text)) {
+            return new JsonParsing(parser, problems).root();
+        }
+    }
+
+    private JsonObject root() {
+        if (next("") == null) {
+            throw problems.wholeFile("the file is empty; the smallest scene file is {}");
+        }
+        JsonValue value = value("", 0);
+        if (!(value instanceof JsonObject root)) {
+            throw failure("", "a scene file must be an object in braces, { ... }, was " + value.shown(), value);
+        }
+        if (next("") != null) {
+            JsonNull here = new JsonNull(line(), column());
+            throw failure("", "the scene ends before this place: there is a } too many, or a { is missing", here);
+        }
+        return root;
+    }
+
+    private JsonToken next(String path) {
+        try {
+            return parser.nextToken();
+        } catch (JacksonException syntax) {
+            TokenStreamLocation place = syntax.getLocation();
+            int line = place == null ? line() : place.getLineNr();
+            int column = place == null ? column() : place.getColumnNr();
+            throw failure(path, "not valid JSON: " + syntax.getOriginalMessage(), new JsonNull(line, column));
+        }
+    }
+
+    private JsonValue value(String path, int depth) {
+        int line = line();
+        int column = column();
+        if (++values > MOST_VALUES) {
+            String message = "a scene file may hold at most " + MOST_VALUES + " values";
+            throw failure(path, message, new JsonNull(line, column));
+        }
+        return switch (parser.currentToken()) {
+            case START_OBJECT -> object(path, depth, line, column);
+            case START_ARRAY -> list(path, depth, line, column);
+            case VALUE_STRING -> new JsonText(line, column, string(path));
+            case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> new JsonNumber(line, column, string(path));
+            case VALUE_TRUE -> new JsonFlag(line, column, true);
+            case VALUE_FALSE -> new JsonFlag(line, column, false);
+            default -> new JsonNull(line, column);
+        };
+    }
+
+    /** The text of the token, which is read to its end only now. */
+    private String string(String path) {
+        try {
+            return parser.getString();
+        } catch (JacksonException syntax) {
+            String message = "not valid JSON: " + syntax.getOriginalMessage();
+            throw failure(path, message, new JsonNull(line(), column()));
+        }
+    }
+
+    private JsonObject object(String path, int depth, int line, int column) {
+        requireDepth(path, depth, line, column);
+        Map<String, Member> members = new LinkedHashMap<>();
+        while (next(path) == JsonToken.PROPERTY_NAME) {
+            String key = parser.currentName();
+            int keyLine = line();
+            int keyColumn = column();
+            if (key.length() > LONGEST_KEY) {
+                throw failure(path, "unknown key " + Problems.quoted(key), new JsonNull(keyLine, keyColumn));
+            }
+            String inner = path.isEmpty() ? key : path + "." + key;
+            next(inner);
+            Member first = members.putIfAbsent(key, new Member(keyLine, keyColumn, value(inner, depth + 1)));
+            if (first != null) {
+                String message = "the key occurs twice; the first time is in line " + first.line();
+                problems.add(keyLine, keyColumn, inner, message);
+            }
+        }
+        return new JsonObject(line, column, members);
+    }
+
+    private JsonList list(String path, int depth, int line, int column) {
+        requireDepth(path, depth, line, column);
+        List<JsonValue> elements = new ArrayList<>();
+        while (next(path) != JsonToken.END_ARRAY) {
+            elements.add(value(path + "[" + elements.size() + "]", depth + 1));
+        }
+        return new JsonList(line, column, elements);
+    }
+
+    private void requireDepth(String path, int depth, int line, int column) {
+        if (depth >= DEEPEST) {
+            String message = "brackets and braces may be at most " + DEEPEST + " deep";
+            throw failure(path, message, new JsonNull(line, column));
+        }
+    }
+
+    private SceneFileException failure(String path, String message, JsonValue place) {
+        problems.add(place, path, message);
+        return problems.exception();
+    }
+
+    private int line() {
+        return parser.currentTokenLocation().getLineNr();
+    }
+
+    private int column() {
+        return parser.currentTokenLocation().getColumnNr();
+    }
+}

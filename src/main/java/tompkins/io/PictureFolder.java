@@ -1,0 +1,83 @@
+package tompkins.io;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import tompkins.image.PictureFile;
+import tompkins.ray.PixelPicture;
+
+/** The pictures under the folder of a scene file; nothing else on the disk can be reached. Each is read once. */
+final class PictureFolder {
+
+    private static final String ALLOWED =
+            "must be the name of a picture file in the folder of the scene file or below, with / between the parts";
+
+    private static final long LARGEST_FILE = 1L << 28;
+
+    private final Path folder;
+    private final Map<String, PixelPicture> read = new HashMap<>();
+
+    PictureFolder(Path folder) {
+        this.folder = folder;
+    }
+
+    /**
+     * The picture with a name relative to the folder.
+     *
+     * @throws IOException with a message for the user, if the name leaves the folder or is not that of a picture
+     */
+    PixelPicture picture(String name) throws IOException {
+        PixelPicture known = read.get(name);
+        if (known == null) {
+            known = PictureFile.read(bytes(name), name);
+            read.put(name, known);
+        }
+        return known;
+    }
+
+    /** The bytes of a file with a name relative to the folder. */
+    byte[] bytes(String name) throws IOException {
+        Path file = file(name);
+        if (!Files.exists(file)) {
+            throw new IOException(
+                    "there is no such file in " + folder.toAbsolutePath().normalize() + "; it " + ALLOWED);
+        }
+        // links are followed first: what counts is where they lead
+        Path real = file.toRealPath();
+        if (!real.startsWith(folder.toRealPath())) {
+            throw new IOException("leads out of the folder by a link; it " + ALLOWED);
+        }
+        if (!Files.isRegularFile(real)) {
+            throw new IOException("is not a file; it " + ALLOWED);
+        }
+        if (Files.size(real) > LARGEST_FILE) {
+            throw new IOException("must have at most " + LARGEST_FILE + " bytes, has " + Files.size(real));
+        }
+        try {
+            return Files.readAllBytes(real);
+        } catch (IOException failure) {
+            throw new IOException("cannot be read: " + FileFailure.reason(failure), failure);
+        }
+    }
+
+    private Path file(String name) throws IOException {
+        Path relative;
+        try {
+            relative = folder.getFileSystem().getPath(name);
+        } catch (InvalidPathException impossible) {
+            throw new IOException(ALLOWED, impossible);
+        }
+        if (name.isBlank() || relative.getRoot() != null || name.startsWith("/") || name.contains("\\")) {
+            throw new IOException(ALLOWED);
+        }
+        for (Path part : relative) {
+            if (part.toString().equals("..")) {
+                throw new IOException(ALLOWED);
+            }
+        }
+        return folder.resolve(relative);
+    }
+}

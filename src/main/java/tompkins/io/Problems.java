@@ -1,0 +1,72 @@
+package tompkins.io;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/** Collects the mistakes of one file. */
+final class Problems {
+
+    /** After so many mistakes the rest of the file is not looked at. */
+    static final int MOST = 100;
+
+    private static final int LONGEST_VALUE = 60;
+
+    private final String file;
+    private final List<Problem> found = new ArrayList<>();
+
+    Problems(String file) {
+        this.file = file;
+    }
+
+    /** Notes a mistake in a value. */
+    void add(JsonValue value, String path, String message) {
+        add(value.line(), value.column(), path, message);
+    }
+
+    /**
+     * Notes a mistake at a place.
+     *
+     * @throws SceneFileException if there are too many
+     */
+    void add(int line, int column, String path, String message) {
+        found.add(new Problem(file, line, column, shortened(path), oneLine(message)));
+        if (found.size() == MOST) {
+            found.add(new Problem(file, line, column, "", "after " + MOST + " mistakes the rest is not looked at"));
+            throw new SceneFileException(found);
+        }
+    }
+
+    /** The exception for a mistake of the whole file. */
+    SceneFileException wholeFile(String message) {
+        add(0, 0, "", message);
+        return new SceneFileException(found);
+    }
+
+    /** The exception for all mistakes that were found. */
+    SceneFileException exception() {
+        found.sort(Comparator.comparingInt(Problem::line).thenComparingInt(Problem::column));
+        return new SceneFileException(found);
+    }
+
+    /** Whether there is no mistake. */
+    boolean isEmpty() {
+        return found.isEmpty();
+    }
+
+    /** A text of the user, for a message: in quotes and of bearable length. */
+    static String quoted(String text) {
+        return '"' + shortened(text) + '"';
+    }
+
+    /** A text of bearable length, on one line. */
+    static String shortened(String text) {
+        boolean tooLong = text.length() > LONGEST_VALUE;
+        String start = tooLong ? text.substring(0, LONGEST_VALUE - 10) : text;
+        return oneLine(start) + (tooLong ? "... (" + text.length() + " characters)" : "");
+    }
+
+    private static String oneLine(String text) {
+        return text.replaceAll("[\\p{Cntrl}\\u2028\\u2029]+", " ");
+    }
+}

@@ -1,0 +1,54 @@
+package tompkins.io;
+
+import java.util.List;
+import java.util.Map;
+import tompkins.io.JsonValue.JsonObject;
+import tompkins.io.JsonValue.Member;
+import tompkins.property.InvalidPropertyException;
+
+/** Notes what is wrong with the keys of an object, and what the constructors of descriptions refuse. */
+final class Refusal {
+
+    private Refusal() {}
+
+    /**
+     * Notes a value that a constructor refused, at the place of the property that it names.
+     *
+     * @param value the object with that property, or the property's value itself
+     */
+    static void note(Problems problems, InvalidPropertyException invalid, JsonValue value, String path) {
+        String property = invalid.property();
+        String start = property + " ";
+        String message = invalid.getMessage();
+        String rest = message.startsWith(start) ? message.substring(start.length()) : message;
+        Member member = value instanceof JsonObject object ? object.members().get(component(invalid)) : null;
+        if (member != null) {
+            problems.add(member.value(), path.isEmpty() ? property : path + "." + property, rest);
+        } else {
+            problems.add(value, path, value instanceof JsonObject ? message : rest);
+        }
+    }
+
+    /** The name of the component; a property may add in brackets which part of it is wrong. */
+    static String component(InvalidPropertyException invalid) {
+        return invalid.property().split(" ", 2)[0];
+    }
+
+    /** Notes the keys of an object that mean nothing; whether there are none. */
+    static boolean noteUnknownKeys(Problems problems, JsonObject object, String path, List<String> known) {
+        boolean clear = true;
+        for (Map.Entry<String, Member> entry : object.members().entrySet()) {
+            if (!known.contains(entry.getKey())) {
+                clear = false;
+                String allowed = known.isEmpty() ? "there are none here" : "allowed are " + String.join(", ", known);
+                problems.add(
+                        entry.getValue().line(),
+                        entry.getValue().column(),
+                        path,
+                        "unknown key " + Problems.quoted(entry.getKey()) + "; " + allowed
+                                + Spelling.hint(entry.getKey(), known));
+            }
+        }
+        return clear;
+    }
+}

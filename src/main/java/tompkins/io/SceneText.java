@@ -1,0 +1,111 @@
+package tompkins.io;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.CharsetDecoder;
+import java.nio.charset.CoderResult;
+import java.nio.charset.CodingErrorAction;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import tompkins.image.PhotographFile;
+import tompkins.image.PictureException;
+
+/** Finds the text of a scene in a file: the file itself, or what a saved photograph holds. */
+final class SceneText {
+
+    /** The largest scene file, in bytes. */
+    static final int LARGEST = 64 << 20;
+
+    private static final int BYTE_ORDER_MARK = 0xfeff;
+
+    private final Path file;
+    private final Problems problems;
+
+    SceneText(Path file, Problems problems) {
+        this.file = file;
+        this.problems = problems;
+    }
+
+    /**
+     * The text.
+     *
+     * @throws SceneFileException if there is none
+     */
+    String read() {
+        if (Files.isDirectory(file)) {
+            throw problems.wholeFile("is a folder; a scene file or a saved photograph is needed");
+        }
+        if (!Files.exists(file)) {
+            throw problems.wholeFile("there is no such file");
+        }
+        if (!Files.isRegularFile(file)) {
+            throw problems.wholeFile("is not a file");
+        }
+        try {
+            return isPicture() ? fromPhotograph() : decoded(content());
+        } catch (PictureException unusable) {
+            String start = file + ": ";
+            String message = unusable.getMessage();
+            throw problems.wholeFile(message.startsWith(start) ? message.substring(start.length()) : message);
+        } catch (IOException failure) {
+            throw problems.wholeFile("cannot be read: " + FileFailure.reason(failure));
+        }
+    }
+
+    private boolean isPicture() throws IOException {
+        String name = file.toString().toLowerCase(Locale.ROOT);
+        if (name.matches(".*\\.(png|tif|tiff|hdr|pic|jpg|jpeg|gif|bmp)")) {
+            return true;
+        }
+        try (InputStream in = Files.newInputStream(file)) {
+            String start = new String(in.readNBytes(4), StandardCharsets.ISO_8859_1);
+            return start.equals("\u0089PNG")
+                    || start.equals("II*\0")
+                    || start.equals("MM\0*")
+                    || start.startsWith("#?");
+        }
+    }
+
+    private String fromPhotograph() throws PictureException {
+        Optional<String> scene = PhotographFile.readScene(file);
+        return scene.orElseThrow(() -> problems.wholeFile("the picture holds no scene; only photographs saved by"
+                + " this program do, and only until another program saves them again"));
+    }
+
+    private byte[] content() throws IOException {
+        try (InputStream in = Files.newInputStream(file)) {
+            byte[] content = in.readNBytes(LARGEST + 1);
+            if (content.length > LARGEST) {
+                throw problems.wholeFile("a scene file may have at most " + LARGEST + " bytes, has more");
+            }
+            return content;
+        }
+    }
+
+    private String decoded(byte[] content) throws CharacterCodingException {
+        CharsetDecoder decoder = StandardCharsets.UTF_8
+                .newDecoder()
+                .onMalformedInput(CodingErrorAction.REPORT)
+                .onUnmappableCharacter(CodingErrorAction.REPORT);
+        ByteBuffer bytes = ByteBuffer.wrap(content);
+        CharBuffer text = CharBuffer.allocate(content.length);
+        CoderResult result = decoder.decode(bytes, text, true);
+        text.flip();
+        if (result.isError()) {
+            String before = text.toString();
+            int line = (int) before.chars().filter(letter -> letter == '\n').count() + 1;
+            int column = before.length() - before.lastIndexOf('\n');
+            String wrong = String.format(Locale.ROOT, "0x%02x", content[bytes.position()]);
+            problems.add(line, column, "", "must be text in the encoding UTF-8, has here the byte " + wrong);
+            throw problems.exception();
+        }
+        boolean marked = text.length() > 0 && text.charAt(0) == BYTE_ORDER_MARK;
+        return marked ? text.subSequence(1, text.length()).toString() : text.toString();
+    }
+}

@@ -1,0 +1,141 @@
+package tompkins.io;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.BiFunction;
+import org.joml.Vector2i;
+import org.joml.Vector2ic;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.joml.Vector3i;
+import org.joml.Vector3ic;
+import tompkins.io.JsonValue.JsonFlag;
+import tompkins.io.JsonValue.JsonList;
+import tompkins.io.JsonValue.JsonNumber;
+import tompkins.io.JsonValue.JsonText;
+import tompkins.ray.Colour;
+
+/** Makes plain values from JSON: numbers, texts, vectors, colours. A method notes a mistake and returns null. */
+final class ValueReader {
+
+    /** Beyond this whole numbers are no longer exact as floating-point numbers. */
+    private static final double LARGEST_EXACT = 1L << 53;
+
+    private final Problems problems;
+
+    ValueReader(Problems problems) {
+        this.problems = problems;
+    }
+
+    Double number(JsonValue value, String path) {
+        if (!(value instanceof JsonNumber number)) {
+            return refuse(value, path, "a number");
+        }
+        if (!Character.isDigit(number.text().charAt(number.text().length() - 1))) {
+            return refuse(value, path, "a finite number");
+        }
+        double result = Double.parseDouble(number.text());
+        if (Double.isInfinite(result)) {
+            return refuse(value, path, "a number that is not larger than " + Double.MAX_VALUE);
+        }
+        if (result == 0 && number.text().split("[eE]")[0].matches(".*[1-9].*")) {
+            return refuse(value, path, "0 or a number that is not smaller than " + Double.MIN_VALUE);
+        }
+        return result;
+    }
+
+    Integer wholeNumber(JsonValue value, String path) {
+        Long whole = longNumber(value, path);
+        if (whole != null && whole.intValue() != whole) {
+            return refuse(value, path, "a whole number from " + Integer.MIN_VALUE + " to " + Integer.MAX_VALUE);
+        }
+        return whole == null ? null : (Integer) whole.intValue();
+    }
+
+    Long longNumber(JsonValue value, String path) {
+        if (!(value instanceof JsonNumber number)) {
+            return refuse(value, path, "a whole number");
+        }
+        try {
+            return Long.parseLong(number.text());
+        } catch (NumberFormatException notPlain) {
+            // perhaps 1e6 or 640.0
+        }
+        Double result = number(value, path);
+        if (result == null) {
+            return null;
+        }
+        boolean whole = result == Math.rint(result) && Math.abs(result) <= LARGEST_EXACT;
+        return whole ? (Long) result.longValue() : refuse(value, path, "a whole number from -2^63 to 2^63 - 1");
+    }
+
+    Boolean flag(JsonValue value, String path) {
+        return value instanceof JsonFlag flag ? (Boolean) flag.value() : refuse(value, path, "true or false");
+    }
+
+    String text(JsonValue value, String path) {
+        return value instanceof JsonText text ? text.text() : refuse(value, path, "a text in quotes");
+    }
+
+    Object constant(Class<?> type, JsonValue value, String path) {
+        List<String> names = Descriptions.constantNames(type);
+        String allowed = "one of " + String.join(", ", names);
+        if (!(value instanceof JsonText text)) {
+            return refuse(value, path, allowed);
+        }
+        String wanted = text.text().toLowerCase(Locale.ROOT).replaceAll("[_ ]", "-");
+        int index = names.indexOf(wanted);
+        if (index >= 0) {
+            return type.getEnumConstants()[index];
+        }
+        return refuse(value, path, allowed, Spelling.hint(text.text(), names));
+    }
+
+    Vector3dc vector(JsonValue value, String path) {
+        List<Double> numbers = numbers(value, path, 3, "three numbers [x, y, z]", this::number);
+        return numbers == null ? null : new Vector3d(numbers.get(0), numbers.get(1), numbers.get(2));
+    }
+
+    Vector3ic wholeVector(JsonValue value, String path) {
+        List<Integer> numbers = numbers(value, path, 3, "three whole numbers [x, y, z]", this::wholeNumber);
+        return numbers == null ? null : new Vector3i(numbers.get(0), numbers.get(1), numbers.get(2));
+    }
+
+    Vector2ic wholePair(JsonValue value, String path) {
+        List<Integer> numbers = numbers(value, path, 2, "two whole numbers [x, y]", this::wholeNumber);
+        return numbers == null ? null : new Vector2i(numbers.get(0), numbers.get(1));
+    }
+
+    Colour colour(JsonValue value, String path) {
+        if (value instanceof JsonNumber) {
+            Double grey = number(value, path);
+            return grey == null ? null : Colour.grey(grey);
+        }
+        String allowed = "three numbers [red, green, blue], or one number for a grey";
+        List<Double> numbers = numbers(value, path, 3, allowed, this::number);
+        return numbers == null ? null : new Colour(numbers.get(0), numbers.get(1), numbers.get(2));
+    }
+
+    private <T> List<T> numbers(
+            JsonValue value, String path, int count, String allowed, BiFunction<JsonValue, String, T> reader) {
+        if (!(value instanceof JsonList list) || list.values().size() != count) {
+            return refuse(value, path, allowed);
+        }
+        List<T> numbers = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            numbers.add(reader.apply(list.values().get(i), path + "[" + i + "]"));
+        }
+        return numbers.contains(null) ? null : numbers;
+    }
+
+    /** Notes that a value must be something else; returns null. */
+    <T> T refuse(JsonValue value, String path, String allowed) {
+        return refuse(value, path, allowed, "");
+    }
+
+    private <T> T refuse(JsonValue value, String path, String allowed, String hint) {
+        problems.add(value, path, "must be " + allowed + ", was " + value.shown() + hint);
+        return null;
+    }
+}

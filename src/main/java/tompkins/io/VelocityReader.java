@@ -1,0 +1,87 @@
+package tompkins.io;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.io.JsonValue.JsonList;
+import tompkins.io.JsonValue.JsonObject;
+import tompkins.io.JsonValue.Member;
+import tompkins.property.InvalidPropertyException;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.Velocity;
+
+/** Makes velocities from JSON: three components, or a number on one scale with a direction. */
+final class VelocityReader {
+
+    /** Beyond this Lorentz factor a picture would consist of rounding errors. */
+    static final double LARGEST_GAMMA = 1e8;
+
+    static final String DIRECTION = "direction";
+
+    private final Problems problems;
+    private final ValueReader values;
+
+    VelocityReader(Problems problems, ValueReader values) {
+        this.problems = problems;
+        this.values = values;
+    }
+
+    /** The velocity, or null if a mistake was noted. */
+    Velocity read(JsonValue value, String path) {
+        Velocity velocity = null;
+        try {
+            if (value instanceof JsonList) {
+                Vector3dc components = values.vector(value, path);
+                velocity = components == null ? null : Velocity.of(components);
+            } else if (value instanceof JsonObject object) {
+                velocity = scaled(object, path);
+            } else {
+                values.refuse(
+                        value, path, "three numbers [x, y, z] in units of c, or an object with one of " + scaleKeys());
+            }
+        } catch (InvalidPropertyException invalid) {
+            Refusal.note(problems, invalid, value, path);
+        }
+        if (velocity != null && !(velocity.gamma() <= LARGEST_GAMMA)) {
+            String message = "must have a Lorentz factor of at most 1e8, has " + velocity.gamma();
+            problems.add(value, path, message);
+            return null;
+        }
+        return velocity;
+    }
+
+    private Velocity scaled(JsonObject object, String path) {
+        List<SpeedScale> given = Arrays.stream(SpeedScale.values())
+                .filter(scale -> object.members().containsKey(scale.key()))
+                .toList();
+        List<String> known = new ArrayList<>(
+                Arrays.stream(SpeedScale.values()).map(SpeedScale::key).toList());
+        known.add(DIRECTION);
+        boolean clear = Refusal.noteUnknownKeys(problems, object, path, known);
+        if (given.size() != 1) {
+            if (clear) {
+                String what = given.isEmpty() ? "none" : given.size() + " of them";
+                problems.add(object, path, "must have exactly one of " + scaleKeys() + ", has " + what);
+            }
+            return null;
+        }
+        Double number = values.number(
+                member(object, given.get(0).key()), path + "." + given.get(0).key());
+        Vector3dc direction = object.members().containsKey(DIRECTION)
+                ? values.vector(member(object, DIRECTION), path + "." + DIRECTION)
+                : new Vector3d(0, 0, 1);
+        return number == null || direction == null ? null : Velocity.of(given.get(0), number, direction);
+    }
+
+    private static JsonValue member(JsonObject object, String key) {
+        Member member = object.members().get(key);
+        return member.value();
+    }
+
+    private static String scaleKeys() {
+        return Arrays.stream(SpeedScale.values()).map(SpeedScale::key).collect(Collectors.joining(", "));
+    }
+}

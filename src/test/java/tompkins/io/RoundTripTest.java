@@ -1,0 +1,253 @@
+package tompkins.io;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.camera.Camera;
+import tompkins.camera.ThinLensCamera;
+import tompkins.image.LinearImage;
+import tompkins.image.PhotographFile;
+import tompkins.image.PhotographInfo;
+import tompkins.image.PictureFile;
+import tompkins.image.PictureFormat;
+import tompkins.image.ToneCurve;
+import tompkins.light.LightSource;
+import tompkins.ray.PixelPicture;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.shutter.AperturePlaneShutter;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Background;
+import tompkins.studio.RenderSettings;
+import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
+import tompkins.surface.PictureSurface;
+import tompkins.surface.Surface;
+
+/** What is written is read back equal, to the last bit, for every type that a scene file can name. */
+class RoundTripTest {
+
+    private static final int INSTANCES = 40;
+
+    @TempDir
+    private Path folder;
+
+    private List<PixelPicture> pictures;
+
+    @BeforeEach
+    void makePictures() throws IOException {
+        Files.createDirectory(folder.resolve("pictures"));
+        pictures = List.of(picture("one.png", 3, 2), picture("pictures/two \u03b2.png", 1, 5));
+    }
+
+    private PixelPicture picture(String name, int width, int height) throws IOException {
+        Path file = folder.resolve(name);
+        LinearImage image = new LinearImage(width, height, new float[3 * width * height]);
+        PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, PhotographInfo.NONE);
+        return PictureFile.read(Files.readAllBytes(file), name);
+    }
+
+    static Stream<Class<?>> types() {
+        Stream<Class<?>> families = Stream.of(
+                SceneObject.class, Surface.class, LightSource.class, Shutter.class, Camera.class, Background.class);
+        return Stream.concat(
+                families.flatMap(family -> Descriptions.members(family).stream()),
+                Stream.of(RenderSettings.class, Studio.class));
+    }
+
+    @ParameterizedTest
+    @MethodSource("types")
+    void defaultIsReadBack(Class<?> type) {
+        assertReadBack(studioWith(Descriptions.standard(type)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("types")
+    void randomInstancesAreReadBack(Class<?> type) {
+        RandomDescriptions random = new RandomDescriptions(type.getSimpleName().hashCode(), pictures);
+        Set<Object> different = new HashSet<>();
+        for (int i = 0; i < INSTANCES; i++) {
+            Object description = random.record(type);
+            different.add(description);
+            assertReadBack(studioWith(description));
+        }
+        assertThat(different).hasSizeGreaterThan(type.getRecordComponents().length == 0 ? 0 : INSTANCES / 2);
+    }
+
+    private void assertReadBack(Studio studio) {
+        String named = StudioWriter.write(studio);
+        assertThat(StudioReader.read(named, "named", folder)).as(named).isEqualTo(studio);
+        String selfContained = StudioWriter.writeSelfContained(studio);
+        Path elsewhere = folder.resolve("pictures");
+        assertThat(StudioReader.read(selfContained, "self-contained", elsewhere))
+                .as(selfContained)
+                .isEqualTo(studio);
+        assertThat(StudioWriter.write(StudioReader.read(named, "again", folder)))
+                .isEqualTo(named);
+    }
+
+    /** A studio in which a description has a place. */
+    private static Studio studioWith(Object description) {
+        Studio studio = Studio.DEFAULT;
+        if (description instanceof SceneObject object) {
+            return studio.withScene(List.of(object)).withCameraFrame(List.of(Sphere.DEFAULT, object));
+        }
+        if (description instanceof Surface surface) {
+            return studio.withScene(List.of(new Sphere("", new Vector3d(), 1, surface)));
+        }
+        if (description instanceof LightSource light) {
+            return studio.withLights(List.of(light));
+        }
+        if (description instanceof Shutter shutter) {
+            return studio.withCamera(ThinLensCamera.DEFAULT.withShutter(shutter));
+        }
+        if (description instanceof Camera camera) {
+            return studio.withCamera(camera);
+        }
+        if (description instanceof RenderSettings settings) {
+            return studio.withSettings(settings);
+        }
+        return description instanceof Background background
+                ? (Studio) Descriptions.make(Studio.class, withBackground(background))
+                : (Studio) description;
+    }
+
+    private static Object[] withBackground(Background background) {
+        return Stream.of(Studio.class.getRecordComponents())
+                .map(component -> component.getType() == Background.class
+                        ? background
+                        : Descriptions.value(component, Studio.DEFAULT))
+                .toArray();
+    }
+
+    @Test
+    void velocitiesKeepTheFormInWhichTheyWereGiven() {
+        for (SpeedScale scale : SpeedScale.values()) {
+            double value = scale == SpeedScale.GAMMA ? 12.25 : 0.1 + 0.2;
+            Studio studio = Studio.DEFAULT.withVelocity(Velocity.of(scale, value, new Vector3d(3, -4, 1e-17)));
+            Velocity back =
+                    StudioReader.read(StudioWriter.write(studio), "", folder).velocity();
+            assertThat(back.scale()).isEqualTo(scale);
+            assertThat(back.value()).isEqualTo(value);
+            assertThat(back.given()).isEqualTo(new Vector3d(3, -4, 1e-17));
+        }
+    }
+
+    @Test
+    void extremeNumbersKeepTheirBits() {
+        double[] numbers = {
+            0.1 + 0.2,
+            Double.MIN_VALUE,
+            Double.MAX_VALUE,
+            Double.MIN_NORMAL,
+            -0.0,
+            1e9,
+            1e22,
+            123456789012345680.0,
+            5e-324,
+            Math.nextUp(1.0),
+            Math.PI,
+            2e-3,
+            9007199254740993.0,
+            1e23
+        };
+        for (double number : numbers) {
+            Studio studio =
+                    Studio.DEFAULT.withCamera(ThinLensCamera.DEFAULT.withShutter(new AperturePlaneShutter(number)));
+            double back = StudioReader.read(StudioWriter.write(studio), "", folder)
+                    .camera()
+                    .shutter()
+                    .openingTime();
+            assertThat(Double.doubleToRawLongBits(back)).isEqualTo(Double.doubleToRawLongBits(number));
+        }
+    }
+
+    @Test
+    void writtenFileIsReadable() {
+        Sphere ball = new Sphere("ball", new Vector3d(0, 1.5, 10), 2, ColouredSurface.DEFAULT);
+        Studio studio = Studio.DEFAULT
+                .withScene(List.of(ball))
+                .withVelocity(Velocity.of(0, 0, 0.99))
+                .withSettings(RenderSettings.DEFAULT.withSamples(16));
+        assertThat(StudioWriter.write(studio)).isEqualTo("""
+                {
+                  "version": 1,
+                  "scene": [{"type": "Sphere", "description": "ball", "centre": [0, 1.5, 10], "radius": 2}],
+                  "velocity": [0, 0, 0.99],
+                  "settings": {"samples": 16}
+                }
+                """);
+    }
+
+    @Test
+    void savedFileNamesPicturesBesideItAndHoldsTheOthers() throws IOException {
+        Studio studio = Studio.DEFAULT.withScene(List.of(
+                new Sphere("", new Vector3d(), 1, new PictureSurface(pictures.get(0), true)),
+                new Sphere("", new Vector3d(), 2, new PictureSurface(pictures.get(1), true))));
+        Path here = folder.resolve("scene.json");
+        StudioWriter.save(studio, here);
+        assertThat(Files.readString(here)).isEqualTo(StudioWriter.write(studio));
+        assertThat(StudioReader.read(here)).isEqualTo(studio);
+
+        Path other = Files.createDirectory(folder.resolve("other"));
+        Files.write(other.resolve("one.png"), pictures.get(0).file());
+        StudioWriter.save(studio, other.resolve("scene.json"));
+        assertThat(Files.readString(other.resolve("scene.json")))
+                .contains("\"picture\": \"one.png\"")
+                .contains("base64");
+        assertThat(StudioReader.read(other.resolve("scene.json"))).isEqualTo(studio);
+    }
+
+    @Test
+    void savingReplacesAFileAndLeavesNothingElse() throws IOException {
+        Path empty = Files.createDirectory(folder.resolve("empty"));
+        Path file = Files.writeString(empty.resolve("scene.json"), "old");
+        StudioWriter.save(Studio.DEFAULT, file);
+        assertThat(StudioReader.read(file)).isEqualTo(Studio.DEFAULT);
+        try (Stream<Path> files = Files.list(empty)) {
+            assertThat(files).containsExactly(file);
+        }
+    }
+
+    @Test
+    void savingSaysWhyItCannot() {
+        assertThatThrownBy(() -> StudioWriter.save(Studio.DEFAULT, folder))
+                .isInstanceOf(IOException.class)
+                .hasMessage(folder + ": cannot be written: it is a folder; name a file in it");
+        Path nowhere = folder.resolve("nowhere/scene.json");
+        assertThatThrownBy(() -> StudioWriter.save(Studio.DEFAULT, nowhere))
+                .isInstanceOf(IOException.class)
+                .hasMessage(nowhere + ": cannot be written: there is no such file or folder");
+    }
+
+    @Test
+    void photographHoldsItsScene() throws IOException {
+        Studio studio = Studio.DEFAULT.withScene(
+                List.of(new Sphere("\u03b2", new Vector3d(), 1, new PictureSurface(pictures.get(1), true))));
+        LinearImage image = new LinearImage(1, 1, new float[3]);
+        for (PictureFormat format : PictureFormat.values()) {
+            Path file = folder.resolve("pictures/photograph" + format.endings().get(0));
+            PhotographInfo info = new PhotographInfo("", "", StudioWriter.writeSelfContained(studio));
+            PhotographFile.write(file, image, format, ToneCurve.LINEAR, info);
+            assertThat(StudioReader.read(file)).isEqualTo(studio);
+            Path renamed = Files.move(file, folder.resolve("renamed.json"));
+            assertThat(StudioReader.read(renamed)).isEqualTo(studio);
+            Files.delete(renamed);
+        }
+    }
+}
