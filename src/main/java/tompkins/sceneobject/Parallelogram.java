@@ -45,10 +45,12 @@ public record Parallelogram(
         Require.present("surface", surface);
     }
 
-    /** Whether two vectors span no area: one of them is 0, or their angle is below 1e-9 radians. */
+    /** Whether two vectors span no area that is a number: one is 0 or infinite, or their angle is below 1e-9 radians. */
     static boolean areParallel(Vector3dc a, Vector3dc b) {
         Vector3d zero = new Vector3d();
-        return a.equals(zero)
+        return !a.isFinite()
+                || !b.isFinite()
+                || a.equals(zero)
                 || b.equals(zero)
                 || !(Vectors.cross(Vectors.unit(a), Vectors.unit(b)).length() > 1e-9);
     }
