@@ -63,7 +63,8 @@ final class CylinderPrimitive extends Primitive {
         double slope = axisX * ray.dx + axisY * ray.dy + axisZ * ray.dz;
         double nearest = NO_HIT;
         if (squaredCross > 0) {
-            nearest = mantle(ray, wx, wy, wz, crossX, crossY, crossZ, squaredCross, Math.abs(offset), alongStart, slope);
+            nearest =
+                    mantle(ray, wx, wy, wz, crossX, crossY, crossZ, squaredCross, Math.abs(offset), alongStart, slope);
         }
         if (caps) {
             nearest = Math.min(nearest, cap(ray, START_CAP, wx, wy, wz, -alongStart / slope));

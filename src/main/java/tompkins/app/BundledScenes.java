@@ -1,0 +1,58 @@
+package tompkins.app;
+
+import java.io.IOException;
+import java.net.URI;
+import java.net.URISyntaxException;
+import java.net.URL;
+import java.nio.file.FileSystemAlreadyExistsException;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+
+/** The scenes that come with the program: in the folder {@code scenes}, or else inside the jar. */
+final class BundledScenes {
+
+    private static final Path FOLDER = Path.of("scenes");
+
+    private BundledScenes() {}
+
+    /** One scene file. */
+    static Path file(String name) throws IOException {
+        Path beside = FOLDER.resolve(name);
+        return Files.exists(beside) ? beside : inside().resolve(name);
+    }
+
+    /** All scene files, by name. */
+    static List<Path> all() throws IOException {
+        Path folder = Files.isDirectory(FOLDER) ? FOLDER : inside();
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.filter(file -> file.toString().endsWith(".json"))
+                    .sorted()
+                    .toList();
+        }
+    }
+
+    private static Path inside() throws IOException {
+        URL folder = BundledScenes.class.getResource("/scenes");
+        if (folder == null) {
+            throw new IOException(
+                    "the program comes without its scenes: there is no folder scenes here nor in the jar");
+        }
+        try {
+            URI uri = folder.toURI();
+            if (uri.getScheme().equals("jar")) {
+                try {
+                    FileSystems.newFileSystem(uri, Map.of());
+                } catch (FileSystemAlreadyExistsException opened) {
+                    // opened before: Path.of finds it
+                }
+            }
+            return Path.of(uri);
+        } catch (URISyntaxException impossible) {
+            throw new IOException("the folder of scenes has no usable name: " + folder, impossible);
+        }
+    }
+}

@@ -1,0 +1,37 @@
+package tompkins.app;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import tompkins.io.SceneFileException;
+import tompkins.io.StudioReader;
+
+/** Looks for mistakes in scene files. */
+@Command(name = "check", mixinStandardHelpOptions = true, description = "Looks for mistakes in scene files.")
+final class CheckCommand implements Callable<Integer> {
+
+    @Parameters(arity = "1..*", paramLabel = "SCENE", description = "scene files, or saved photographs")
+    private List<Path> scenes;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() {
+        int code = 0;
+        for (Path scene : scenes) {
+            try {
+                StudioReader.read(scene);
+                spec.commandLine().getOut().println(scene + ": no mistakes");
+            } catch (SceneFileException mistakes) {
+                spec.commandLine().getErr().println(mistakes.getMessage());
+                code = Failures.MISTAKE;
+            }
+        }
+        return code;
+    }
+}

@@ -1,0 +1,55 @@
+package tompkins.app;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import picocli.CommandLine;
+import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
+import tompkins.image.PictureException;
+import tompkins.io.SceneFileException;
+import tompkins.render.RenderFailedException;
+
+/** What the program says when it cannot do what it was asked, and its exit codes. */
+final class Failures {
+
+    /** Something outside the user's words went wrong: a disk, the memory, the program itself. */
+    static final int FAILURE = 1;
+
+    /** The arguments or the scene are wrong. */
+    static final int MISTAKE = 2;
+
+    /** Not an end at all: the window goes on. */
+    static final int WINDOW_IS_OPEN = -1;
+
+    private Failures() {}
+
+    /** Reports what a command threw; only errors in the program itself show where they happened. */
+    static int report(Exception exception, CommandLine commandLine, ParseResult arguments) throws Exception {
+        PrintWriter err = commandLine.getErr();
+        if (exception instanceof SceneFileException || exception instanceof MistakeException) {
+            err.println(exception.getMessage());
+            return MISTAKE;
+        }
+        if (exception instanceof PictureException || exception instanceof IOException) {
+            err.println(exception.getMessage());
+            return FAILURE;
+        }
+        if (exception instanceof RenderFailedException failed && failed.getCause() instanceof OutOfMemoryError) {
+            err.println("not enough memory: " + failed.getMessage());
+            return FAILURE;
+        }
+        throw exception;
+    }
+
+    /** Reports a mistake in the arguments, with the names that were perhaps meant. */
+    static int reportUsage(ParameterException exception, String[] arguments) {
+        CommandLine commandLine = exception.getCommandLine();
+        PrintWriter err = commandLine.getErr();
+        err.println(Ansi.AUTO.string("@|bold " + commandLine.getCommandSpec().qualifiedName() + ":|@ ")
+                + exception.getMessage());
+        CommandLine.UnmatchedArgumentException.printSuggestions(exception, err);
+        err.println("Try '" + commandLine.getCommandSpec().qualifiedName() + " --help'.");
+        return MISTAKE;
+    }
+}

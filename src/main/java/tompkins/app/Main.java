@@ -1,0 +1,29 @@
+package tompkins.app;
+
+import picocli.CommandLine;
+
+/** Starts the program: a command line with its sub-commands, or the window. */
+public final class Main {
+
+    private Main() {}
+
+    /**
+     * Runs the program and ends the Java machine with the exit code: 0, 1 (a failure such as a full disk), or 2 (a mistake
+     * in the arguments or in a scene).
+     */
+    public static void main(String[] arguments) {
+        int code = run(arguments);
+        if (code != Failures.WINDOW_IS_OPEN) {
+            System.exit(code);
+        }
+    }
+
+    /** Runs the program and returns its exit code. */
+    static int run(String... arguments) {
+        CommandLine commandLine = new CommandLine(new TompkinsCommand());
+        commandLine.setCaseInsensitiveEnumValuesAllowed(true);
+        commandLine.setExecutionExceptionHandler(Failures::report);
+        commandLine.setParameterExceptionHandler(Failures::reportUsage);
+        return commandLine.execute(arguments);
+    }
+}

@@ -1,0 +1,119 @@
+package tompkins.app;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import picocli.CommandLine;
+import tompkins.image.PhotographFile;
+import tompkins.image.PhotographInfo;
+import tompkins.image.PictureException;
+import tompkins.image.PictureFormat;
+import tompkins.io.StudioReader;
+import tompkins.io.StudioWriter;
+import tompkins.render.RenderJob;
+import tompkins.render.RenderReport;
+import tompkins.render.Renderer;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+
+/** Takes photographs and saves them, with the scene inside. */
+final class Photographer {
+
+    private final PrintWriter out;
+    private final PrintWriter err;
+    private final int threads;
+
+    /**
+     * A photographer that reports to a command line.
+     *
+     * @param threads number of threads, or 0 for one on each core
+     */
+    Photographer(CommandLine commandLine, int threads) {
+        out = commandLine.getOut();
+        err = commandLine.getErr();
+        this.threads = threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
+    }
+
+    /** Takes the pictures of scene files into the current folder; a picture of an earlier call is replaced. */
+    int takeDefault(List<Path> files) throws IOException, InterruptedException {
+        for (Path file : files) {
+            Path target = targetOf(file, Path.of(""));
+            boolean replaceable = Files.isRegularFile(target)
+                    && PhotographFile.readScene(target).isPresent();
+            take(StudioReader.read(file), target, PictureFormat.of(target), replaceable);
+        }
+        return 0;
+    }
+
+    /** The name of the picture of a scene, in a folder: {@code scene.png}, or {@code scene-again.png} for a photograph. */
+    static Path targetOf(Path scene, Path folder) {
+        String name = scene.getFileName().toString();
+        int dot = name.lastIndexOf('.');
+        String stem = dot > 0 ? name.substring(0, dot) : name;
+        boolean photograph = dot > 0 && !name.endsWith(".json");
+        return folder.resolve(stem + (photograph ? "-again" : "") + ".png");
+    }
+
+    /** Takes one picture and saves it; says where. */
+    void take(Studio studio, Path target, PictureFormat format, boolean replace)
+            throws IOException, InterruptedException {
+        refuseToReplace(target, replace);
+        ProgressLine progress = new ProgressLine(err);
+        RenderJob job;
+        try (Renderer renderer = new Renderer(threads)) {
+            job = renderer.start(RenderPlan.of(studio), progress);
+            job.await();
+        } catch (OutOfMemoryError error) {
+            throw new MistakeException(
+                    "not enough memory for " + studio.settings().width() + " x "
+                            + studio.settings().height() + " pixels; a smaller --size or a larger java -Xmx may do");
+        } finally {
+            progress.clear();
+        }
+        // the scene may have changed on the disk meanwhile, and somebody may have put a file there
+        refuseToReplace(target, replace);
+        PhotographInfo info = new PhotographInfo(
+                oneLine(studio.title()), ProgramVersion.text(), StudioWriter.writeSelfContained(studio));
+        PhotographFile.write(target, job.image(), format, studio.settings().toneCurve(), info);
+        report(target, job.report());
+    }
+
+    private static String oneLine(String text) {
+        return text.replaceAll("\\p{Cntrl}+", " ");
+    }
+
+    private static void refuseToReplace(Path target, boolean replace) {
+        if (!replace && Files.exists(target)) {
+            throw new MistakeException(target + ": there is a file of this name already; --force replaces it");
+        }
+    }
+
+    private void report(Path target, RenderReport report) {
+        double seconds = report.time().toNanos() / 1e9;
+        out.println(String.format(
+                Locale.ROOT,
+                "%s  (%.2f s, %.2f million rays/s)",
+                target.toAbsolutePath(),
+                seconds,
+                (report.rays() + report.shadowRays()) / seconds / 1e6));
+        for (String warning : report.warnings()) {
+            err.println("warning: " + warning);
+        }
+    }
+
+    /** The format for a file name, if it has one of the known endings. */
+    static PictureFormat formatFor(Path file, PictureFormat wish) {
+        try {
+            if (wish == null) {
+                return PictureFormat.of(file);
+            }
+            wish.requireFor(file);
+            return wish;
+        } catch (PictureException wrongName) {
+            throw new MistakeException(wrongName.getMessage());
+        }
+    }
+}

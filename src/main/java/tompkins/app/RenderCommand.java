@@ -1,0 +1,80 @@
+package tompkins.app;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import tompkins.image.PictureFormat;
+import tompkins.image.ToneCurve;
+import tompkins.io.StudioReader;
+import tompkins.studio.Studio;
+
+/** Takes photographs of scene files. */
+@Command(
+        name = "render",
+        mixinStandardHelpOptions = true,
+        description = "Takes the photographs of scene files. The scene travels inside the picture: render a saved"
+                + " photograph to take it again.")
+final class RenderCommand implements Callable<Integer> {
+
+    @Parameters(arity = "1..*", paramLabel = "SCENE", description = "scene files, or saved photographs")
+    private List<Path> scenes;
+
+    @Option(
+            names = {"-o", "--output"},
+            paramLabel = "FILE",
+            description =
+                    "the picture (.png, .tif, .tiff, .hdr or .pic), or a folder that exists; without it SCENE.png in"
+                            + " the current folder")
+    private Path output;
+
+    @Option(
+            names = "--format",
+            description = "${COMPLETION-CANDIDATES}; without it the usual one for the file's ending: png, tiff (16 bit)"
+                    + " or hdr")
+    private PictureFormat format;
+
+    @Option(names = "--tone", description = "tone curve of png and tiff: ${COMPLETION-CANDIDATES}")
+    private ToneCurve toneCurve;
+
+    @Option(names = "--threads", paramLabel = "N", description = "number of threads; without it one for each core")
+    private Integer threads;
+
+    @Option(names = "--force", description = "replace files that are already there")
+    private boolean force;
+
+    @Mixin
+    private StudioOptions options;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws Exception {
+        boolean folder = output != null && Files.isDirectory(output);
+        if (output != null && !folder && scenes.size() > 1) {
+            throw new MistakeException("-o must name a folder that exists for more than one scene, was " + output);
+        }
+        if (threads != null && threads < 1) {
+            throw new MistakeException("--threads must be 1 or above, was " + threads);
+        }
+        Photographer photographer = new Photographer(spec.commandLine(), threads == null ? 0 : threads);
+        for (Path scene : scenes) {
+            Path target =
+                    output == null || folder ? Photographer.targetOf(scene, folder ? output : Path.of("")) : output;
+            PictureFormat targetFormat = Photographer.formatFor(target, format);
+            Studio studio = options.applyTo(StudioReader.read(scene));
+            if (toneCurve != null) {
+                studio = studio.withSettings(studio.settings().withToneCurve(toneCurve));
+            }
+            photographer.take(studio, target, targetFormat, force);
+        }
+        return 0;
+    }
+}

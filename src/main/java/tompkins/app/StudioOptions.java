@@ -1,0 +1,133 @@
+package tompkins.app;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import org.joml.Vector3d;
+import picocli.CommandLine.Option;
+import tompkins.property.InvalidPropertyException;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.RenderSettings;
+import tompkins.studio.Studio;
+
+/** Options that change a studio before its picture is taken. */
+final class StudioOptions {
+
+    @Option(names = "--size", paramLabel = "WxH", description = "size of the picture in pixels, such as 640x480")
+    private String size;
+
+    @Option(names = "--samples", paramLabel = "N", description = "samples for each pixel, 1 or more")
+    private Integer samples;
+
+    @Option(names = "--beta", paramLabel = "X,Y,Z", description = "velocity of the camera in units of c")
+    private String beta;
+
+    @Option(
+            names = "--shutter",
+            paramLabel = "NAME",
+            description = "model of the shutter: aperture-plane, detector-plane, lens-hologram, focus-surface,"
+                    + " arbitrary-plane or fixed-point-surface")
+    private String shutter;
+
+    @Option(names = "--time", paramLabel = "T", description = "opening time of the shutter")
+    private Double time;
+
+    @Option(names = "--seed", paramLabel = "N", description = "seed of the places of the samples")
+    private Long seed;
+
+    /** The studio with all options that were given. */
+    Studio applyTo(Studio studio) {
+        try {
+            return changed(studio);
+        } catch (InvalidPropertyException invalid) {
+            throw new MistakeException("option for " + invalid.getMessage());
+        }
+    }
+
+    private Studio changed(Studio studio) {
+        RenderSettings settings = studio.settings();
+        if (size != null) {
+            int[] sides = sides();
+            settings = settings.withSize(sides[0], sides[1]);
+        }
+        settings = samples == null ? settings : settings.withSamples(samples);
+        settings = seed == null ? settings : settings.withSeed(seed);
+        Studio changed = studio.withSettings(settings);
+        if (beta != null) {
+            changed = changed.withVelocity(Velocity.of(vector("--beta", beta)));
+        }
+        Shutter model = changed.camera().shutter();
+        if (shutter != null) {
+            model = shutterNamed(shutter, model);
+        }
+        if (time != null) {
+            model = model.openedAt(time);
+        }
+        return changed.withCamera(changed.camera().withShutter(model));
+    }
+
+    private int[] sides() {
+        String[] parts = size.toLowerCase(Locale.ROOT).split("x", -1);
+        try {
+            if (parts.length == 2) {
+                return new int[] {Integer.parseInt(parts[0].trim()), Integer.parseInt(parts[1].trim())};
+            }
+        } catch (NumberFormatException notWhole) {
+            // the message below says what is allowed
+        }
+        throw new MistakeException("--size must be two whole numbers such as 640x480, was " + size);
+    }
+
+    /** A vector of three numbers with commas between them. */
+    static Vector3d vector(String option, String text) {
+        double[] numbers = numbers(option, text, 3);
+        return new Vector3d(numbers[0], numbers[1], numbers[2]);
+    }
+
+    /** Numbers with commas between them. */
+    static double[] numbers(String option, String text, int count) {
+        String[] parts = text.split(",", -1);
+        double[] numbers = new double[parts.length];
+        try {
+            for (int i = 0; i < parts.length; i++) {
+                numbers[i] = Double.parseDouble(parts[i].trim());
+            }
+        } catch (NumberFormatException notANumber) {
+            numbers = new double[0];
+        }
+        if (numbers.length != count || !Arrays.stream(numbers).allMatch(Double::isFinite)) {
+            throw new MistakeException(option + " must be " + count + " numbers with commas between them, was " + text);
+        }
+        return numbers;
+    }
+
+    /** The model with a name such as {@code detector-plane}; the present one stays as it is, with all its values. */
+    private static Shutter shutterNamed(String name, Shutter present) {
+        for (Class<?> type : Shutter.class.getPermittedSubclasses()) {
+            if (plain(type.getSimpleName()).equals(plain(name) + "shutter")
+                    || plain(type.getSimpleName()).equals(plain(name))) {
+                return type.isInstance(present) ? present : defaultOf(type);
+            }
+        }
+        String allowed = Arrays.stream(Shutter.class.getPermittedSubclasses())
+                .map(type -> type.getSimpleName()
+                        .replaceFirst("Shutter$", "")
+                        .replaceAll("(?<=[a-z])(?=[A-Z])", "-")
+                        .toLowerCase(Locale.ROOT))
+                .collect(Collectors.joining(", "));
+        throw new MistakeException("--shutter must be one of " + allowed + "; was " + name);
+    }
+
+    private static Shutter defaultOf(Class<?> type) {
+        try {
+            return (Shutter) type.getField("DEFAULT").get(null);
+        } catch (ReflectiveOperationException missing) {
+            throw new IllegalStateException(type + " has no DEFAULT", missing);
+        }
+    }
+
+    private static String plain(String name) {
+        return name.replaceAll("[-_ ]", "").toLowerCase(Locale.ROOT);
+    }
+}

@@ -1,0 +1,37 @@
+package tompkins.app;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** The program as a whole. */
+@Command(
+        name = "tompkins",
+        mixinStandardHelpOptions = true,
+        versionProvider = ProgramVersion.class,
+        description = "Takes photographs with a camera that moves at nearly the speed of light.",
+        footer = {
+            "",
+            "Without a command: opens the window, with a scene file or saved photograph if one is given; without a display,"
+                    + " takes the photograph."
+        },
+        subcommands = {RenderCommand.class, CheckCommand.class, ExplainCommand.class, TraceCommand.class})
+final class TompkinsCommand implements Callable<Integer> {
+
+    @Parameters(arity = "0..1", paramLabel = "SCENE", description = "scene file or saved photograph to open")
+    private Path scene;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws Exception {
+        Path file = scene == null ? BundledScenes.file("fig1b.json") : scene;
+        spec.commandLine().getErr().println("No display: taking the photograph instead of opening the window.");
+        return new Photographer(spec.commandLine(), 0).takeDefault(List.of(file));
+    }
+}

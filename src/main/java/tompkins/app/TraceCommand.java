@@ -1,0 +1,124 @@
+package tompkins.app;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.joml.Vector3dc;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import tompkins.io.RayLifeWriter;
+import tompkins.io.StudioReader;
+import tompkins.spacetime.Event;
+import tompkins.studio.Studio;
+import tompkins.trace.RayLife;
+import tompkins.trace.RenderPlan;
+
+/** Shows the life of one ray. */
+@Command(
+        name = "trace",
+        mixinStandardHelpOptions = true,
+        description = "Shows the life of one ray: its events and directions in both frames, its hits, its colour.")
+final class TraceCommand implements Callable<Integer> {
+
+    @Parameters(paramLabel = "SCENE", description = "scene file, or saved photograph")
+    private Path scene;
+
+    @Option(
+            names = "--pixel",
+            required = true,
+            paramLabel = "X,Y",
+            description = "column and row of the pixel, from 0 at the upper left; its centre is taken")
+    private String pixel;
+
+    @Option(
+            names = "--pupil",
+            defaultValue = "0,0",
+            paramLabel = "X,Y",
+            description = "point of the lens in units of its radius, to the right and up; without it the centre")
+    private String pupil;
+
+    @Option(names = "--json", description = "print JSON with 17 significant digits")
+    private boolean json;
+
+    @Mixin
+    private StudioOptions options;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() {
+        double[] place = StudioOptions.numbers("--pixel", pixel, 2);
+        double[] lens = StudioOptions.numbers("--pupil", pupil, 2);
+        Studio studio = options.applyTo(StudioReader.read(scene));
+        int width = studio.settings().width();
+        int height = studio.settings().height();
+        if (place[0] < 0 || place[1] < 0 || place[0] >= width || place[1] >= height) {
+            throw new MistakeException(String.format(
+                    Locale.ROOT, "--pixel must be from 0,0 to %d,%d, was %s", width - 1, height - 1, pixel));
+        }
+        if (Math.hypot(lens[0], lens[1]) > 1) {
+            throw new MistakeException("--pupil must lie in the unit disc, was " + pupil);
+        }
+        RayLife life = RayLife.of(RenderPlan.of(studio), place[0] + 0.5, place[1] + 0.5, lens[0], lens[1]);
+        PrintWriter out = spec.commandLine().getOut();
+        if (life == null) {
+            spec.commandLine()
+                    .getErr()
+                    .println("This ray never crosses the shutter: it brings no light and has no events.");
+            return Failures.FAILURE;
+        }
+        if (json) {
+            out.println(RayLifeWriter.json(life));
+        } else {
+            print(out, life);
+        }
+        return 0;
+    }
+
+    private static void print(PrintWriter out, RayLife life) {
+        out.println("Camera frame");
+        printStart(out, life.cameraStart(), life.cameraDirection());
+        if (life.sceneStart() != null) {
+            out.println("Scene frame");
+            printStart(out, life.sceneStart(), life.sceneDirection());
+        }
+        out.println(format("frequency ratio (camera/scene)  %.12g", life.frequencyRatio()));
+        out.println(format("gamma                           %.12g", life.gamma()));
+        for (RayLife.Encounter hit : life.hits()) {
+            out.println(format(
+                    "hit  %s (%s) in the %s frame at %s, t = %.9g, distance %.9g",
+                    hit.object(),
+                    hit.surface().getClass().getSimpleName(),
+                    hit.frame().name().toLowerCase(Locale.ROOT),
+                    text(hit.event().position()),
+                    hit.event().time(),
+                    hit.distance()));
+        }
+        if (life.hits().isEmpty()) {
+            out.println("hits nothing: the background");
+        }
+        out.println(format(
+                "colour (linear)  %.9g, %.9g, %.9g",
+                life.colour().red(), life.colour().green(), life.colour().blue()));
+    }
+
+    private static void printStart(PrintWriter out, Event event, Vector3dc direction) {
+        out.println("  position   " + text(event.position()));
+        out.println(format("  time       %.12g", event.time()));
+        out.println("  direction  " + text(direction));
+    }
+
+    private static String text(Vector3dc vector) {
+        return format("(%.9g, %.9g, %.9g)", vector.x(), vector.y(), vector.z());
+    }
+
+    private static String format(String pattern, Object... values) {
+        return String.format(Locale.ROOT, pattern, values);
+    }
+}

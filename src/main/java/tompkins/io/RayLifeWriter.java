@@ -1,0 +1,87 @@
+package tompkins.io;
+
+import java.io.StringWriter;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.Locale;
+import org.joml.Vector3dc;
+import tompkins.ray.Colour;
+import tompkins.spacetime.Event;
+import tompkins.trace.RayLife;
+import tools.jackson.core.JsonGenerator;
+import tools.jackson.core.ObjectWriteContext;
+import tools.jackson.core.json.JsonFactory;
+import tools.jackson.core.util.DefaultPrettyPrinter;
+
+/** Writes the life of a ray as JSON, with 17 significant digits, for other programs to check. */
+public final class RayLifeWriter {
+
+    private static final MathContext DIGITS = new MathContext(17);
+
+    private RayLifeWriter() {}
+
+    /** The life of a ray as JSON. The part {@code scene} is missing if the ray never enters the scene frame. */
+    public static String json(RayLife life) {
+        StringWriter text = new StringWriter();
+        ObjectWriteContext pretty = new ObjectWriteContext.Base() {
+            @Override
+            public DefaultPrettyPrinter getPrettyPrinter() {
+                return new DefaultPrettyPrinter();
+            }
+        };
+        try (JsonGenerator json = new JsonFactory().createGenerator(pretty, text)) {
+            json.writeStartObject();
+            writeStart(json, "camera", life.cameraStart(), life.cameraDirection());
+            if (life.sceneStart() != null) {
+                writeStart(json, "scene", life.sceneStart(), life.sceneDirection());
+            }
+            write(json, "frequencyRatio", life.frequencyRatio());
+            write(json, "gamma", life.gamma());
+            json.writeArrayPropertyStart("hits");
+            for (RayLife.Encounter hit : life.hits()) {
+                writeHit(json, hit);
+            }
+            json.writeEndArray();
+            Colour colour = life.colour();
+            write(json, "colour", colour.red(), colour.green(), colour.blue());
+            json.writeEndObject();
+        }
+        return text.toString();
+    }
+
+    private static void writeStart(JsonGenerator json, String name, Event event, Vector3dc direction) {
+        json.writeObjectPropertyStart(name);
+        write(json, "position", event.x(), event.y(), event.z());
+        write(json, "time", event.time());
+        write(json, "direction", direction.x(), direction.y(), direction.z());
+        json.writeEndObject();
+    }
+
+    private static void writeHit(JsonGenerator json, RayLife.Encounter hit) {
+        json.writeStartObject();
+        json.writeStringProperty("object", hit.object());
+        json.writeStringProperty("frame", hit.frame().name().toLowerCase(Locale.ROOT));
+        write(json, "position", hit.event().x(), hit.event().y(), hit.event().z());
+        write(json, "time", hit.event().time());
+        write(json, "distance", hit.distance());
+        json.writeStringProperty("surface", hit.surface().getClass().getSimpleName());
+        json.writeEndObject();
+    }
+
+    private static void write(JsonGenerator json, String name, double value) {
+        json.writeName(name);
+        json.writeNumber(digits(value));
+    }
+
+    private static void write(JsonGenerator json, String name, double... values) {
+        json.writeArrayPropertyStart(name);
+        for (double value : values) {
+            json.writeNumber(digits(value));
+        }
+        json.writeEndArray();
+    }
+
+    private static String digits(double value) {
+        return new BigDecimal(value).round(DIGITS).toString();
+    }
+}
