@@ -1,5 +1,6 @@
 package tompkins.app;
 
+import java.io.PrintWriter;
 import picocli.CommandLine;
 
 /** Starts the program: a command line with its sub-commands, or the window. */
@@ -12,15 +13,17 @@ public final class Main {
      * in the arguments or in a scene).
      */
     public static void main(String[] arguments) {
-        int code = run(arguments);
+        int code = run(new PrintWriter(System.out, true), new PrintWriter(System.err, true), arguments);
         if (code != Failures.WINDOW_IS_OPEN) {
             System.exit(code);
         }
     }
 
     /** Runs the program and returns its exit code. */
-    static int run(String... arguments) {
+    static int run(PrintWriter out, PrintWriter err, String... arguments) {
         CommandLine commandLine = new CommandLine(new TompkinsCommand());
+        commandLine.setOut(out);
+        commandLine.setErr(err);
         commandLine.setCaseInsensitiveEnumValuesAllowed(true);
         commandLine.setExecutionExceptionHandler(Failures::report);
         commandLine.setParameterExceptionHandler(Failures::reportUsage);

@@ -22,6 +22,12 @@ public record Refractive(
     /** A part of the light that is weaker than this is given to the other part, not lost. */
     private static final double WEAKEST_PART = 1.0 / 1024;
 
+    /**
+     * After so many surfaces light is let out where it can leave: a ray that grazes the inside of a sphere would otherwise
+     * run around in it until the recursion depth ends it, and its light would be lost.
+     */
+    private static final int LONGEST_CAPTURE = 32;
+
     /** Checks the ratio. */
     public Refractive {
         Require.positive("indexRatio", indexRatio);
@@ -37,7 +43,8 @@ public record Refractive(
         Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
         double cosineBehind = Refraction.bend(direction, normal, before, behind, direction);
         double reflected = Refraction.reflectance(before, behind, Math.abs(along), cosineBehind);
-        if (ray.weight * reflected < WEAKEST_PART) {
+        boolean caught = ray.generation >= LONGEST_CAPTURE && cosineBehind > 0;
+        if (caught || ray.weight * reflected < WEAKEST_PART) {
             return Response.goesOn(ray.bent(hit, direction.x, direction.y, direction.z, 1), Colour.WHITE);
         }
         double transmitted = 1 - reflected;

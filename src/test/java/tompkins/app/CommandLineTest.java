@@ -1,0 +1,224 @@
+package tompkins.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class CommandLineTest {
+
+    private static final String FIG1B = "scenes/fig1b.json";
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void renderingASavedPhotographGivesTheSameBytes() throws IOException {
+        for (String name : new String[] {"first.png", "first.tif", "first.hdr"}) {
+            Path first = folder.resolve(name);
+            Path second = folder.resolve("again-" + name);
+            ProgramRun run = ProgramRun.of(
+                    "render", FIG1B, "-o", first, "--size", "64x48", "--samples", 3, "--beta", "0,0.3,0.5");
+            assertThat(run.code()).as(run.err()).isZero();
+            assertThat(run.out()).contains(first.toString());
+
+            assertThat(ProgramRun.of("render", first, "-o", second).code()).isZero();
+
+            assertThat(Files.readAllBytes(second)).isEqualTo(Files.readAllBytes(first));
+        }
+    }
+
+    @Test
+    void numberOfThreadsDoesNotChangeTheBytes() throws IOException {
+        byte[] expected = null;
+        for (int threads : new int[] {1, 2, 7}) {
+            Path picture = folder.resolve(threads + ".png");
+            ProgramRun.of(
+                    "render",
+                    "scenes/fig3a.json",
+                    "-o",
+                    picture,
+                    "--size",
+                    "96x72",
+                    "--samples",
+                    4,
+                    "--threads",
+                    threads);
+            byte[] bytes = Files.readAllBytes(picture);
+            assertThat(bytes).isEqualTo(expected == null ? bytes : expected);
+            expected = bytes;
+        }
+    }
+
+    @Test
+    void optionsChangeThePicture() throws IOException {
+        Path plain = folder.resolve("plain.png");
+        ProgramRun.of("render", "scenes/fig3a.json", "-o", plain, "--size", "64x48", "--samples", 2);
+        String[][] changes = {
+            {"--beta", "0,0,0.5"},
+            {"--time", "1.3"},
+            {"--shutter", "focus-surface"},
+            {"--seed", "5"},
+            {"--samples", "3"},
+            {"--tone", "srgb"},
+            {"--size", "64x50"},
+            {"--format", "png16"}
+        };
+        for (String[] change : changes) {
+            Path changed = folder.resolve("changed.png");
+            ProgramRun run = change[0].equals("--samples") || change[0].equals("--size")
+                    ? ProgramRun.of("render", "scenes/fig3a.json", "-o", changed, "--force", change[0], change[1])
+                    : ProgramRun.of(
+                            "render",
+                            "scenes/fig3a.json",
+                            "-o",
+                            changed,
+                            "--force",
+                            "--size",
+                            "64x48",
+                            "--samples",
+                            2,
+                            change[0],
+                            change[1]);
+            assertThat(run.code()).as(run.err()).isZero();
+            assertThat(Files.readAllBytes(changed)).as(change[0]).isNotEqualTo(Files.readAllBytes(plain));
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--beta 0,0,1 | shorter than 1",
+                "--beta 0.6,0.8,0 | shorter than 1",
+                "--beta 0,0,NaN | 3 numbers",
+                "--beta 1,2 | 3 numbers",
+                "--size 640 | 640x480",
+                "--size 0x480 | from 1 to 65535",
+                "--size 60000x60000 | 100000000 pixels",
+                "--samples 0 | from 1",
+                "--samples many | many",
+                "--shutter rolling | aperture-plane",
+                "--time NaN | finite",
+                "--threads 0 | 1 or above",
+                "--tone loud | loud",
+                "--speed 3 | --speed",
+                "--format hdr | .hdr"
+            })
+    void mistakesInOptionsAreNamed(String options, String said) {
+        String[] words = options.trim().split(" ");
+        Path picture = folder.resolve("never.png");
+
+        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", picture, words[0], words[1]);
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err()).contains(said.trim()).doesNotContain("Exception").doesNotContain("\tat ");
+        assertThat(picture).doesNotExist();
+    }
+
+    @Test
+    void anExistingFileIsKept() throws IOException {
+        Path picture = Files.writeString(folder.resolve("mine.png"), "mine");
+
+        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", picture, "--size", "8x6");
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err()).contains("mine.png").contains("--force");
+        assertThat(Files.readString(picture)).isEqualTo("mine");
+        assertThat(ProgramRun.of("render", FIG1B, "-o", picture, "--size", "8x6", "--force")
+                        .code())
+                .isZero();
+        assertThat(Files.size(picture)).isGreaterThan(100);
+    }
+
+    @Test
+    void aFolderThatIsMissingIsAFailureOfTheDisk() {
+        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", folder.resolve("no/such/picture.png"), "--size", "8x6");
+
+        assertThat(run.code()).isEqualTo(1);
+        assertThat(run.err()).contains("picture.png").doesNotContain("\tat ");
+    }
+
+    @Test
+    void endingsOfNamesAreChecked() {
+        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", folder.resolve("picture.bmp"));
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err()).contains("picture.bmp").contains(".png, .tif, .tiff, .hdr, .pic");
+    }
+
+    @Test
+    void aMissingSceneIsNamed() {
+        for (String command : new String[] {"render", "check", "explain"}) {
+            ProgramRun run = ProgramRun.of(command, "scenes/no-such.json");
+            assertThat(run.code()).isEqualTo(2);
+            assertThat(run.err()).contains("no-such.json").doesNotContain("\tat ");
+        }
+    }
+
+    @Test
+    void everyMistakeOfAFileIsReportedAtItsPlace() throws IOException {
+        Path scene = Files.writeString(folder.resolve("wrong.json"), """
+                {
+                  "velocity": [0, 0, 1.5],
+                  "camera": { "aperturRadius": 0.1 },
+                }
+                """);
+
+        ProgramRun run = ProgramRun.of("check", scene, FIG1B);
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err())
+                .contains("wrong.json:2:")
+                .contains("wrong.json:3:")
+                .contains("apertureRadius");
+        assertThat(run.out()).contains("fig1b.json: no mistakes");
+    }
+
+    static Stream<Path> scenes() throws IOException {
+        return Files.list(Path.of("scenes"))
+                .filter(file -> file.toString().endsWith(".json"))
+                .sorted();
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void everySceneRendersWithoutWarning(Path scene) {
+        ProgramRun run = ProgramRun.of("render", scene, "-o", folder, "--size", "48x36", "--samples", 2);
+
+        assertThat(run.code()).isZero();
+        assertThat(run.err()).isEmpty();
+        assertThat(ProgramRun.of("explain", scene).out()).contains("camera");
+    }
+
+    @Test
+    void severalScenesGoIntoAFolder() {
+        assertThat(ProgramRun.of("render", FIG1B, "scenes/fig1a.json", "-o", folder, "--size", "8x6")
+                        .code())
+                .isZero();
+        assertThat(folder.resolve("fig1a.png")).exists();
+        assertThat(folder.resolve("fig1b.png")).exists();
+        ProgramRun run = ProgramRun.of("render", FIG1B, "scenes/fig1a.json", "-o", folder.resolve("one.png"));
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err()).contains("folder");
+    }
+
+    @Test
+    void helpAndVersion() {
+        assertThat(ProgramRun.of("--help").out()).contains("render", "check", "explain", "trace");
+        for (String command : new String[] {"render", "check", "explain", "trace"}) {
+            ProgramRun run = ProgramRun.of(command, "--help");
+            assertThat(run.code()).isZero();
+            assertThat(run.out()).contains("SCENE");
+        }
+        assertThat(ProgramRun.of("--version").out()).contains("Tompkins");
+        assertThat(ProgramRun.of("rendr", FIG1B).code()).isEqualTo(2);
+    }
+}

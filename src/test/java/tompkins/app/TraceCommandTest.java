@@ -1,0 +1,105 @@
+package tompkins.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class TraceCommandTest {
+
+    private static final Pattern NUMBER = Pattern.compile("-?[0-9][-+0-9.eE]*");
+
+    @TempDir
+    private Path folder;
+
+    /** beta = (0, 0, 0.9), looking along +x: the ray runs along (0.43589, 0, -0.9) in the scene. */
+    @Test
+    void showsTheSignOfTheTransformation() throws IOException {
+        Path scene = Files.writeString(folder.resolve("sideways.json"), """
+                {
+                  "velocity": [0, 0, 0.9],
+                  "camera": { "viewDirection": [1, 0, 0] },
+                  "settings": { "width": 1, "height": 1 },
+                  "scene": [{ "type": "Plane", "point": [0, 0, -9], "normal": [0, 0, 1] }],
+                }
+                """);
+
+        String json = ProgramRun.of("trace", scene, "--pixel", "0,0", "--json").out();
+
+        assertThat(numbers(json, "camera", "direction")).containsExactly(1.0, 0.0, 0.0);
+        List<Double> direction = numbers(json, "scene", "direction");
+        assertThat(direction.get(0)).isCloseTo(Math.sqrt(1 - 0.81), within(1e-15));
+        assertThat(direction.get(2)).isCloseTo(-0.9, within(1e-15));
+        double gamma = 1 / Math.sqrt(0.19);
+        assertThat(numbers(json, "gamma").get(0)).isCloseTo(gamma, within(1e-14));
+        // 90 degrees in the camera frame: D = 1/gamma
+        assertThat(numbers(json, "frequencyRatio").get(0)).isCloseTo(1 / gamma, within(1e-15));
+        // the plane z = -9 is 10 away along a direction with z = -0.9, and light takes 10 for it
+        assertThat(numbers(json, "distance").get(0)).isCloseTo(10, within(1e-13));
+        assertThat(numbers(json, "hits", "time").get(0)).isCloseTo(-10, within(1e-13));
+        assertThat(numbers(json, "hits", "position").get(0)).isCloseTo(10 * Math.sqrt(0.19), within(1e-13));
+        assertThat(json)
+                .contains("\"object\" : \"plane\"", "\"frame\" : \"scene\"", "\"surface\" : \"ColouredSurface\"");
+    }
+
+    @Test
+    void refusesPixelsOutsideThePictureAndPointsOutsideTheLens() {
+        ProgramRun outside = ProgramRun.of("trace", "scenes/fig1b.json", "--pixel", "640,0");
+        assertThat(outside.code()).isEqualTo(2);
+        assertThat(outside.err()).contains("639,479");
+        assertThat(ProgramRun.of("trace", "scenes/fig1b.json", "--pixel", "1").code())
+                .isEqualTo(2);
+        assertThat(ProgramRun.of("trace", "scenes/fig1b.json").code()).isEqualTo(2);
+        assertThat(ProgramRun.of("trace", "scenes/fig3a.json", "--pixel", "1,1", "--pupil", "1,1")
+                        .code())
+                .isEqualTo(2);
+    }
+
+    @Test
+    void aRayThatNeverCrossesTheShutterHasNoLife() throws IOException {
+        Path scene = Files.writeString(folder.resolve("parallel.json"), """
+                {
+                  "camera": { "shutter": { "type": "ArbitraryPlaneShutter", "point": [1, 0, 0], "normal": [1, 0, 0] } },
+                  "settings": { "width": 1, "height": 1 },
+                }
+                """);
+
+        ProgramRun run = ProgramRun.of("trace", scene, "--pixel", "0,0");
+
+        assertThat(run.code()).isEqualTo(1);
+        assertThat(run.err()).contains("never crosses the shutter");
+    }
+
+    @Test
+    void textNamesBothFrames() {
+        String text =
+                ProgramRun.of("trace", "scenes/fig4.json", "--pixel", "320,400").out();
+
+        assertThat(text).contains("Camera frame", "Scene frame", "Lorentz window", "floor", "gamma", "10.48");
+    }
+
+    /** The numbers behind the last of some keys, each searched behind the one before. */
+    private static List<Double> numbers(String json, String... keys) {
+        int place = 0;
+        for (String key : keys) {
+            place = json.indexOf('"' + key + '"', place) + key.length() + 2;
+            assertThat(place).as(key).isGreaterThan(key.length() + 1);
+        }
+        String rest = json.substring(place).replaceFirst("^\\s*:\\s*", "");
+        String value = rest.startsWith("[") ? rest.substring(0, rest.indexOf(']')) : rest.split("[,\\n}]")[0];
+        List<Double> numbers = new ArrayList<>();
+        Matcher matcher = NUMBER.matcher(value);
+        while (matcher.find()) {
+            numbers.add(Double.parseDouble(matcher.group()));
+        }
+        return numbers;
+    }
+}
