@@ -46,16 +46,18 @@ final class SpherePrimitive extends Primitive {
         if (offset > radius) {
             return NO_HIT;
         }
-        double halfChord = Math.sqrt((radius - offset) * (radius + offset));
+        // nothing is squared, so that the radius of a sky may be as large as a number can be
+        double halfChord = Math.sqrt(radius - offset) * Math.sqrt(radius + offset);
         double centreDistance = Math.sqrt(fx * fx + fy * fy + fz * fz);
-        double product = (centreDistance - radius) * (centreDistance + radius);
+        double height = centreDistance - radius;
+        double reach = centreDistance + radius;
         if (along > 0) {
             double far = along + halfChord;
-            return nearest(product / far, far, limit);
+            return nearest(height * (reach / far), far, limit);
         }
         // the centre lies behind: only a ray from inside meets the sphere
         double near = along - halfChord;
-        return near < 0 ? nearest(product / near, 0, limit) : NO_HIT;
+        return near < 0 ? nearest(height * (reach / near), 0, limit) : NO_HIT;
     }
 
     @Override

@@ -28,14 +28,13 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
     private final double gamma;
     private final double shrink;
 
-    // unit vector of the velocity, |u|, exp(-rapidity), exp(rapidity), gamma - 1
+    // unit vector of the velocity, |u|, exp(-rapidity), exp(rapidity)
     private final double nx;
     private final double ny;
     private final double nz;
     private final double properSpeed;
     private final double forward;
     private final double backward;
-    private final double gammaMinusOne;
 
     /** From the frame that moves with the given velocity into the frame in which it moves. */
     public LorentzTransformation(Velocity velocity) {
@@ -56,7 +55,6 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
         properSpeed = velocity.properSpeed();
         forward = velocity.expMinusRapidity();
         backward = gamma + properSpeed;
-        gammaMinusOne = velocity.gammaMinusOne();
     }
 
     @Override
@@ -77,7 +75,8 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
         double wy = ray.dy - side * ny;
         double wz = ray.dz - side * nz;
         double half = (wx * wx + wy * wy + wz * wz) / 2;
-        double along = side > 0 ? forward - gammaMinusOne * half : gammaMinusOne * half - backward;
+        // w's part along n is -h for a unit vector d; gamma would magnify what the rounding of d leaves there
+        double along = (side > 0 ? forward - gamma * half : gamma * half - backward) - (wx * nx + wy * ny + wz * nz);
         double length = side > 0 ? forward + properSpeed * half : backward - properSpeed * half;
         double event = ux * ray.x + uy * ray.y + uz * ray.z;
         double factor = event * shrink + ray.time;

@@ -128,7 +128,7 @@ public final class Velocity {
 
     /** gamma - 1, also where gamma itself rounds to 1. */
     public double gammaMinusOne() {
-        return properSpeed * properSpeed / (gamma + 1);
+        return properSpeed / (gamma + 1) * properSpeed;
     }
 
     /** gamma beta, the length of the proper velocity. */
