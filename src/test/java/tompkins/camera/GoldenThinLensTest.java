@@ -1,0 +1,58 @@
+package tompkins.camera;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tompkins.golden.GoldenTable.U;
+
+import java.util.List;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import tompkins.golden.GoldenRow;
+import tompkins.golden.GoldenTable;
+import tompkins.golden.Worst;
+import tompkins.math.Vectors;
+
+/** Directions behind a thin lens against the reference data, row by row. */
+class GoldenThinLensTest {
+
+    private static final List<GoldenRow> ROWS =
+            GoldenTable.rows("g_refraction_lens", row -> row.has("kind", "thin_lens"));
+
+    @Test
+    void programPassesEveryRow() {
+        assertThat(Worst.of(
+                        ROWS,
+                        row -> excess(
+                                row,
+                                ThinLens.bend(
+                                        Vectors.unit(row.vector("d")), axis(row), offset(row), row.number("power")))))
+                .matches(Worst::passes);
+    }
+
+    @Test
+    void imagePositionFailsForObjectsInTheFocalPlane() {
+        List<GoldenRow> inFocalPlane = ROWS.stream()
+                .filter(row -> row.has("class", "object_in_focal_plane"))
+                .toList();
+        assertThat(Worst.of(inFocalPlane, row -> {
+                            double focalLength = 1 / row.number("power");
+                            return excess(
+                                    row,
+                                    NaiveThinLens.bend(
+                                            row.vector("d"), axis(row), offset(row), row.number("power"), focalLength));
+                        })
+                        .excess())
+                .isInfinite();
+    }
+
+    private static double excess(GoldenRow row, Vector3d direction) {
+        return row.distance(direction.normalize(), "out") / (4 * U * row.number("acond_dir"));
+    }
+
+    private static Vector3d axis(GoldenRow row) {
+        return Vectors.unit(row.vector("n"));
+    }
+
+    private static Vector3d offset(GoldenRow row) {
+        return row.vector("x").sub(row.vector("c"));
+    }
+}
