@@ -55,25 +55,32 @@ public final class RenderJob {
         allWork = passes.stream().mapToDouble(Pass::work).sum();
     }
 
-    /** What one thread does for this job. */
+    /** What one thread does for this job. Whatever goes wrong is kept, so that nobody waits for a thread that has gone. */
     void work() {
         RayCounts mine = new RayCounts();
-        SampleTracer tracer = plan.tracer(mine);
+        SampleTracer tracer = null;
         try {
-            int all = passes.size() * tiles.size();
-            for (int index = nextTile.getAndIncrement(); index < all; index = nextTile.getAndIncrement()) {
-                int pass = index / tiles.size();
-                if (!waitForPass(pass)) {
-                    break;
-                }
-                Tile tile = tiles.get(index % tiles.size());
-                renderTile(passes.get(pass), tile, tracer);
-                if (!isStopped()) {
-                    tileDone(passes.get(pass), tile);
-                }
-            }
+            tracer = plan.tracer(mine);
+            renderTiles(tracer);
+        } catch (RuntimeException | Error error) {
+            failure.compareAndSet(null, new RenderFailedException(error));
         } finally {
             workerEnded(mine, tracer);
+        }
+    }
+
+    private void renderTiles(SampleTracer tracer) {
+        int all = passes.size() * tiles.size();
+        for (int index = nextTile.getAndIncrement(); index < all; index = nextTile.getAndIncrement()) {
+            int pass = index / tiles.size();
+            if (!waitForPass(pass)) {
+                return;
+            }
+            Tile tile = tiles.get(index % tiles.size());
+            renderTile(passes.get(pass), tile, tracer);
+            if (!isStopped()) {
+                tileDone(passes.get(pass), tile);
+            }
         }
     }
 
@@ -99,7 +106,7 @@ public final class RenderJob {
                     try {
                         tracer.sampleBlock(
                                 tile.column() + column, tile.row() + row, width, height, pass.stride(), sample, taker);
-                    } catch (RuntimeException | StackOverflowError | OutOfMemoryError error) {
+                    } catch (RuntimeException | Error error) {
                         failure.compareAndSet(
                                 null, new RenderFailedException(tracer.column(), tracer.row(), sample, error));
                     }
@@ -138,8 +145,8 @@ public final class RenderJob {
     private void workerEnded(RayCounts mine, SampleTracer tracer) {
         synchronized (counts) {
             counts.add(mine);
-            nodes += tracer.nodes();
-            tests += tracer.tests();
+            nodes += tracer == null ? 0 : tracer.nodes();
+            tests += tracer == null ? 0 : tracer.tests();
         }
         if (workersEnded.incrementAndGet() == workers) {
             endTime = System.nanoTime();

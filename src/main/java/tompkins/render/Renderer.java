@@ -62,6 +62,8 @@ public final class Renderer implements AutoCloseable {
                 pool.execute(job::work);
             }
         } catch (RejectedExecutionException closed) {
+            // what the pool had taken of it already must not be rendered
+            job.cancel();
             jobs.remove(job);
             throw new IllegalStateException("the renderer is closed", closed);
         }
@@ -78,9 +80,10 @@ public final class Renderer implements AutoCloseable {
     /** Ends all threads; jobs that still run end as cancelled. */
     @Override
     public void close() {
+        List<Runnable> notBegun = pool.shutdownNow();
         jobs.forEach(RenderJob::cancel);
         // what no thread has begun ends here, so that nobody waits for it for ever
-        pool.shutdownNow().forEach(Runnable::run);
+        notBegun.forEach(Runnable::run);
         try {
             pool.awaitTermination(1, TimeUnit.SECONDS);
         } catch (InterruptedException interrupted) {

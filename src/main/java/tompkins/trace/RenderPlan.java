@@ -37,7 +37,7 @@ public final class RenderPlan {
     private final List<LightSource> sceneLights;
     private final LightGrid[] lightGrids;
 
-    private RenderPlan(Studio studio) {
+    private RenderPlan(Studio studio, int smallestTree, boolean withLightGrids) {
         this.studio = studio;
         sceneFromCamera = studio.sceneFromCamera();
         cameraRays = studio.camera()
@@ -45,12 +45,12 @@ public final class RenderPlan {
         crossing = new FrameCrossing(sceneFromCamera, lensEvent());
         Vector3dc origin = crossing.origin();
         Placement placement = new Placement(1, new Matrix3d(), origin.negate(new Vector3d()));
-        scene = tree(studio.scene(), placement, point -> imagePoint(point).position());
-        cameraFrame = tree(studio.cameraFrame(), Placement.NONE, point -> point);
+        scene = tree(studio.scene(), placement, point -> imagePoint(point).position(), smallestTree);
+        cameraFrame = tree(studio.cameraFrame(), Placement.NONE, point -> point, smallestTree);
         sceneLights =
                 studio.lights().stream().map(light -> light.seenFrom(origin)).toList();
         lightGrids = sceneLights.stream()
-                .filter(light -> light.position() != null)
+                .filter(light -> withLightGrids && light.position() != null)
                 .map(light -> LightGrid.of(light.position(), scene))
                 .filter(Objects::nonNull)
                 .toArray(LightGrid[]::new);
@@ -58,15 +58,21 @@ public final class RenderPlan {
 
     /** The plan for a studio's picture. */
     public static RenderPlan of(Studio studio) {
-        return new RenderPlan(studio);
+        return new RenderPlan(studio, ObjectTree.SMALLEST_TREE, true);
     }
 
-    private static ObjectTree tree(List<SceneObject> objects, Placement placement, ImagePoints imagePoints) {
+    /** The plan for the same picture by the plainest of searches, every primitive for every ray: what others must equal. */
+    static RenderPlan plain(Studio studio) {
+        return new RenderPlan(studio, Integer.MAX_VALUE, false);
+    }
+
+    private static ObjectTree tree(
+            List<SceneObject> objects, Placement placement, ImagePoints imagePoints, int smallestTree) {
         PrimitiveCollector collector = new PrimitiveCollector(imagePoints);
         for (SceneObject object : objects) {
             object.addTo(collector, placement);
         }
-        return new ObjectTree(collector.primitives());
+        return new ObjectTree(collector.primitives(), smallestTree);
     }
 
     /** An event at the lens at about the time of the picture. */

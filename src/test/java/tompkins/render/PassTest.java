@@ -1,0 +1,50 @@
+package tompkins.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class PassTest {
+
+    @ParameterizedTest
+    @CsvSource({"1,true", "1,false", "2,true", "7,false", "64,true", "100,false", "1000,true"})
+    void passesTakeEachSampleOfEachPixelOnce(int samples, boolean coarseFirst) {
+        int side = 24;
+        int[][] taken = new int[side * side][samples];
+
+        for (Pass pass : Pass.of(samples, coarseFirst)) {
+            for (int row = 0; row < side; row += pass.stride()) {
+                for (int column = 0; column < side; column += pass.stride()) {
+                    for (int i = 0; i < pass.samples() && pass.takes(column, row); i++) {
+                        taken[row * side + column][pass.firstSample() + i]++;
+                    }
+                }
+            }
+        }
+
+        assertThat(Arrays.stream(taken).flatMapToInt(Arrays::stream)).containsOnly(1);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1,true", "1,false", "5,true", "64,false", "300,true"})
+    void workAddsUpToTheSamples(int samples, boolean coarseFirst) {
+        double work =
+                Pass.of(samples, coarseFirst).stream().mapToDouble(Pass::work).sum();
+
+        assertThat(work).isCloseTo(samples, within(1e-12 * samples));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1,'1'", "2,'1,1'", "5,'1,1,2,1'", "200,'1,1,2,4,8,16,32,64,64,8'"})
+    void passesDoubleTheSamplesUpTo64(int samples, String expected) {
+        List<String> sizes = Pass.of(samples, false).stream()
+                .map(pass -> Integer.toString(pass.samples()))
+                .toList();
+
+        assertThat(String.join(",", sizes)).isEqualTo(expected);
+    }
+}

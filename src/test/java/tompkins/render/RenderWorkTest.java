@@ -1,0 +1,112 @@
+package tompkins.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.List;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.joml.Vector3i;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.ray.Colour;
+import tompkins.ray.RayCounts;
+import tompkins.sceneobject.CylinderLattice;
+import tompkins.studio.PaperStudios;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleTaker;
+import tompkins.trace.SampleTracer;
+
+/**
+ * Holds the work that pictures need, without a clock: it is counted exactly and must not grow. Rays and shadow rays follow
+ * from the scene; nodes and tests are what the search makes of them. Who makes it better lowers the numbers.
+ */
+class RenderWorkTest {
+
+    private static final long BYTES_PER_SAMPLE = 450;
+
+    @ParameterizedTest
+    @MethodSource("pictures")
+    void workDoesNotGrow(Studio studio, long rays, long shadowRays, long mostNodes, long mostTests)
+            throws InterruptedException {
+        RenderReport report;
+        try (Renderer renderer = new Renderer(2)) {
+            report = renderer.render(RenderPlan.of(studio)).report();
+        }
+
+        assertThat(report.rays()).as("rays").isEqualTo(rays);
+        assertThat(report.shadowRays()).as("shadow rays").isEqualTo(shadowRays);
+        assertThat(report.nodes()).as("nodes").isLessThanOrEqualTo(mostNodes);
+        assertThat(report.tests()).as("tests").isLessThanOrEqualTo(mostTests);
+    }
+
+    static Stream<Arguments> pictures() {
+        CylinderLattice usual = CylinderLattice.DEFAULT;
+        CylinderLattice large = new CylinderLattice(
+                "large lattice",
+                usual.from(),
+                usual.to().add(0, 0, 40, new Vector3d()),
+                new Vector3i(20, 20, 60),
+                0.005,
+                usual.surfaceAlongX(),
+                usual.surfaceAlongY(),
+                usual.surfaceAlongZ());
+        Studio rods = PaperStudios.fig1b().withScene(List.of(large));
+        return Stream.of(
+                arguments(PaperStudios.fig1a(), 307_200, 231_021, 0, 2_492_875),
+                arguments(PaperStudios.fig1b(), 307_200, 26_054, 0, 1_811_507),
+                arguments(samples(PaperStudios.fig3a(), 4), 1_228_800, 130_654, 0, 14_626_096),
+                arguments(rods, 307_200, 59_446, 8_183_057, 6_756_678));
+    }
+
+    /** Once compiled: about 300 bytes, a third more where the compiler has seen other scenes before. */
+    @Test
+    void aSampleAllocatesLittle() {
+        Studio studio = PaperStudios.fig1b();
+        SampleTracer tracer = RenderPlan.of(studio).tracer(new RayCounts());
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        Taker taker = new Taker();
+        takeAll(tracer, studio, taker);
+
+        taker.count = 0;
+        long before = threads.getCurrentThreadAllocatedBytes();
+        takeAll(tracer, studio, taker);
+        long bytes = threads.getCurrentThreadAllocatedBytes() - before;
+
+        assertThat(taker.count).isEqualTo(640 * 480);
+        assertThat(bytes / taker.count).isLessThanOrEqualTo(BYTES_PER_SAMPLE);
+    }
+
+    private static void takeAll(SampleTracer tracer, Studio studio, SampleTaker taker) {
+        int side = SampleTracer.LARGEST_BLOCK;
+        for (int row = 0; row < studio.settings().height(); row += side) {
+            for (int column = 0; column < studio.settings().width(); column += side) {
+                tracer.sampleBlock(column, row, side, side, 1, 0, taker);
+            }
+        }
+    }
+
+    private static Studio samples(Studio studio, int samples) {
+        return studio.withSettings(studio.settings().withSamples(samples));
+    }
+
+    private static final class Taker implements SampleTaker {
+
+        private long count;
+
+        @Override
+        public boolean wants(int column, int row) {
+            return true;
+        }
+
+        @Override
+        public void take(int column, int row, Colour colour) {
+            count++;
+        }
+    }
+}

@@ -1,0 +1,238 @@
+package tompkins.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.RepeatedTest;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.sceneobject.Sphere;
+import tompkins.studio.PaperStudios;
+import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
+import tompkins.surface.Surface;
+import tompkins.surface.Tiling;
+import tompkins.trace.RenderPlan;
+import tompkins.trace.VariedStudios;
+
+@Timeout(120)
+class RendererTest {
+
+    private static final Duration SOON = Duration.ofMillis(100);
+
+    @ParameterizedTest
+    @MethodSource("studios")
+    void pictureAndCountsAreTheSameForAnyNumberOfThreads(Studio studio) throws InterruptedException {
+        RenderPlan plan = RenderPlan.of(studio);
+        RenderJob alone = render(plan, 1);
+
+        for (int threads : new int[] {2, 7}) {
+            RenderJob together = render(plan, threads);
+
+            assertThat(together.image().rgb()).isEqualTo(alone.image().rgb());
+            assertThat(together.report())
+                    .usingRecursiveComparison()
+                    .ignoringFields("time")
+                    .isEqualTo(alone.report());
+        }
+    }
+
+    static List<Named<Studio>> studios() {
+        return VariedStudios.all().toList();
+    }
+
+    @Test
+    void coarsePassesEndInTheSamePicture() throws InterruptedException {
+        RenderPlan plan = RenderPlan.of(size(PaperStudios.fig3a(), 203, 149, 3));
+        List<Integer> progress = Collections.synchronizedList(new ArrayList<>());
+        RenderListener listener = new RenderListener() {
+            @Override
+            public void passDone(RenderJob job) {
+                progress.add((int) (100 * job.progress()));
+            }
+        };
+
+        try (Renderer renderer = new Renderer(2)) {
+            RenderJob coarse = renderer.startCoarse(plan, listener);
+            coarse.await();
+            RenderJob plain = renderer.render(plan);
+
+            assertThat(coarse.image().rgb()).isEqualTo(plain.image().rgb());
+            assertThat(coarse.report().samples())
+                    .isEqualTo(plain.report().samples())
+                    .isEqualTo(203 * 149 * 3);
+            assertThat(coarse.isComplete()).isTrue();
+            assertThat(coarse.progress()).isEqualTo(1);
+            // 1/64, 1/16, 1/4, 1 of the first of three samples, then one and one
+            assertThat(progress).isSorted().hasSize(6).contains(33, 66);
+        }
+    }
+
+    /** Other processes may hold the machine up; a renderer that cannot cancel is too late each time. */
+    @RepeatedTest(value = 5, failureThreshold = 1)
+    void cancellingEndsAJobSoonAndLeavesThePictureSoFar() throws InterruptedException {
+        RenderPlan plan = RenderPlan.of(size(PaperStudios.fig3a(), 3840, 2160, 64));
+        CountDownLatch firstTile = new CountDownLatch(1);
+        RenderListener listener = new RenderListener() {
+            @Override
+            public void tileDone(RenderJob job, Tile tile) {
+                firstTile.countDown();
+            }
+        };
+
+        try (Renderer renderer = new Renderer(2)) {
+            long start = System.nanoTime();
+            RenderJob job = renderer.start(plan, listener);
+            firstTile.await();
+            assertThat(Duration.ofNanos(System.nanoTime() - start)).isLessThan(Duration.ofSeconds(1));
+
+            Duration end = timeOf(() -> {
+                job.cancel();
+                job.await();
+            });
+
+            assertThat(end).isLessThan(SOON);
+            assertThat(job.isCancelled()).isTrue();
+            assertThat(job.isComplete()).isFalse();
+            assertThat(job.progress()).isBetween(0.0, 0.5);
+            assertThat(job.image().value(1920, 1080, 0) + job.image().value(1920, 1080, 1))
+                    .isPositive();
+        }
+    }
+
+    @Test
+    void closingTheRendererEndsAllItsJobs() throws InterruptedException {
+        RenderPlan plan = RenderPlan.of(size(PaperStudios.fig3a(), 1920, 1080, 64));
+        AtomicInteger ended = new AtomicInteger();
+        RenderListener listener = new RenderListener() {
+            @Override
+            public void ended(RenderJob job) {
+                ended.incrementAndGet();
+            }
+        };
+        Renderer renderer = new Renderer(2);
+        RenderJob running = renderer.start(plan, listener);
+        RenderJob waiting = renderer.start(plan, listener);
+        RenderJob alsoWaiting = renderer.startCoarse(plan, listener);
+
+        Duration end = timeOf(() -> {
+            renderer.close();
+            running.await();
+            waiting.await();
+            alsoWaiting.await();
+        });
+
+        assertThat(end).isLessThan(SOON);
+        assertThat(List.of(running, waiting, alsoWaiting)).allMatch(RenderJob::isCancelled);
+        assertThat(ended).hasValue(3);
+        assertThatIllegalStateException()
+                .isThrownBy(() -> renderer.start(plan, listener))
+                .withMessage("the renderer is closed");
+    }
+
+    @Test
+    void severalJobsRunAtATime() throws InterruptedException {
+        RenderPlan large = RenderPlan.of(size(PaperStudios.fig1b(), 300, 200, 2));
+        RenderPlan small = RenderPlan.of(size(PaperStudios.fig1a(), 60, 40, 1));
+
+        try (Renderer renderer = new Renderer(2)) {
+            RenderJob first = renderer.start(large, RenderListener.NONE);
+            RenderJob second = renderer.startCoarse(small, RenderListener.NONE);
+            first.await();
+            second.await();
+
+            assertThat(first.image().rgb()).isEqualTo(render(large, 1).image().rgb());
+            assertThat(second.image().rgb()).isEqualTo(render(small, 1).image().rgb());
+        }
+    }
+
+    @Test
+    void aFailureNamesTheSampleAndLeavesTheRendererInOrder() throws InterruptedException {
+        RenderPlan fails = planOfBottomlessSurface();
+
+        try (Renderer renderer = new Renderer(2)) {
+            assertThatThrownBy(() -> renderer.render(fails))
+                    .isInstanceOf(RenderFailedException.class)
+                    .hasMessageMatching("pixel \\d+,\\d+, sample 0: java.lang.StackOverflowError")
+                    .hasCauseInstanceOf(StackOverflowError.class);
+            assertThat(renderer.render(RenderPlan.of(size(PaperStudios.fig1a(), 64, 48, 1)))
+                            .isComplete())
+                    .isTrue();
+        }
+    }
+
+    /** A sphere with tiles on tiles on tiles: too many for the stack of a rendering thread. */
+    private static RenderPlan planOfBottomlessSurface() throws InterruptedException {
+        Surface surface = ColouredSurface.DEFAULT;
+        for (int depth = 0; depth < 600_000; depth++) {
+            surface = new Tiling(ColouredSurface.DEFAULT, surface, 0.25, 0.25, false);
+        }
+        Studio studio = size(PaperStudios.fig1a(), 64, 48, 1)
+                .withScene(List.of(new Sphere("tiled", new Vector3d(0, 0, 10), 0.5, surface)));
+        AtomicReference<RenderPlan> plan = new AtomicReference<>();
+        Thread planner = new Thread(null, () -> plan.set(RenderPlan.of(studio)), "planner", 1L << 30);
+        planner.start();
+        planner.join();
+        return plan.get();
+    }
+
+    @Test
+    void aListenersMistakeEndsTheJob() throws InterruptedException {
+        RenderPlan plan = RenderPlan.of(size(PaperStudios.fig1a(), 128, 96, 4));
+        RenderListener broken = new RenderListener() {
+            @Override
+            public void tileDone(RenderJob job, Tile tile) {
+                throw new IllegalStateException("broken");
+            }
+        };
+
+        try (Renderer renderer = new Renderer(2)) {
+            RenderJob job = renderer.start(plan, broken);
+
+            assertThatThrownBy(job::await)
+                    .isInstanceOf(RenderFailedException.class)
+                    .hasMessage("java.lang.IllegalStateException: broken");
+            assertThat(job.isComplete()).isFalse();
+        }
+    }
+
+    @Test
+    void aRendererNeedsAThread() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Renderer(0))
+                .withMessage("threads must be 1 or above, was 0");
+    }
+
+    private static RenderJob render(RenderPlan plan, int threads) throws InterruptedException {
+        try (Renderer renderer = new Renderer(threads)) {
+            return renderer.render(plan);
+        }
+    }
+
+    private static Studio size(Studio studio, int width, int height, int samples) {
+        return studio.withSettings(studio.settings().withSize(width, height).withSamples(samples));
+    }
+
+    private interface Action {
+        void run() throws InterruptedException;
+    }
+
+    private static Duration timeOf(Action action) throws InterruptedException {
+        long start = System.nanoTime();
+        action.run();
+        return Duration.ofNanos(System.nanoTime() - start);
+    }
+}

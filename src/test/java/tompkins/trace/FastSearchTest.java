@@ -1,0 +1,120 @@
+package tompkins.trace;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Named;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.ray.Colour;
+import tompkins.ray.RayCounts;
+import tompkins.studio.Studio;
+
+/**
+ * Everything that makes the search fast (trees, candidates of a block of rays, grids of lamps) leaves every colour as it is,
+ * to the last bit: compared with the plainest search, one sample after the other and every primitive for every ray.
+ */
+class FastSearchTest {
+
+    @ParameterizedTest
+    @MethodSource("studios")
+    void everyWayOfSearchingGivesTheSameColours(Studio studio) {
+        Picture plain = new Picture(studio);
+        plain.takeOneByOne(RenderPlan.plain(studio));
+        RenderPlan plan = RenderPlan.of(studio);
+        Picture oneByOne = new Picture(studio);
+        Picture blocks = new Picture(studio);
+        Picture coarseBlocks = new Picture(studio);
+
+        oneByOne.takeOneByOne(plan);
+        blocks.takeBlocks(plan, 1);
+        for (int stride = 8; stride >= 1; stride /= 2) {
+            coarseBlocks.takeBlocks(plan, stride);
+        }
+
+        oneByOne.mustEqual(plain);
+        blocks.mustEqual(plain);
+        coarseBlocks.mustEqual(plain);
+    }
+
+    static Stream<Named<Studio>> studios() {
+        return VariedStudios.all().map(named -> Named.of(named.getName(), small(named.getPayload())));
+    }
+
+    private static Studio small(Studio studio) {
+        return studio.withSettings(studio.settings().withSize(77, 58));
+    }
+
+    /** The colours of all samples, and what was counted on the way. */
+    private static final class Picture {
+
+        private final int width;
+        private final int height;
+        private final int samples;
+        private final Colour[] colours;
+        private final RayCounts counts = new RayCounts();
+
+        Picture(Studio studio) {
+            width = studio.settings().width();
+            height = studio.settings().height();
+            samples = studio.settings().samples();
+            colours = new Colour[width * height * samples];
+        }
+
+        void takeOneByOne(RenderPlan plan) {
+            SampleTracer tracer = plan.tracer(counts);
+            for (int i = 0; i < colours.length; i++) {
+                int pixel = i / samples;
+                colours[i] = tracer.sample(pixel % width, pixel / width, i % samples);
+            }
+        }
+
+        /** Takes what has not been taken yet of every pixel whose coordinates are multiples of the stride. */
+        void takeBlocks(RenderPlan plan, int stride) {
+            SampleTracer tracer = plan.tracer(counts);
+            int side = SampleTracer.LARGEST_BLOCK * stride;
+            for (int top = 0; top < height; top += side) {
+                for (int left = 0; left < width; left += side) {
+                    for (int sample = 0; sample < samples; sample++) {
+                        tracer.sampleBlock(
+                                left,
+                                top,
+                                Math.min(side, width - left),
+                                Math.min(side, height - top),
+                                stride,
+                                sample,
+                                taker(sample));
+                    }
+                }
+            }
+        }
+
+        private SampleTaker taker(int sample) {
+            return new SampleTaker() {
+                @Override
+                public boolean wants(int column, int row) {
+                    return colours[index(column, row)] == null;
+                }
+
+                @Override
+                public void take(int column, int row, Colour colour) {
+                    colours[index(column, row)] = colour;
+                }
+
+                private int index(int column, int row) {
+                    return (row * width + column) * samples + sample;
+                }
+            };
+        }
+
+        void mustEqual(Picture other) {
+            // records of doubles are equal if their bits are
+            assertThat(colours).isEqualTo(other.colours);
+            assertThat(Arrays.stream(colours).distinct())
+                    .as("different colours")
+                    .hasSizeGreaterThan(30);
+            assertThat(counts).usingRecursiveComparison().isEqualTo(other.counts);
+        }
+    }
+}

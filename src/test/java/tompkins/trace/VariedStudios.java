@@ -1,0 +1,281 @@
+package tompkins.trace;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.joml.Vector3i;
+import org.junit.jupiter.api.Named;
+import tompkins.camera.PanoramicCamera;
+import tompkins.camera.ThinLensCamera;
+import tompkins.light.AmbientLight;
+import tompkins.light.PointLight;
+import tompkins.ray.Colour;
+import tompkins.ray.PixelPicture;
+import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Cone;
+import tompkins.sceneobject.Cylinder;
+import tompkins.sceneobject.CylinderLattice;
+import tompkins.sceneobject.Disc;
+import tompkins.sceneobject.Group;
+import tompkins.sceneobject.Parallelogram;
+import tompkins.sceneobject.Placed;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Silhouette;
+import tompkins.sceneobject.Sphere;
+import tompkins.sceneobject.Triangle;
+import tompkins.shutter.AperturePlaneShutter;
+import tompkins.shutter.ArbitraryPlaneShutter;
+import tompkins.shutter.DetectorPlaneShutter;
+import tompkins.shutter.FixedPointSurfaceShutter;
+import tompkins.shutter.FocusSurfaceShutter;
+import tompkins.shutter.LensHologramShutter;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.PaperStudios;
+import tompkins.studio.SkyBackground;
+import tompkins.studio.Studio;
+import tompkins.surface.Clear;
+import tompkins.surface.ColourFilter;
+import tompkins.surface.ColouredSurface;
+import tompkins.surface.CutOut;
+import tompkins.surface.GalileoWindow;
+import tompkins.surface.LorentzWindow;
+import tompkins.surface.LuminousSurface;
+import tompkins.surface.Mirror;
+import tompkins.surface.Refractive;
+import tompkins.surface.Surface;
+import tompkins.surface.WindowAxes;
+
+/** Studios in which rays take every kind of way: what makes a search hard, one thing at a time and all at once. */
+public final class VariedStudios {
+
+    private static final Surface GREY = new ColouredSurface(Colour.grey(0.8), Colour.WHITE);
+
+    private static final List<Shutter> SHUTTERS = List.of(
+            new AperturePlaneShutter(0.3),
+            new DetectorPlaneShutter(1.12, 1),
+            new LensHologramShutter(1.1, 1),
+            new FocusSurfaceShutter(-9.5),
+            new FixedPointSurfaceShutter(),
+            new ArbitraryPlaneShutter(-1, new Vector3d(0, 0, 1), new Vector3d(0.3, 0.2, 1)));
+
+    private VariedStudios() {}
+
+    /** All of them, with names. */
+    public static Stream<Named<Studio>> all() {
+        return Stream.of(shutters(), figures(), lights(), windows(), cameras(), velocities())
+                .flatMap(studios -> studios);
+    }
+
+    private static Stream<Named<Studio>> shutters() {
+        return SHUTTERS.stream().flatMap(shutter -> {
+            String name = shutter.getClass().getSimpleName();
+            Studio pinhole = moving(crowd()).withCamera(PaperStudios.camera(0, shutter));
+            Studio wide = moving(crowd()).withCamera(PaperStudios.camera(0.2, shutter));
+            return Stream.of(Named.of(name + ", pinhole", pinhole), Named.of(name + ", wide lens", samples(wide, 3)));
+        });
+    }
+
+    private static Stream<Named<Studio>> figures() {
+        return Stream.of(
+                Named.of("figure 1a", PaperStudios.fig1a()),
+                Named.of("figure 1b", PaperStudios.fig1b()),
+                Named.of("figure 3a", samples(PaperStudios.fig3a(), 4)));
+    }
+
+    private static Stream<Named<Studio>> lights() {
+        Studio studio = moving(crowd());
+        PointLight far = PointLight.DEFAULT;
+        PointLight inside = lamp(0.2, 0.1, 6, 0.7);
+        PointLight beside = lamp(-6, 1, 5, 0.5);
+        return Stream.of(
+                Named.of("no light", studio.withLights(List.of())),
+                Named.of("a lamp among the objects", studio.withLights(List.of(AmbientLight.DEFAULT, inside))),
+                Named.of("three lamps", studio.withLights(List.of(far, AmbientLight.DEFAULT, inside, beside))),
+                Named.of("two lamps at one place", studio.withLights(List.of(far, far))),
+                Named.of("three lamps, a few objects", moving(few()).withLights(List.of(far, inside, beside))));
+    }
+
+    private static Stream<Named<Studio>> windows() {
+        Velocity slow = Velocity.of(0.1, 0.05, 0.3);
+        Surface lorentz = new LorentzWindow(PaperStudios.VELOCITY, WindowAxes.FRAME, 0.96);
+        Surface tilted = new LorentzWindow(slow, WindowAxes.SURFACE, 0.9);
+        Surface galileo = new GalileoWindow(slow, WindowAxes.FRAME, 0.9);
+        return Stream.of(
+                Named.of(
+                        "Lorentz window before the lens", moving(crowd()).withCameraFrame(List.of(window(3, lorentz)))),
+                Named.of(
+                        "Galileo window before a wide lens",
+                        samples(wide(moving(crowd()).withCameraFrame(List.of(window(4, galileo)))), 2)),
+                Named.of("Lorentz window in the scene", moving(with(crowd(), window(2, tilted)))),
+                Named.of("Galileo window in the scene", moving(with(crowd(), window(2, galileo)))),
+                Named.of(
+                        "crowd before the lens",
+                        moving(with(crowd(), window(2, tilted)))
+                                .withCameraFrame(crowd())
+                                .withLights(List.of(lamp(0, 4, 0, 1), PointLight.DEFAULT))));
+    }
+
+    private static Stream<Named<Studio>> cameras() {
+        Studio studio = moving(crowd());
+        PanoramicCamera allAround = PanoramicCamera.DEFAULT;
+        ThinLensCamera usual = ThinLensCamera.DEFAULT;
+        ThinLensCamera veryWide = new ThinLensCamera(
+                new Vector3d(0.1, 0.2, 4),
+                new Vector3d(0.2, -0.1, 1),
+                new Vector3d(0.1, 1, 0),
+                150,
+                0,
+                0.3,
+                new Sphere("focus", new Vector3d(0, 0, 4), 3, GREY),
+                0.5,
+                new FocusSurfaceShutter(-3));
+        ThinLensCamera back = new ThinLensCamera(
+                new Vector3d(0, 0, 14),
+                new Vector3d(0, 0, -1),
+                usual.topDirection(),
+                30,
+                0,
+                0,
+                usual.focus(),
+                0,
+                AperturePlaneShutter.DEFAULT);
+        return Stream.of(
+                Named.of("panoramic camera", studio.withCamera(allAround)),
+                Named.of("panoramic camera, other shutter", studio.withCamera(allAround.withShutter(SHUTTERS.get(5)))),
+                Named.of("very wide lens inside the scene", samples(studio.withCamera(veryWide), 2)),
+                Named.of("camera that looks back", studio.withCamera(back)));
+    }
+
+    private static Stream<Named<Studio>> velocities() {
+        Studio studio = moving(crowd());
+        Studio late = studio.withCamera(PaperStudios.camera(0, new AperturePlaneShutter(1e7)));
+        Vector3dc farAway = RenderPlan.of(late).lensInScene().position();
+        Placed nearTheCamera = new Placed("placed", new Group("crowd", crowd()), 1, new Vector3d(0, 1, 0), 0, farAway);
+        return Stream.of(
+                Named.of("rest", studio.withVelocity(Velocity.REST)),
+                Named.of("nearly the speed of light", studio.withVelocity(Velocity.of(0, 0, 0.9999999))),
+                Named.of("Galilean world", studio.withTransformation(TransformationLaw.GALILEAN)),
+                Named.of("far from the origin", late.withScene(List.of(nearTheCamera))),
+                Named.of("big lattice", moving(List.of(bigLattice()))));
+    }
+
+    private static Studio moving(List<SceneObject> scene) {
+        Studio studio = new Studio(
+                "varied",
+                "Tests",
+                "",
+                scene,
+                List.of(),
+                List.of(AmbientLight.DEFAULT, PointLight.DEFAULT),
+                SkyBackground.DEFAULT,
+                PaperStudios.camera(0, AperturePlaneShutter.DEFAULT),
+                Velocity.of(0.1, -0.05, 0.6),
+                TransformationLaw.LORENTZ,
+                Studio.DEFAULT.settings());
+        return studio.withSettings(studio.settings().withSize(80, 60));
+    }
+
+    private static Studio wide(Studio studio) {
+        return studio.withCamera(PaperStudios.camera(0.2, new DetectorPlaneShutter(1.12, 1)));
+    }
+
+    private static Studio samples(Studio studio, int samples) {
+        return studio.withSettings(studio.settings().withSamples(samples));
+    }
+
+    /** One object of each kind and surface, fewer than a tree needs, with hits that are exactly equally near. */
+    private static List<SceneObject> few() {
+        PixelPicture chequers = new PixelPicture(
+                "chequers", 2, 2, new float[] {0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 1}, new byte[0]);
+        Vector3d right = new Vector3d(1, 0, 0);
+        Vector3d up = new Vector3d(0, 1, 0);
+        return List.of(
+                PaperStudios.fig1a().scene().get(0),
+                new Silhouette("cut-out", new Vector3d(-1.4, 0, 5), right, up, chequers, GREY),
+                new Parallelogram(
+                        "screen",
+                        new Vector3d(0.4, 0, 5),
+                        right,
+                        up,
+                        new CutOut(chequers, new Mirror(0.9), Clear.DEFAULT)),
+                new Sphere("glass", new Vector3d(0, 0, 6), 0.5, new Refractive(1.5)),
+                new Sphere("mirror", new Vector3d(-1, -0.5, 7), 0.4, new Mirror(0.9)),
+                new Sphere("filter", new Vector3d(1, -0.6, 7), 0.3, new ColourFilter(new Colour(0.9, 0.5, 0.2))),
+                new Box("box", new Vector3d(0.8, 0.6, 8), new Vector3d(1.4, 1.2, 9), GREY),
+                new Placed(
+                        "placed",
+                        new Box("box", new Vector3d(), right.add(0, 1, 1, new Vector3d()), Clear.DEFAULT),
+                        0.5,
+                        new Vector3d(1, 1, 0),
+                        30,
+                        new Vector3d(-0.5, 0.8, 7)),
+                new Cone("cone", new Vector3d(-1.2, 1.5, 8), new Vector3d(-1.2, 0.5, 8), 0.4, true, GREY),
+                new Cylinder("rod", new Vector3d(-1, -1, 9), new Vector3d(1, 1, 9), 0.1, true, GREY),
+                new Cylinder(
+                        "crossing rod",
+                        new Vector3d(-1, 1, 9),
+                        new Vector3d(1, -1, 9),
+                        0.1,
+                        true,
+                        new ColouredSurface(new Colour(1, 0, 0), Colour.BLACK)),
+                new Disc("lamp", new Vector3d(0, 1.3, 8), new Vector3d(0, 0, -1), 0.2, LuminousSurface.DEFAULT),
+                new Triangle("triangle", new Vector3d(-1, -1, 8), new Vector3d(0, -1, 8), new Vector3d(0, 0, 8), GREY),
+                new Parallelogram(
+                        "same place",
+                        new Vector3d(-1, -1, 8),
+                        right,
+                        up,
+                        new ColouredSurface(Colour.WHITE, Colour.BLACK)));
+    }
+
+    /** The same among so many spheres and rods that a tree is built. */
+    private static List<SceneObject> crowd() {
+        List<SceneObject> objects = new ArrayList<>(few());
+        Random random = new Random(20160921);
+        for (int i = 0; i < 150; i++) {
+            Vector3dc centre =
+                    new Vector3d(random.nextDouble(-3, 3), random.nextDouble(-1, 3), random.nextDouble(2, 14));
+            Colour colour = new Colour(random.nextDouble(), random.nextDouble(), random.nextDouble());
+            objects.add(new Sphere(
+                    "sphere " + i, centre, random.nextDouble(0.02, 0.15), new ColouredSurface(colour, Colour.WHITE)));
+        }
+        objects.add(lattice(4, 0.02));
+        return objects;
+    }
+
+    private static CylinderLattice bigLattice() {
+        return lattice(8, 0.01);
+    }
+
+    private static CylinderLattice lattice(int points, double radius) {
+        CylinderLattice usual = CylinderLattice.DEFAULT;
+        return new CylinderLattice(
+                "lattice",
+                usual.from(),
+                usual.to(),
+                new Vector3i(points, points, points),
+                radius,
+                usual.surfaceAlongX(),
+                usual.surfaceAlongY(),
+                usual.surfaceAlongZ());
+    }
+
+    private static List<SceneObject> with(List<SceneObject> objects, SceneObject... more) {
+        return Stream.concat(objects.stream(), Arrays.stream(more)).toList();
+    }
+
+    private static SceneObject window(double z, Surface surface) {
+        return new Parallelogram(
+                "window", new Vector3d(-0.5, -0.4, z), new Vector3d(0.8, 0, 0.1), new Vector3d(0, 0.7, 0), surface);
+    }
+
+    private static PointLight lamp(double x, double y, double z, double brightness) {
+        return new PointLight(new Vector3d(x, y, z), Colour.grey(brightness), Colour.WHITE, 20);
+    }
+}
