@@ -14,7 +14,6 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Named;
-import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -81,36 +80,44 @@ class RendererTest {
         }
     }
 
-    /** Other processes may hold the machine up; a renderer that cannot cancel is too late each time. */
-    @RepeatedTest(value = 5, failureThreshold = 1)
-    void cancellingEndsAJobSoonAndLeavesThePictureSoFar() throws InterruptedException {
-        RenderPlan plan = RenderPlan.of(size(PaperStudios.fig3a(), 3840, 2160, 64));
-        CountDownLatch firstTile = new CountDownLatch(1);
-        RenderListener listener = new RenderListener() {
-            @Override
-            public void tileDone(RenderJob job, Tile tile) {
-                firstTile.countDown();
+    /** The best of five: other processes may hold the machine up, a slow renderer is late each time. */
+    @Test
+    void aLargePictureBeginsSoonAndEndsSoonWhenItIsCancelled() throws InterruptedException {
+        Duration beginning = Duration.ofHours(1);
+        Duration end = Duration.ofHours(1);
+        for (int attempt = 0; attempt < 5; attempt++) {
+            CountDownLatch firstTile = new CountDownLatch(1);
+            RenderListener listener = new RenderListener() {
+                @Override
+                public void tileDone(RenderJob job, Tile tile) {
+                    firstTile.countDown();
+                }
+            };
+            try (Renderer renderer = new Renderer(2)) {
+                long start = System.nanoTime();
+                RenderPlan plan = RenderPlan.of(size(PaperStudios.fig3a(), 3840, 2160, 64));
+                RenderJob job = renderer.start(plan, listener);
+                firstTile.await();
+                beginning = shorter(beginning, Duration.ofNanos(System.nanoTime() - start));
+
+                end = shorter(end, timeOf(() -> {
+                    job.cancel();
+                    job.await();
+                }));
+
+                assertThat(job.isCancelled()).isTrue();
+                assertThat(job.isComplete()).isFalse();
+                assertThat(job.progress()).isBetween(0.0, 0.5);
+                assertThat(job.image().value(1920, 1080, 0) + job.image().value(1920, 1080, 1))
+                        .isPositive();
             }
-        };
-
-        try (Renderer renderer = new Renderer(2)) {
-            long start = System.nanoTime();
-            RenderJob job = renderer.start(plan, listener);
-            firstTile.await();
-            assertThat(Duration.ofNanos(System.nanoTime() - start)).isLessThan(Duration.ofSeconds(1));
-
-            Duration end = timeOf(() -> {
-                job.cancel();
-                job.await();
-            });
-
-            assertThat(end).isLessThan(SOON);
-            assertThat(job.isCancelled()).isTrue();
-            assertThat(job.isComplete()).isFalse();
-            assertThat(job.progress()).isBetween(0.0, 0.5);
-            assertThat(job.image().value(1920, 1080, 0) + job.image().value(1920, 1080, 1))
-                    .isPositive();
         }
+        assertThat(beginning).isLessThan(Duration.ofSeconds(1));
+        assertThat(end).isLessThan(SOON);
+    }
+
+    private static Duration shorter(Duration first, Duration second) {
+        return first.compareTo(second) < 0 ? first : second;
     }
 
     @Test
