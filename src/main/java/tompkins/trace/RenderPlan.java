@@ -2,14 +2,10 @@ package tompkins.trace;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
-import org.joml.Matrix3d;
-import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.CameraRays;
-import tompkins.light.LightSource;
+import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
-import tompkins.sceneobject.ImagePoints;
 import tompkins.sceneobject.LightGrid;
 import tompkins.sceneobject.ObjectTree;
 import tompkins.sceneobject.Placement;
@@ -32,58 +28,50 @@ public final class RenderPlan {
     private final SpaceTimeTransformation sceneFromCamera;
     private final CameraRays cameraRays;
     private final FrameCrossing crossing;
-    private final ObjectTree scene;
+    private final PreparedScene scene;
     private final ObjectTree cameraFrame;
-    private final List<LightSource> sceneLights;
-    private final LightGrid[] lightGrids;
 
-    private RenderPlan(Studio studio, int smallestTree, boolean withLightGrids) {
+    private RenderPlan(Studio studio, RenderPlan previous, boolean plain) {
         this.studio = studio;
         sceneFromCamera = studio.sceneFromCamera();
         cameraRays = studio.camera()
                 .rays(studio.settings().width(), studio.settings().height(), sceneFromCamera);
         crossing = new FrameCrossing(sceneFromCamera, lensEvent());
-        Vector3dc origin = crossing.origin();
-        Placement placement = new Placement(1, new Matrix3d(), origin.negate(new Vector3d()));
-        scene = tree(studio.scene(), placement, point -> imagePoint(point).position(), smallestTree);
-        cameraFrame = tree(studio.cameraFrame(), Placement.NONE, point -> point, smallestTree);
-        sceneLights =
-                studio.lights().stream().map(light -> light.seenFrom(origin)).toList();
-        lightGrids = sceneLights.stream()
-                .filter(light -> withLightGrids && light.position() != null)
-                .map(light -> LightGrid.of(light.position(), scene))
-                .filter(Objects::nonNull)
-                .toArray(LightGrid[]::new);
+        scene = previous != null && previous.scene.isOf(studio, crossing.origin())
+                ? previous.scene
+                : new PreparedScene(
+                        studio, crossing.origin(), point -> imagePoint(point).position(), plain);
+        PrimitiveCollector collector = new PrimitiveCollector(point -> point);
+        for (SceneObject object : studio.cameraFrame()) {
+            object.addTo(collector, Placement.NONE);
+        }
+        cameraFrame = new ObjectTree(collector.primitives(), plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE);
     }
 
     /** The plan for a studio's picture. */
     public static RenderPlan of(Studio studio) {
-        return new RenderPlan(studio, ObjectTree.SMALLEST_TREE, true);
+        return new RenderPlan(studio, null, false);
     }
 
     /** The plan for the same picture by the plainest of searches, every primitive for every ray: what others must equal. */
     static RenderPlan plain(Studio studio) {
-        return new RenderPlan(studio, Integer.MAX_VALUE, false);
+        return new RenderPlan(studio, null, true);
     }
 
-    private static ObjectTree tree(
-            List<SceneObject> objects, Placement placement, ImagePoints imagePoints, int smallestTree) {
-        PrimitiveCollector collector = new PrimitiveCollector(imagePoints);
-        for (SceneObject object : objects) {
-            object.addTo(collector, placement);
-        }
-        return new ObjectTree(collector.primitives(), smallestTree);
+    /**
+     * The plan for a studio's picture, as {@link #of(Studio)}, which takes over the scene of an earlier plan if it is the same.
+     *
+     * @param previous the earlier plan, or null
+     */
+    public static RenderPlan of(Studio studio, RenderPlan previous) {
+        return new RenderPlan(studio, previous, false);
     }
 
-    /** An event at the lens at about the time of the picture. */
+    /** The event at which light for the middle of the picture crosses the centre of the lens; time 0 if none does. */
     private Event lensEvent() {
         Vector3dc place = studio.camera().position();
-        int width = studio.settings().width();
-        int height = studio.settings().height();
-        Vector3dc ahead = cameraRays.chiefDirection(width / 2.0, height / 2.0);
-        LensRay axis = studio.camera().centralRay(place.add(ahead, new Vector3d()));
-        double time = studio.camera().shutter().transmissionTime(axis, sceneFromCamera);
-        return new Event(place.x(), place.y(), place.z(), Double.isFinite(time) ? time : 0);
+        Ray axis = cameraRays.ray(width() / 2.0, height() / 2.0, 0, 0, new RayCounts());
+        return new Event(place.x(), place.y(), place.z(), axis == null ? 0 : axis.time);
     }
 
     /** The event, in the scene frame, at which a point that is fixed to the camera is photographed through the lens centre. */
@@ -134,9 +122,9 @@ public final class RenderPlan {
         int depth = studio.settings().maximumDepth();
         RayTracer sceneTracer = new RayTracer(
                 Frame.SCENE,
-                scene,
-                sceneLights,
-                lightGrids,
+                scene.objects(),
+                scene.lights(),
+                scene.lightGrids(),
                 ray -> studio.background().colour(ray.dx, ray.dy, ray.dz),
                 depth,
                 counts,
@@ -157,7 +145,7 @@ public final class RenderPlan {
     /** The plan in sentences: what this picture needs, what it leaves out, and why. */
     public List<String> sentences() {
         List<String> sentences = new ArrayList<>();
-        new PlanSentences(studio, scene, cameraFrame, isAtRest()).addTo(sentences);
+        new PlanSentences(studio, scene.objects(), cameraFrame, isAtRest()).addTo(sentences);
         return sentences;
     }
 }
