@@ -37,7 +37,7 @@ public enum AnimationFormat {
 
     /** Whether this computer can write the format: all but MP4 always, MP4 if ffmpeg is on the path. */
     public boolean isAvailable() {
-        return this != MP4 || Mp4Writer.findProgram().isPresent();
+        return this != MP4 || Mp4Writer.findProgram(System.getenv("PATH")).isPresent();
     }
 
     /**

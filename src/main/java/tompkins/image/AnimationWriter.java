@@ -103,8 +103,13 @@ public abstract sealed class AnimationWriter implements Closeable
             return;
         }
         ended = true;
-        try (pending) {
+        try {
             abandon();
+        } catch (IOException e) {
+            // What is thrown away need not be complete.
+        }
+        try {
+            pending.close();
         } catch (IOException e) {
             throw PictureException.cannotWrite(target, e);
         }

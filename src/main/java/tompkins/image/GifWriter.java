@@ -6,6 +6,7 @@ import java.io.OutputStream;
 import java.nio.file.Path;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
 import javax.imageio.metadata.IIOMetadata;
 import javax.imageio.metadata.IIOMetadataNode;
@@ -46,7 +47,9 @@ final class GifWriter extends AnimationWriter {
             root.appendChild(loopNode());
         }
         metadata.mergeTree(NATIVE, root);
-        writer.writeToSequence(new IIOImage(frame, null, metadata), null);
+        ImageWriteParam rowAfterRow = writer.getDefaultWriteParam();
+        rowAfterRow.setProgressiveMode(ImageWriteParam.MODE_DISABLED);
+        writer.writeToSequence(new IIOImage(frame, null, metadata), rowAfterRow);
         stream.flush();
     }
 

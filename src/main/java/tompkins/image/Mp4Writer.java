@@ -9,6 +9,7 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
@@ -29,9 +30,8 @@ final class Mp4Writer extends AnimationWriter {
         this.framesPerSecond = framesPerSecond;
     }
 
-    /** The program ffmpeg, looked for in the folders of the path. */
-    static Optional<Path> findProgram() {
-        String path = System.getenv("PATH");
+    /** The program ffmpeg, looked for in the folders of a path; null is one without folders. */
+    static Optional<Path> findProgram(String path) {
         if (path == null) {
             return Optional.empty();
         }
@@ -49,7 +49,7 @@ final class Mp4Writer extends AnimationWriter {
      * @throws PictureException if it is not on the path
      */
     static Path program() throws PictureException {
-        return findProgram()
+        return findProgram(System.getenv("PATH"))
                 .orElseThrow(() -> new PictureException("ffmpeg: not found on the path; install it to save MP4 videos,"
                         + " or save an animated PNG, an animated GIF or numbered pictures"));
     }
@@ -76,35 +76,14 @@ final class Mp4Writer extends AnimationWriter {
     }
 
     private List<String> command(int width, int height) {
-        List<String> input = List.of(
-                "-f",
-                "rawvideo",
-                "-pix_fmt",
-                "rgb24",
-                "-s",
-                width + "x" + height,
-                "-r",
-                Integer.toString(framesPerSecond),
-                "-i",
-                "-");
+        String input = "-f rawvideo -pix_fmt rgb24 -s " + width + "x" + height + " -r " + framesPerSecond + " -i -";
         // The colours of yuv420p cover two by two pixels: an odd picture gets a black row or column.
-        List<String> output = List.of(
-                "-vf",
-                "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-                "-c:v",
-                "libx264",
-                "-pix_fmt",
-                "yuv420p",
-                "-crf",
-                "18",
-                "-movflags",
-                "+faststart",
-                "-f",
-                "mp4",
-                pending().path().toString());
-        return Stream.of(List.of(program.toString(), "-y", "-loglevel", "error"), input, output)
-                .flatMap(List::stream)
-                .toList();
+        String shape = "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2";
+        String output = "-c:v libx264 -pix_fmt yuv420p -crf 18 -movflags +faststart -f mp4";
+        List<String> command = new ArrayList<>(List.of(program.toString(), "-y", "-loglevel", "error"));
+        command.addAll(List.of(String.join(" ", input, shape, output).split(" ")));
+        command.add(pending().path().toString());
+        return command;
     }
 
     private void writeRows(BufferedImage frame) throws IOException {
@@ -147,7 +126,7 @@ final class Mp4Writer extends AnimationWriter {
     /** What ffmpeg says is the reason; that it no longer reads is only the consequence. */
     private IOException failure(IOException consequence) throws IOException {
         process.destroy();
-        int exitCode = awaitExit();
+        int exitCode = process.onExit().join().exitValue();
         String said = new String(Files.readAllBytes(complaints), StandardCharsets.UTF_8).strip();
         String last = said.substring(said.lastIndexOf('\n') + 1).strip();
         IOException failure =
@@ -160,13 +139,16 @@ final class Mp4Writer extends AnimationWriter {
 
     @Override
     void abandon() throws IOException {
-        if (process != null) {
-            process.destroyForcibly();
-            awaitExit();
-            process.getOutputStream().close();
-        }
-        if (complaints != null) {
-            Files.deleteIfExists(complaints);
+        try {
+            if (process != null) {
+                // Not a wait that can be interrupted: an interruption is a usual way to get here.
+                process.destroyForcibly().onExit().join();
+                process.getOutputStream().close();
+            }
+        } finally {
+            if (complaints != null) {
+                Files.deleteIfExists(complaints);
+            }
         }
     }
 }

@@ -14,6 +14,7 @@ import java.util.List;
 import javax.imageio.ImageReadParam;
 import javax.imageio.ImageReader;
 import javax.imageio.ImageTypeSpecifier;
+import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageInputStream;
 import tompkins.ray.PixelPicture;
 
@@ -28,6 +29,7 @@ public final class PictureFile {
     public static final int MOST_PIXELS = 64_000_000;
 
     private static final long MOST_BYTES = 1L << 30;
+    private static final int LOWEST_INTERLACED = 5;
 
     private PictureFile() {}
 
@@ -132,15 +134,34 @@ public final class PictureFile {
     private static void requireSize(ImageReader reader, PictureEncoding encoding, byte[] file, String name)
             throws IOException {
         requireSize(reader.getWidth(0), reader.getHeight(0), name);
-        if (encoding == PictureEncoding.GIF) {
-            // The reader makes the whole screen, of which the first frame may be a part.
-            requireSize(littleEndian(file, 6), littleEndian(file, 8), name);
+        switch (encoding) {
+            case GIF -> requireReadableGif(reader, file, name);
+            case HDR -> requirePackedRows(reader.getWidth(0), name);
+            default -> {}
         }
-        if (encoding == PictureEncoding.HDR
-                && (reader.getWidth(0) < RadianceFile.NARROWEST_PACKED
-                        || reader.getWidth(0) > RadianceFile.WIDEST_PACKED)) {
+    }
+
+    private static void requireReadableGif(ImageReader reader, byte[] file, String name) throws IOException {
+        // The reader makes the whole screen, of which the first frame may be a part.
+        requireSize(littleEndian(file, 6), littleEndian(file, 8), name);
+        if (reader.getHeight(0) < LOWEST_INTERLACED && isInterlaced(reader)) {
+            // The JDK's reader gives such a picture without an error, but with the rows after the first missing.
+            throw new PictureException(name + ": an interlaced GIF picture must have " + LOWEST_INTERLACED
+                    + " rows or more, has " + reader.getHeight(0) + "; save it without interlacing");
+        }
+    }
+
+    private static boolean isInterlaced(ImageReader reader) throws IOException {
+        var root = (IIOMetadataNode) reader.getImageMetadata(0).getAsTree("javax_imageio_gif_image_1.0");
+        var descriptor =
+                (IIOMetadataNode) root.getElementsByTagName("ImageDescriptor").item(0);
+        return descriptor.getAttribute("interlaceFlag").equalsIgnoreCase("true");
+    }
+
+    private static void requirePackedRows(int width, String name) throws PictureException {
+        if (width < RadianceFile.NARROWEST_PACKED || width > RadianceFile.WIDEST_PACKED) {
             throw new PictureException(name + ": a Radiance picture must be from " + RadianceFile.NARROWEST_PACKED
-                    + " to " + RadianceFile.WIDEST_PACKED + " pixels wide, is " + reader.getWidth(0));
+                    + " to " + RadianceFile.WIDEST_PACKED + " pixels wide, is " + width);
         }
     }
 

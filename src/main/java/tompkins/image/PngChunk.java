@@ -68,14 +68,18 @@ record PngChunk(String type, byte[] data) {
     void write(OutputStream out) throws IOException {
         DataOutputStream chunk = new DataOutputStream(out);
         chunk.writeInt(data.length);
-        chunk.writeBytes(type);
+        chunk.write(letters());
         chunk.write(data);
         chunk.writeInt(checksum());
     }
 
+    private byte[] letters() {
+        return type.getBytes(StandardCharsets.ISO_8859_1);
+    }
+
     private int checksum() {
         CRC32 sum = new CRC32();
-        sum.update(type.getBytes(StandardCharsets.ISO_8859_1));
+        sum.update(letters());
         sum.update(data);
         return (int) sum.getValue();
     }

@@ -88,14 +88,11 @@ final class RadianceFile {
         float red = representable(rgb[from]);
         float green = representable(rgb[from + 1]);
         float blue = representable(rgb[from + 2]);
-        int exponent = Math.getExponent(Math.max(red, Math.max(green, blue))) + 1;
-        if (exponent + 128 <= 0) {
-            exponent = -128;
-            red = 0;
-            green = 0;
-            blue = 0;
-        }
-        double scale = Math.scalb(1.0, 8 - exponent);
+        float brightest = Math.max(red, Math.max(green, blue));
+        // Black, or too dark for the exponents of normal floats: all four bytes are 0.
+        boolean dark = brightest < Float.MIN_NORMAL;
+        int exponent = dark ? -128 : Math.getExponent(brightest) + 1;
+        double scale = dark ? 0 : Math.scalb(1.0, 8 - exponent);
         int at = x * pixelStep;
         row[at] = (byte) (int) (red * scale);
         row[at + channelStep] = (byte) (int) (green * scale);

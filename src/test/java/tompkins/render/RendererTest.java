@@ -108,12 +108,20 @@ class RendererTest {
                 assertThat(job.isCancelled()).isTrue();
                 assertThat(job.isComplete()).isFalse();
                 assertThat(job.progress()).isBetween(0.0, 0.5);
-                assertThat(job.image().value(1920, 1080, 0) + job.image().value(1920, 1080, 1))
-                        .isPositive();
+                assertThat(anyLight(job.image().rgb())).isTrue();
             }
         }
         assertThat(beginning).isLessThan(Duration.ofSeconds(1));
         assertThat(end).isLessThan(SOON);
+    }
+
+    private static boolean anyLight(float[] rgb) {
+        for (float value : rgb) {
+            if (value > 0) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private static Duration shorter(Duration first, Duration second) {

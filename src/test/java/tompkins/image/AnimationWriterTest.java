@@ -1,0 +1,281 @@
+package tompkins.image;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javax.imageio.ImageReader;
+import javax.imageio.metadata.IIOMetadataNode;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.w3c.dom.Node;
+
+class AnimationWriterTest {
+
+    private static final String SECOND_SCENE = "{\"time\": 2}";
+
+    @TempDir
+    private Path folder;
+
+    private Path target(AnimationFormat format) {
+        return folder.resolve(
+                "film" + (format.endings().isEmpty() ? "" : format.endings().get(0)));
+    }
+
+    /** A film of as many frames, the first with {@link Samples#SCENE}, the others with {@link #SECOND_SCENE}. */
+    private Path film(AnimationFormat format, int framesPerSecond, int frames) throws IOException {
+        Path target = target(format);
+        try (AnimationWriter animation = format.open(target, framesPerSecond, ToneCurve.LINEAR)) {
+            for (int i = 0; i < frames; i++) {
+                animation.add(
+                        Samples.squares(22, 13, i), i == 0 ? Samples.INFO : new PhotographInfo("", "", SECOND_SCENE));
+            }
+            animation.finish();
+        }
+        return target;
+    }
+
+    private static int[] levels(BufferedImage image) {
+        return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+    }
+
+    private static int[] levels(int frame) {
+        return levels(BufferedImages.toBufferedImage(Samples.squares(22, 13, frame), ToneCurve.LINEAR));
+    }
+
+    @Test
+    void animatedPngHasTheChunksOfTheSpecification() throws IOException {
+        byte[] apng = Files.readAllBytes(film(AnimationFormat.APNG, 25, 3));
+        List<Samples.Chunk> chunks = Samples.chunks(apng);
+        List<String> types = chunks.stream().map(Samples.Chunk::type).toList();
+
+        assertThat(types).startsWith("IHDR").endsWith("IEND");
+        assertThat(types.indexOf("acTL")).isLessThan(types.indexOf("IDAT"));
+        assertThat(types.stream()
+                        .filter(type -> type.matches("IHDR|acTL|fcTL|IDAT|fdAT|IEND"))
+                        .distinct())
+                .containsExactly("IHDR", "acTL", "fcTL", "IDAT", "fdAT", "IEND");
+        assertThat(Samples.chunks(apng, "IHDR")).hasSize(1);
+        assertThat(Samples.chunks(apng, "acTL"))
+                .singleElement()
+                .isEqualTo(ByteBuffer.allocate(8).putInt(3).putInt(0).array());
+
+        int sequence = 0;
+        for (Samples.Chunk chunk : chunks) {
+            if (chunk.type().equals("fcTL") || chunk.type().equals("fdAT")) {
+                assertThat(ByteBuffer.wrap(chunk.data()).getInt()).isEqualTo(sequence++);
+            }
+        }
+        assertThat(Samples.chunks(apng, "fcTL")).hasSize(3).allSatisfy(control -> {
+            ByteBuffer values = ByteBuffer.wrap(control, 4, 22);
+            assertThat(new int[] {values.getInt(), values.getInt(), values.getInt(), values.getInt()})
+                    .containsExactly(22, 13, 0, 0);
+            assertThat(new int[] {values.getShort(), values.getShort(), values.get(), values.get()})
+                    .containsExactly(1, 25, 0, 0);
+        });
+    }
+
+    /** Each frame, taken out and made an ordinary PNG again, has the pixels that were put in. */
+    @Test
+    void animatedPngKeepsEachFrameExactly() throws IOException {
+        List<Samples.Chunk> chunks = Samples.chunks(Files.readAllBytes(film(AnimationFormat.APNG, 25, 3)));
+        List<ByteArrayOutputStream> frames = new ArrayList<>();
+        for (Samples.Chunk chunk : chunks) {
+            switch (chunk.type()) {
+                case "fcTL" -> frames.add(startedPng(chunks.get(0)));
+                case "IDAT" -> new PngChunk("IDAT", chunk.data()).write(frames.get(0));
+                case "fdAT" ->
+                    new PngChunk("IDAT", java.util.Arrays.copyOfRange(chunk.data(), 4, chunk.data().length))
+                            .write(frames.get(frames.size() - 1));
+                default -> {}
+            }
+        }
+        assertThat(frames).hasSize(3);
+        for (int i = 0; i < 3; i++) {
+            new PngChunk("IEND", new byte[0]).write(frames.get(i));
+            BufferedImage frame =
+                    Samples.jdkReader("png", frames.get(i).toByteArray()).read(0);
+            assertThat(levels(frame)).as("frame %d", i).isEqualTo(levels(i));
+        }
+    }
+
+    private static ByteArrayOutputStream startedPng(Samples.Chunk header) throws IOException {
+        ByteArrayOutputStream png = new ByteArrayOutputStream();
+        PngChunk.writeSignature(png);
+        new PngChunk("IHDR", header.data()).write(png);
+        return png;
+    }
+
+    @Test
+    void animatedPngIsAlsoAnOrdinaryPhotographWithTheFirstScene() throws IOException {
+        Path apng = film(AnimationFormat.APNG, 25, 2);
+
+        assertThat(PhotographFile.readScene(apng)).contains(Samples.SCENE);
+        assertThat(Samples.chunks(Files.readAllBytes(apng), "iTXt")).hasSize(2);
+        assertThat(levels(Samples.jdkReader("png", Files.readAllBytes(apng)).read(0)))
+                .isEqualTo(levels(0));
+    }
+
+    @Test
+    void gifHasAllFramesExactlyWhereColoursAreFew() throws IOException {
+        ImageReader reader = Samples.jdkReader("gif", Files.readAllBytes(film(AnimationFormat.GIF, 25, 5)));
+
+        assertThat(reader.getNumImages(true)).isEqualTo(5);
+        for (int i = 0; i < 5; i++) {
+            assertThat(levels(reader.read(i))).as("frame %d", i).isEqualTo(levels(i));
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"25, 4 4 4 4", "1, 100 100 100 100", "30, 3 4 3 3", "40, 3 2 3 2", "60, 2 2 2 2"})
+    void gifKeepsTimeInHundredthsOfASecondAndPlaysForEver(int framesPerSecond, String delays) throws IOException {
+        Path gif = film(AnimationFormat.GIF, framesPerSecond, 4);
+        ImageReader reader = Samples.jdkReader("gif", Files.readAllBytes(gif));
+
+        List<String> found = new ArrayList<>();
+        for (int i = 0; i < 4; i++) {
+            Node control = metadata(reader, i, "GraphicControlExtension");
+            found.add(control.getAttributes().getNamedItem("delayTime").getNodeValue());
+        }
+        assertThat(String.join(" ", found)).isEqualTo(delays);
+
+        IIOMetadataNode loop = (IIOMetadataNode) metadata(reader, 0, "ApplicationExtension");
+        assertThat(loop.getAttribute("applicationID")).isEqualTo("NETSCAPE");
+        assertThat((byte[]) loop.getUserObject()).containsExactly(1, 0, 0);
+    }
+
+    private static Node metadata(ImageReader reader, int frame, String element) throws IOException {
+        IIOMetadataNode root =
+                (IIOMetadataNode) reader.getImageMetadata(frame).getAsTree("javax_imageio_gif_image_1.0");
+        return root.getElementsByTagName(element).item(0);
+    }
+
+    @Test
+    void gifRefusesSidesThatItCannotHold() throws IOException {
+        try (AnimationWriter animation = AnimationFormat.GIF.open(target(AnimationFormat.GIF), 25, ToneCurve.LINEAR)) {
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> animation.add(Samples.random(65536, 1, 1), PhotographInfo.NONE))
+                    .withMessageContaining("65535")
+                    .withMessageContaining("65536 x 1");
+        }
+    }
+
+    @Test
+    void numberedPicturesAreOrdinaryPhotographsEachWithItsScene() throws IOException {
+        Files.createDirectory(target(AnimationFormat.NUMBERED_PNG));
+
+        Path film = film(AnimationFormat.NUMBERED_PNG, 25, 3);
+
+        assertThat(Samples.names(film)).containsExactly("frame0001.png", "frame0002.png", "frame0003.png");
+        for (int i = 0; i < 3; i++) {
+            Path frame = film.resolve("frame000" + (i + 1) + ".png");
+            assertThat(levels(
+                            Samples.jdkReader("png", Files.readAllBytes(frame)).read(0)))
+                    .isEqualTo(levels(i));
+            assertThat(PhotographFile.readScene(frame)).contains(i == 0 ? Samples.SCENE : SECOND_SCENE);
+        }
+        assertThat(Samples.names(folder)).containsExactly("film");
+    }
+
+    @Test
+    void aFolderWithContentIsLeftAlone() throws IOException {
+        Path film = Files.createDirectory(target(AnimationFormat.NUMBERED_PNG));
+        Files.writeString(film.resolve("mine.txt"), "mine");
+
+        assertThatThrownBy(() -> film(AnimationFormat.NUMBERED_PNG, 25, 1))
+                .isInstanceOf(PictureException.class)
+                .hasMessage(film + ": cannot be written: it exists; name a new or an empty folder");
+        assertThat(Samples.names(film)).containsExactly("mine.txt");
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = "MP4", mode = EnumSource.Mode.EXCLUDE)
+    void closedWithoutFinishItLeavesNoTrace(AnimationFormat format) throws IOException {
+        Path target = target(format);
+        boolean file = format != AnimationFormat.NUMBERED_PNG;
+        if (file) {
+            Files.writeString(target, "old");
+        }
+        try (AnimationWriter animation = format.open(target, 25, ToneCurve.LINEAR)) {
+            animation.add(Samples.squares(22, 13, 0), Samples.INFO);
+            animation.add(Samples.squares(22, 13, 1), Samples.INFO);
+            assertThat(Samples.names(folder)).as("work in progress").anyMatch(name -> name.endsWith(".part"));
+            // As a worker that is told to stop finds itself.
+            Thread.currentThread().interrupt();
+        } finally {
+            assertThat(Thread.interrupted()).isTrue();
+        }
+
+        if (file) {
+            assertThat(target).hasContent("old");
+            assertThat(Samples.names(folder))
+                    .containsExactly(target.getFileName().toString());
+        } else {
+            assertThat(Samples.names(folder)).isEmpty();
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = "MP4", mode = EnumSource.Mode.EXCLUDE)
+    void theSameFramesGiveTheSameBytesAndReplaceWhatWasThere(AnimationFormat format) throws IOException {
+        Path film = film(format, 25, 3);
+        Path first = Files.isDirectory(film) ? film.resolve("frame0002.png") : film;
+        byte[] bytes = Files.readAllBytes(first);
+        if (Files.isDirectory(film)) {
+            for (String name : Samples.names(film)) {
+                Files.delete(film.resolve(name));
+            }
+        }
+
+        film(format, 25, 3);
+
+        assertThat(first).hasBinaryContent(bytes);
+        assertThat(Samples.names(folder)).hasSize(1);
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = "MP4", mode = EnumSource.Mode.EXCLUDE)
+    void theOrderOfCallsIsKept(AnimationFormat format) throws IOException {
+        AnimationWriter animation = format.open(target(format), 25, ToneCurve.LINEAR);
+        assertThatIllegalStateException().isThrownBy(animation::finish).withMessageContaining("must have a frame");
+        animation.add(Samples.squares(22, 13, 0), PhotographInfo.NONE);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> animation.add(Samples.squares(13, 22, 0), PhotographInfo.NONE))
+                .withMessageContaining("22 x 13")
+                .withMessageContaining("13 x 22");
+        animation.finish();
+        assertThatIllegalStateException()
+                .isThrownBy(() -> animation.add(Samples.squares(22, 13, 0), PhotographInfo.NONE));
+        assertThatIllegalStateException().isThrownBy(animation::finish);
+        animation.close();
+        assertThat(target(format)).exists();
+    }
+
+    @Test
+    void wrongRatesNamesAndFoldersAreRefused() {
+        Path gif = folder.resolve("film.gif");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> AnimationFormat.GIF.open(gif, 0, ToneCurve.LINEAR))
+                .withMessage("framesPerSecond must be a whole number from 1 to 60, was 0");
+        assertThatIllegalArgumentException().isThrownBy(() -> AnimationFormat.GIF.open(gif, 61, ToneCurve.LINEAR));
+        assertThatThrownBy(() -> AnimationFormat.APNG.open(gif, 25, ToneCurve.LINEAR))
+                .isInstanceOf(PictureException.class)
+                .hasMessage(gif + ": the name of an animated PNG must end in .png or .apng");
+        Path lost = folder.resolve("lost").resolve("film.gif");
+        assertThatThrownBy(() -> AnimationFormat.GIF.open(lost, 25, ToneCurve.LINEAR))
+                .isInstanceOf(PictureException.class)
+                .hasMessage(lost + ": cannot be written: there is no folder " + lost.getParent());
+    }
+}

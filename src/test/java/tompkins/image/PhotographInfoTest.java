@@ -1,0 +1,35 @@
+package tompkins.image;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import org.junit.jupiter.api.Test;
+
+class PhotographInfoTest {
+
+    @Test
+    void refusesTextsThatTheFormatsCannotKeep() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new PhotographInfo("two\nlines", "", ""))
+                .withMessage("title must not hold control characters, has code 10 at 3");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new PhotographInfo("", "", "{\0}"))
+                .withMessageContaining("sceneJson");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new PhotographInfo("", "", "[1]"))
+                .withMessageContaining("begins with {");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new PhotographInfo("", "", "{" + " ".repeat(PhotographInfo.LONGEST_SCENE)))
+                .withMessageContaining("16777216");
+    }
+
+    @Test
+    void escapesAreUndoneOnlyWhereTheyWereMade() {
+        String json = "{\"β\": \"\\\\u03b2 \\u0001 \\\\\\u0001 \uD835\uDEFD \u007f\"}";
+
+        String ascii = AsciiText.escape(json);
+
+        assertThat(ascii).isEqualTo("{\"\\u03b2\": \"\\\\u03b2 \\u0001 \\\\\\u0001 \\ud835\\udefd \\u007f\"}");
+        assertThat(AsciiText.unescape(ascii)).isEqualTo(json);
+    }
+}

@@ -1,0 +1,374 @@
+package tompkins.image;
+
+import static java.nio.charset.StandardCharsets.ISO_8859_1;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assertions.assertTimeout;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.WritableRaster;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.ray.Colour;
+import tompkins.ray.PixelPicture;
+
+class PictureFileTest {
+
+    private static final long SEED = 20261103;
+
+    @TempDir
+    private Path folder;
+
+    private byte[] photograph(LinearImage image, PictureFormat format) throws IOException {
+        Path file = folder.resolve(format.name() + format.endings().get(0));
+        PhotographFile.write(file, image, format, ToneCurve.LINEAR, Samples.INFO);
+        return Files.readAllBytes(file);
+    }
+
+    private static Colour pixel(PixelPicture picture, int x, int y) {
+        return picture.colour((x + 0.5) / picture.width(), 1 - (y + 0.5) / picture.height());
+    }
+
+    private static void assertPixel(PixelPicture picture, int x, int y, double red, double green, double blue) {
+        Colour colour = pixel(picture, x, y);
+        assertThat(new double[] {colour.red(), colour.green(), colour.blue()})
+                .as("pixel %d, %d", x, y)
+                .containsExactly(new double[] {red, green, blue}, within(1e-7));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"PNG, 255", "PNG16, 65535", "TIFF, 65535"})
+    void levelsAreDividedByTheLargest(PictureFormat format, int maximum) throws IOException {
+        LinearImage image = Samples.random(19, 11, 8);
+        byte[] file = photograph(image, format);
+
+        PixelPicture picture = PictureFile.read(file, "wall");
+
+        assertThat(picture.name()).isEqualTo("wall");
+        assertThat(picture.width()).isEqualTo(19);
+        assertThat(picture.height()).isEqualTo(11);
+        assertThat(picture.file()).isEqualTo(file);
+        for (int y = 0; y < 11; y++) {
+            for (int x = 0; x < 19; x++) {
+                double[] stored = new double[3];
+                for (int channel = 0; channel < 3; channel++) {
+                    double light = Math.min(1, Math.max(0, image.value(x, y, channel)));
+                    stored[channel] = Math.floor(maximum * light) / maximum;
+                }
+                assertPixel(picture, x, y, stored[0], stored[1], stored[2]);
+            }
+        }
+    }
+
+    @Test
+    void floatingPointIsNotClipped() throws IOException {
+        LinearImage image = Samples.random(19, 11, 8);
+        image.rgb()[4] = 1e5f;
+
+        PixelPicture picture = PictureFile.read(photograph(image, PictureFormat.TIFF_FLOAT), "sky");
+
+        for (int y = 0; y < 11; y++) {
+            for (int x = 0; x < 19; x++) {
+                assertPixel(picture, x, y, image.value(x, y, 0), image.value(x, y, 1), image.value(x, y, 2));
+            }
+        }
+    }
+
+    @Test
+    void radianceIsNotToneMapped() throws IOException {
+        float[] rgb = new float[3 * 8 * 2];
+        rgb[0] = 96;
+        rgb[1] = 2.5f;
+        rgb[2] = 1;
+        rgb[3 * 15] = 0.001953125f;
+
+        PixelPicture picture = PictureFile.read(photograph(new LinearImage(8, 2, rgb), PictureFormat.HDR), "sky.hdr");
+
+        assertPixel(picture, 0, 0, 96, 2.5, 1);
+        assertPixel(picture, 7, 1, 0.001953125, 0, 0);
+        assertPixel(picture, 3, 1, 0, 0, 0);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"gif", "bmp", "png"})
+    void picturesOfOtherProgramsAreRead(String format) throws IOException {
+        BufferedImage image = new BufferedImage(3, 5, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 0, 0x102030);
+        image.setRGB(2, 0, 0xff00ff);
+        image.setRGB(1, 1, 0x0080ff);
+
+        PixelPicture picture = PictureFile.read(Samples.encoded(format, image), "logo");
+
+        assertPixel(picture, 0, 0, 16 / 255.0, 32 / 255.0, 48 / 255.0);
+        assertPixel(picture, 2, 0, 1, 0, 1);
+        assertPixel(picture, 1, 1, 0, 128 / 255.0, 1);
+        assertPixel(picture, 0, 1, 0, 0, 0);
+    }
+
+    @Test
+    void jpegIsReadAsNearlyAsItCanBe() throws IOException {
+        BufferedImage image = new BufferedImage(32, 32, BufferedImage.TYPE_INT_RGB);
+        for (int i = 0; i < 32 * 32; i++) {
+            image.setRGB(i % 32, i / 32, 0x4080c0);
+        }
+
+        Colour colour = pixel(PictureFile.read(Samples.encoded("jpeg", image), "wall"), 16, 16);
+
+        assertThat(colour.red()).isCloseTo(64 / 255.0, within(0.02));
+        assertThat(colour.green()).isCloseTo(128 / 255.0, within(0.02));
+        assertThat(colour.blue()).isCloseTo(192 / 255.0, within(0.02));
+    }
+
+    /** Java's conversion of grey to RGB would give 188 for 128. */
+    @ParameterizedTest
+    @ValueSource(ints = {BufferedImage.TYPE_BYTE_GRAY, BufferedImage.TYPE_USHORT_GRAY})
+    void greyStaysAsStored(int type) throws IOException {
+        BufferedImage image = new BufferedImage(2, 1, type);
+        int maximum = type == BufferedImage.TYPE_BYTE_GRAY ? 255 : 65535;
+        image.getRaster().setSample(0, 0, 0, maximum / 5);
+        image.getRaster().setSample(1, 0, 0, maximum);
+
+        for (String format : new String[] {"png", "tiff"}) {
+            PixelPicture picture = PictureFile.read(Samples.encoded(format, image), "grey");
+            assertPixel(picture, 0, 0, 0.2, 0.2, 0.2);
+            assertPixel(picture, 1, 0, 1, 1, 1);
+        }
+    }
+
+    @Test
+    void blackAndWhiteIsRead() throws IOException {
+        BufferedImage image = new BufferedImage(9, 5, BufferedImage.TYPE_BYTE_BINARY);
+        image.setRGB(8, 1, 0xffffff);
+
+        for (String format : new String[] {"png", "tiff", "bmp", "gif"}) {
+            PixelPicture picture = PictureFile.read(Samples.encoded(format, image), "mask");
+            assertPixel(picture, 8, 1, 1, 1, 1);
+            assertPixel(picture, 7, 1, 0, 0, 0);
+        }
+    }
+
+    @Test
+    void coloursAreNotMultipliedByTheOpacity() throws IOException {
+        BufferedImage image = new BufferedImage(2, 1, BufferedImage.TYPE_INT_ARGB);
+        image.setRGB(0, 0, 0x40ff8020);
+        image.setRGB(1, 0, 0xff0000ff);
+        byte[] png = Samples.encoded("png", image);
+
+        assertPixel(PictureFile.read(png, "glass"), 0, 0, 1, 128 / 255.0, 32 / 255.0);
+        float[] rgba = PixelDecoder.rgba(image.getRaster(), image.getColorModel(), "glass");
+        assertThat(rgba).containsExactly(new float[] {1, 128 / 255f, 32 / 255f, 64 / 255f, 0, 0, 1, 1}, within(1e-7f));
+
+        BufferedImage multiplied = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB_PRE);
+        WritableRaster raster = multiplied.getRaster();
+        raster.setPixel(0, 0, new int[] {51, 102, 0, 102});
+        assertThat(PixelDecoder.rgba(raster, multiplied.getColorModel(), "glass"))
+                .containsExactly(new float[] {0.5f, 1, 0, 0.4f}, within(1e-6f));
+    }
+
+    @Test
+    void aDarkOpaquePixelIsToldFromAClearOne() throws IOException {
+        BufferedImage image = new BufferedImage(2, 1, BufferedImage.TYPE_INT_ARGB);
+        image.setRGB(1, 0, 0xff000000);
+
+        PixelPicture mask = PictureFile.read(Samples.encoded("png", image), "mask");
+
+        assertThat(mask.isDark(0.25, 0.5)).isFalse();
+        assertThat(mask.isDark(0.75, 0.5)).isTrue();
+    }
+
+    @Test
+    void aFileIsReadByItsContentAndNamedInMessages() throws IOException {
+        byte[] png = photograph(Samples.random(9, 9, 2), PictureFormat.PNG);
+        Path file = Files.write(folder.resolve("wrong.jpg"), png);
+        assertThat(PictureFile.read(file).name()).isEqualTo(file.toString());
+
+        Path lost = folder.resolve("lost.png");
+        assertThatThrownBy(() -> PictureFile.read(lost))
+                .isInstanceOf(PictureException.class)
+                .hasMessage(lost + ": cannot be read: there is no such file or folder");
+        assertThatThrownBy(() -> PictureFile.read(folder))
+                .isInstanceOf(PictureException.class)
+                .hasMessage(folder + ": not a file");
+        Path endless = Path.of("/dev/zero");
+        assertThatThrownBy(() -> PictureFile.read(endless)).hasMessage("/dev/zero: not a file");
+    }
+
+    @Test
+    void whatIsNoPictureIsRefusedWithWhatIs() {
+        assertThatThrownBy(() -> PictureFile.read(new byte[0], "empty.png"))
+                .isInstanceOf(PictureException.class)
+                .hasMessage("empty.png: the file is empty; allowed are PNG, JPEG, GIF, BMP, TIFF and Radiance HDR");
+        assertThatThrownBy(() -> PictureFile.read("hello".getBytes(ISO_8859_1), "letter.png"))
+                .isInstanceOf(PictureException.class)
+                .hasMessage("letter.png: not a picture that can be read;"
+                        + " allowed are PNG, JPEG, GIF, BMP, TIFF and Radiance HDR");
+    }
+
+    /** Headers that claim 100000 x 100000 pixels, or as many as the format can claim. */
+    @Test
+    void aClaimIsCheckedBeforeAnythingIsMade() throws IOException {
+        byte[] png = photograph(Samples.random(9, 9, 2), PictureFormat.PNG);
+        ByteBuffer.wrap(png).putInt(16, 100_000).putInt(20, 100_000);
+        assertBomb(png, "100000 x 100000");
+
+        ByteArrayOutputStream hdr = new ByteArrayOutputStream();
+        hdr.writeBytes("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 100000 +X 100000\n".getBytes(ISO_8859_1));
+        assertBomb(hdr.toByteArray(), "100000 x 100000");
+
+        BufferedImage small = new BufferedImage(9, 9, BufferedImage.TYPE_INT_RGB);
+        byte[] gif = Samples.encoded("gif", small);
+        Arrays.fill(gif, 6, 10, (byte) 0xff);
+        assertBomb(gif, "65535 x 65535");
+
+        byte[] bmp = Samples.encoded("bmp", small);
+        ByteBuffer.wrap(bmp).order(ByteOrder.LITTLE_ENDIAN).putInt(18, 100_000).putInt(22, 100_000);
+        // The JDK's reader refuses this itself, as more than the file can hold.
+        assertBombRefused(bmp, "bomb: BMP picture cannot be read: ");
+
+        byte[] jpeg = Samples.encoded("jpeg", small);
+        int frame = new String(jpeg, ISO_8859_1).indexOf("\u00ff\u00c0");
+        ByteBuffer.wrap(jpeg).putShort(frame + 5, (short) 65000).putShort(frame + 7, (short) 65000);
+        assertBomb(jpeg, "65000 x 65000");
+
+        byte[] tiff = photograph(Samples.random(9, 9, 2), PictureFormat.TIFF);
+        claimInTiff(tiff, 256, 100_000);
+        claimInTiff(tiff, 257, 100_000);
+        assertBomb(tiff, "100000 x 100000");
+    }
+
+    /** The first directory of a TIFF file: a number of entries of tag, type, count, value. */
+    private static void claimInTiff(byte[] tiff, int tag, int value) {
+        ByteBuffer file = ByteBuffer.wrap(tiff);
+        if (tiff[0] == 'I') {
+            file.order(ByteOrder.LITTLE_ENDIAN);
+        }
+        int directory = file.getInt(4);
+        for (int entry = 0; entry < file.getShort(directory); entry++) {
+            int at = directory + 2 + 12 * entry;
+            if (file.getShort(at) == tag) {
+                file.putShort(at + 2, (short) 4).putInt(at + 8, value);
+            }
+        }
+    }
+
+    private static void assertBomb(byte[] file, String claim) {
+        assertBombRefused(file, "bomb: claims to have " + claim + " pixels; a picture may have from 1 to 64000000");
+    }
+
+    private static void assertBombRefused(byte[] file, String message) {
+        assertTimeout(
+                Duration.ofSeconds(2),
+                () -> assertThatThrownBy(() -> PictureFile.read(file, "bomb"))
+                        .isInstanceOf(PictureException.class)
+                        .hasMessageStartingWith(message));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 7, 32768})
+    void aWidthThatTheReaderOfRadianceCannotReadIsNamed(int width) throws IOException {
+        byte[] hdr = photograph(Samples.random(width, 2, 1), PictureFormat.HDR);
+
+        assertThatThrownBy(() -> PictureFile.read(hdr, "sky.hdr"))
+                .isInstanceOf(PictureException.class)
+                .hasMessage("sky.hdr: a Radiance picture must be from 8 to 32767 pixels wide, is " + width);
+    }
+
+    /** The JDK's reader loses the rows of such a picture and says nothing. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 4, 5, 6})
+    void aLowInterlacedGifIsReadRightlyOrRefused(int height) throws IOException {
+        BufferedImage image = new BufferedImage(3, height, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(2, height - 1, 0x00ff00);
+        byte[] interlaced = Samples.encoded("gif", image);
+
+        if (height < 5) {
+            assertThatThrownBy(() -> PictureFile.read(interlaced, "logo.gif"))
+                    .isInstanceOf(PictureException.class)
+                    .hasMessage("logo.gif: an interlaced GIF picture must have 5 rows or more, has " + height
+                            + "; save it without interlacing");
+        } else {
+            assertPixel(PictureFile.read(interlaced, "logo.gif"), 2, height - 1, 0, 1, 0);
+        }
+    }
+
+    @Test
+    void aLowGifThatIsNotInterlacedIsRead() throws IOException {
+        float[] rgb = new float[3 * 3 * 2];
+        rgb[3 * 5 + 1] = 1;
+        Path gif = folder.resolve("low.gif");
+        try (AnimationWriter animation = AnimationFormat.GIF.open(gif, 1, ToneCurve.LINEAR)) {
+            animation.add(new LinearImage(3, 2, rgb), PhotographInfo.NONE);
+            animation.finish();
+        }
+
+        PixelPicture picture = PictureFile.read(gif);
+
+        assertPixel(picture, 2, 1, 0, 1, 0);
+        assertPixel(picture, 1, 1, 0, 0, 0);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void aFileThatEndsTooEarlyIsRefused(PictureEncoding encoding) throws IOException {
+        byte[] file = sample(encoding);
+        // The last bytes of some formats say only that nothing follows.
+        for (int length = 1; length < file.length - 25; length += 5) {
+            byte[] start = Arrays.copyOf(file, length);
+            assertThatThrownBy(() -> PictureFile.read(start, "half"))
+                    .as("%d of %d bytes", length, file.length)
+                    .isInstanceOf(PictureException.class)
+                    .hasMessageStartingWith("half: ");
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void aDamagedFileGivesAPictureOrOneMessage(PictureEncoding encoding) throws IOException {
+        byte[] file = sample(encoding);
+        Random random = new Random(SEED);
+        int refused = 0;
+        for (int i = 0; i < 300; i++) {
+            byte[] damaged = Samples.damaged(file, random);
+            refused += assertTimeout(Duration.ofSeconds(10), () -> messages(damaged));
+        }
+        assertThat(refused).as("seed %d", SEED).isBetween(50, 299);
+    }
+
+    private static int messages(byte[] damaged) {
+        try {
+            PictureFile.read(damaged, "damaged");
+            return 0;
+        } catch (PictureException e) {
+            assertThat(e.getMessage())
+                    .startsWith("damaged: ")
+                    .doesNotContain("\n")
+                    .doesNotContain("Exception");
+            return 1;
+        }
+    }
+
+    private byte[] sample(PictureEncoding encoding) throws IOException {
+        LinearImage image = Samples.random(24, 20, 1);
+        BufferedImage shown = BufferedImages.toBufferedImage(image, ToneCurve.LINEAR);
+        return switch (encoding) {
+            case PNG -> photograph(image, PictureFormat.PNG16);
+            case TIFF -> photograph(image, PictureFormat.TIFF_FLOAT);
+            case HDR -> photograph(image, PictureFormat.HDR);
+            case JPEG, GIF, BMP -> Samples.encoded(encoding.name(), shown);
+        };
+    }
+}

@@ -1,0 +1,124 @@
+package tompkins.image;
+
+import static java.nio.charset.StandardCharsets.ISO_8859_1;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assertions.assertTimeout;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.Random;
+import java.util.zip.DeflaterOutputStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class SceneInDamagedFileTest {
+
+    private static final long SEED = 20260917;
+
+    @TempDir
+    private Path folder;
+
+    private byte[] photograph(PictureFormat format) throws IOException {
+        Path file = folder.resolve("photo" + format.endings().get(0));
+        PhotographFile.write(file, Samples.random(24, 20, 1), format, ToneCurve.LINEAR, Samples.INFO);
+        return Files.readAllBytes(file);
+    }
+
+    private Path file(byte[] content) throws IOException {
+        return Files.write(folder.resolve("damaged"), content);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void damageGivesOneMessageOrNone(PictureFormat format) throws IOException {
+        byte[] photograph = photograph(format);
+        Random random = new Random(SEED);
+        int refused = 0;
+        for (int i = 0; i < 300; i++) {
+            Path file = file(Samples.damaged(photograph, random));
+            refused += assertTimeout(Duration.ofSeconds(10), () -> messages(file));
+        }
+        assertThat(refused).as("seed %d", SEED).isBetween(5, 299);
+    }
+
+    private static int messages(Path file) {
+        try {
+            PhotographFile.readScene(file);
+            return 0;
+        } catch (PictureException e) {
+            assertThat(e.getMessage())
+                    .startsWith(file + ": ")
+                    .doesNotContain("\n")
+                    .doesNotContain("Exception");
+            return 1;
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void aFileThatEndsInsideTheSceneIsRefused(PictureFormat format) throws IOException {
+        byte[] photograph = photograph(format);
+        String text = new String(photograph, ISO_8859_1);
+        int scene = text.indexOf(format.name().startsWith("TIFF") ? "{\n\t\"title\"" : "tompkins.scene");
+
+        assertThat(scene).isPositive();
+        Path cut = file(Arrays.copyOf(photograph, scene + 30));
+        assertThatThrownBy(() -> PhotographFile.readScene(cut))
+                .isInstanceOf(PictureException.class)
+                .hasMessageStartingWith(cut + ": cannot be read: ");
+    }
+
+    @Test
+    void aChangedSceneIsNotBelieved() throws IOException {
+        byte[] png = photograph(PictureFormat.PNG);
+        png[new String(png, ISO_8859_1).indexOf("tompkins.scene") + 40] ^= 1;
+
+        assertThatThrownBy(() -> PhotographFile.readScene(file(png)))
+                .isInstanceOf(PictureException.class)
+                .hasMessageContaining("check sum");
+    }
+
+    @Test
+    void aSceneThatSwellsWithoutEndIsRefused() throws IOException {
+        ByteArrayOutputStream text = new ByteArrayOutputStream();
+        text.write("tompkins.scene\0\1\0\0\0".getBytes(ISO_8859_1));
+        try (DeflaterOutputStream deflater = new DeflaterOutputStream(text)) {
+            byte[] blanks = new byte[1 << 20];
+            for (int i = 0; i < 200; i++) {
+                deflater.write(blanks);
+            }
+        }
+        ByteArrayOutputStream png = new ByteArrayOutputStream();
+        PngChunk.writeSignature(png);
+        new PngChunk("iTXt", text.toByteArray()).write(png);
+
+        assertThatThrownBy(() -> PhotographFile.readScene(file(png.toByteArray())))
+                .isInstanceOf(PictureException.class)
+                .hasMessageContaining("too long");
+    }
+
+    @Test
+    void whatIsNoPhotographIsRefusedWithWhatIs() throws IOException {
+        Path text = file("hello".getBytes(ISO_8859_1));
+        assertThatThrownBy(() -> PhotographFile.readScene(text))
+                .isInstanceOf(PictureException.class)
+                .hasMessage(text
+                        + ": not a picture; a photograph that holds its scene is a PNG, TIFF or Radiance HDR picture");
+
+        Path gif = file("GIF89a".getBytes(ISO_8859_1));
+        assertThatThrownBy(() -> PhotographFile.readScene(gif)).hasMessageStartingWith(gif + ": a GIF picture; ");
+
+        Path lost = folder.resolve("lost.png");
+        assertThatThrownBy(() -> PhotographFile.readScene(lost))
+                .isInstanceOf(PictureException.class)
+                .hasMessage(lost + ": cannot be read: there is no such file or folder");
+        assertThatThrownBy(() -> PhotographFile.readScene(folder)).isInstanceOf(PictureException.class);
+    }
+}
