@@ -86,10 +86,7 @@ final class JsonParsing {
         try {
             return parser.nextToken();
         } catch (JacksonException syntax) {
-            TokenStreamLocation place = syntax.getLocation();
-            int line = place == null ? line() : place.getLineNr();
-            int column = place == null ? column() : place.getColumnNr();
-            throw failure(path, "not valid JSON: " + syntax.getOriginalMessage(), new JsonNull(line, column));
+            throw failure(path, syntax);
         }
     }
 
@@ -116,8 +113,7 @@ final class JsonParsing {
         try {
             return parser.getString();
         } catch (JacksonException syntax) {
-            String message = "not valid JSON: " + syntax.getOriginalMessage();
-            throw failure(path, message, new JsonNull(line(), column()));
+            throw failure(path, syntax);
         }
     }
 
@@ -156,6 +152,13 @@ final class JsonParsing {
             String message = "brackets and braces may be at most " + DEEPEST + " deep";
             throw failure(path, message, new JsonNull(line, column));
         }
+    }
+
+    private SceneFileException failure(String path, JacksonException syntax) {
+        TokenStreamLocation place = syntax.getLocation();
+        int line = place == null ? line() : place.getLineNr();
+        int column = place == null ? column() : place.getColumnNr();
+        return failure(path, SyntaxMistake.message(syntax, parser), new JsonNull(line, column));
     }
 
     private SceneFileException failure(String path, String message, JsonValue place) {

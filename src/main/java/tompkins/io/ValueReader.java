@@ -66,8 +66,11 @@ final class ValueReader {
         if (result == null) {
             return null;
         }
-        boolean whole = result == Math.rint(result) && Math.abs(result) <= LARGEST_EXACT;
-        return whole ? (Long) result.longValue() : refuse(value, path, "a whole number from -2^63 to 2^63 - 1");
+        if (result != Math.rint(result)) {
+            return refuse(value, path, "a whole number");
+        }
+        boolean exact = Math.abs(result) <= LARGEST_EXACT;
+        return exact ? (Long) result.longValue() : refuse(value, path, "a whole number from -2^63 to 2^63 - 1");
     }
 
     Boolean flag(JsonValue value, String path) {

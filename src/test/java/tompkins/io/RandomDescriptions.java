@@ -39,17 +39,24 @@ final class RandomDescriptions {
     }
 
     private Object record(Class<?> type, int depth) {
+        RecordComponent[] components = type.getRecordComponents();
+        Object[] values = new Object[components.length];
         for (int attempt = 0; attempt < 100_000; attempt++) {
+            for (int i = 0; i < components.length; i++) {
+                // what holds other descriptions is expensive, and seldom the reason for a refusal
+                values[i] = attempt % 20 != 0 && isNested(components[i]) ? values[i] : value(components[i], depth);
+            }
             try {
-                Object[] values = Stream.of(type.getRecordComponents())
-                        .map(component -> value(component, depth))
-                        .toArray();
                 return Descriptions.make(type, values);
             } catch (InvalidPropertyException refused) {
                 // the next attempt is another one
             }
         }
         throw new AssertionError("no valid " + type + " found");
+    }
+
+    private static boolean isNested(RecordComponent component) {
+        return component.getType() == List.class || Descriptions.isFamily(component.getType());
     }
 
     private Object value(RecordComponent component, int depth) {

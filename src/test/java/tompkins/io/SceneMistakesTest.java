@@ -1,0 +1,373 @@
+package tompkins.io;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.ray.PixelPicture;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.RenderSettings;
+import tompkins.studio.Studio;
+
+/** Every mistake in a scene file gives a message that says where it is, what is there, and what is allowed. */
+class SceneMistakesTest {
+
+    @TempDir
+    private Path folder;
+
+    private Studio read(String text) {
+        return StudioReader.read(text, "f", folder);
+    }
+
+    private String messageOf(String text) {
+        return catchThrowableOfType(SceneFileException.class, () -> read(text)).getMessage();
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '~', textBlock = """
+            {"titel": 1}                  | f:1:2: unknown key "titel"; allowed are version, title, topic, remarks, scene, \
+            cameraFrame, lights, background, camera, velocity, transformation, settings; did you mean "title"?
+            {"settings": {"xyzzy": 1}}    | f:1:15: settings: unknown key "xyzzy"; allowed are width, height, samples, seed, \
+            maximumDepth, toneCurve
+            {"lights": [{"type": "PiontLight"}]} | f:1:22: lights[0]: unknown type "PiontLight"; allowed are AmbientLight, \
+            PointLight; did you mean "PointLight"?
+            {"lights": [{"type": 5}]}     | f:1:22: lights[0]: unknown type 5; allowed are AmbientLight, PointLight
+            {"lights": [{}]}              | f:1:13: lights[0]: needs a key "type"; allowed are AmbientLight, PointLight
+            {"lights": {}}                | f:1:12: lights: must be a list in brackets [ ], was an object in braces
+            {"lights": [null]}            | f:1:13: lights[0]: must be an object in braces, such as {"type": "AmbientLight"}, was null
+            {"title": 3}                  | f:1:11: title: must be a text in quotes, was 3
+            {"settings": "big"}           | f:1:14: settings: must be an object in braces, was "big"
+            {"settings": {"width": "9"}}  | f:1:24: settings.width: must be a whole number, was "9"
+            {"settings": {"width": 0.5}}  | f:1:24: settings.width: must be a whole number, was 0.5
+            {"settings": {"width": 0}}    | f:1:24: settings.width: must be a whole number from 1 to 65535, was 0
+            {"settings": {"width": 3e9}}  | f:1:24: settings.width: must be a whole number from -2147483648 to 2147483647, was 3e9
+            {"settings": {"seed": 1e20}}  | f:1:23: settings.seed: must be a whole number from -2^63 to 2^63 - 1, was 1e20
+            {"settings": {"toneCurve": "srbg"}} | f:1:28: settings.toneCurve: must be one of linear, srgb, was "srbg"; did \
+            you mean "srgb"?
+            {"transformation": "newton"}  | f:1:20: transformation: must be one of lorentz, galilean, none, was "newton"
+            {"camera": {"exposureStops": NaN}} | f:1:30: camera.exposureStops: must be a finite number, was NaN
+            {"camera": {"exposureStops": -Infinity}} | f:1:30: camera.exposureStops: must be a finite number, was -Infinity
+            {"camera": {"exposureStops": 1e999}} | f:1:30: camera.exposureStops: must be a number that is not larger than \
+            1.7976931348623157E308, was 1e999
+            {"camera": {"exposureStops": 1e-999}} | f:1:30: camera.exposureStops: must be 0 or a number that is not smaller \
+            than 4.9E-324, was 1e-999
+            {"camera": {"apertureRadius": -1}} | f:1:31: camera.apertureRadius: must be a finite number, 0 or above, was -1.0
+            {"camera": {"viewDirection": [0, 0, 0]}} | f:1:30: camera.viewDirection: must be a direction, not the zero \
+            vector, was [0.0, 0.0, 0.0]
+            {"camera": {"viewDirection": [0, 1]}} | f:1:30: camera.viewDirection: must be three numbers [x, y, z], was a list \
+            of 2 values
+            {"camera": {"viewDirection": [0, "1", 2]}} | f:1:34: camera.viewDirection[1]: must be a number, was "1"
+            {"background": {"colour": "red"}} | f:1:27: background.colour: must be three numbers [red, green, blue], or one \
+            number for a grey, was "red"
+            {"background": {"colour": [0, -2, 0]}} | f:1:27: background.colour (green): must be a finite number, 0 or above, \
+            was -2.0
+            {"velocity": [0.6, 0, 0.8]}   | f:1:14: velocity: must be shorter than 1 (the speed of light), was [0.6, 0.0, 0.8] \
+            with length 1.0
+            {"velocity": 0.5}             | f:1:14: velocity: must be three numbers [x, y, z] in units of c, or an object with \
+            one of beta, gamma, rapidity, oneMinusBeta, was 0.5
+            {"velocity": {"gamma": 0.5}}  | f:1:24: velocity.gamma: must be 1 or above, was 0.5
+            {"velocity": {"gamma": 1.1e8}} | f:1:14: velocity: must have a Lorentz factor of at most 1e8, has 1.1E8
+            {"velocity": {"rapidity": 1e4}} | f:1:27: velocity.rapidity: must be 0 or above, was 10000.0
+            {"velocity": {"gamma": 2, "beta": 0.5}} | f:1:14: velocity: must have exactly one of beta, gamma, rapidity, \
+            oneMinusBeta, has 2 of them
+            {"velocity": {"direction": [0, 0, 1]}} | f:1:14: velocity: must have exactly one of beta, gamma, rapidity, \
+            oneMinusBeta, has none
+            {"velocity": {"gama": 2}}     | f:1:15: velocity: unknown key "gama"; allowed are beta, gamma, rapidity, \
+            oneMinusBeta, direction; did you mean "gamma"?
+            {"velocity": {"gamma": 2, "direction": [0, 0, 0]}} | f:1:40: velocity.direction: must be a direction, not the zero \
+            vector, was [0.0, 0.0, 0.0]
+            {"version": 2, "xyz": 1}      | f:1:13: version: must be 1, the only one that there is, was 2
+            {"title": "a", "title": "b"}  | f:1:16: title: the key occurs twice; the first time is in line 1
+            []                            | f:1:1: a scene file must be an object in braces, { ... }, was a list of 0 values
+            {} {}                         | f:1:4: the scene ends before this place: there is a } too many, or a { is missing
+            {"title": tru}                | f:1:11: not valid JSON: Unrecognized token 'tru'; allowed are texts in \
+            quotes, numbers, true, false, lists [ ] and objects { }
+            {"scene": [}                  | f:1:12: scene: not valid JSON: Unexpected close marker '}': expected ']'; the [ of \
+            line 1 is not closed
+            {"scene": []                  | f:1:13: the text ends too early; the { of line 1 is not closed
+            {title: 1}                    | f:1:2: not valid JSON: Unexpected character ('t' (code 116)): was expecting \
+            double-quote to start property name
+            """)
+    void mistakeIsReported(String text, String message) {
+        assertThat(messageOf(text)).isEqualTo(message);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "  \n", "// only a comment\n", "/* and another */"})
+    void emptyFileIsReported(String text) {
+        assertThat(messageOf(text)).isEqualTo("f: the file is empty; the smallest scene file is {}");
+    }
+
+    @Test
+    void smallestFileIsTheDefault() {
+        assertThat(read("{}")).isEqualTo(Studio.DEFAULT);
+    }
+
+    @Test
+    void commentsTrailingCommasAndShortFormsAreAccepted() {
+        Studio studio = read("""
+                { // the settings
+                  "version": 1,
+                  "settings": {"samples": 1e1, "height": 360.0, "toneCurve": "SRGB",}, /* the
+                  speed */
+                  "velocity": {"beta": 0.5},
+                  "background": {"colour": 0.25},
+                }
+                """);
+        assertThat(studio.settings().samples()).isEqualTo(10);
+        assertThat(studio.settings().height()).isEqualTo(360);
+        assertThat(studio.velocity().components().z()).isEqualTo(0.5);
+        assertThat(studio.background().colour(0, 1, 0).blue()).isEqualTo(0.25);
+    }
+
+    @Test
+    void severalMistakesAreReportedInTheOrderOfTheFile() {
+        String message = messageOf("""
+                {
+                  "settings": {"height": 0, "samples": -1, "width": -3},
+                  "scene": [
+                    {"type": "Spere"},
+                    {"type": "Sphere", "radius": 0, "surface": {"diffuse": -1, "specular": [0, 0, -1]}},
+                  ],
+                  "velocity": [0, 0, 1]
+                }
+                """);
+        assertThat(message.lines().map(line -> line.substring(0, line.indexOf(" must") + line.indexOf(" unknown") + 1)))
+                .containsExactly(
+                        "f:2:26: settings.height:",
+                        "f:2:40: settings.samples:",
+                        "f:2:53: settings.width:",
+                        "f:4:14: scene[0]:",
+                        "f:5:34: scene[1].radius:",
+                        "f:5:60: scene[1].surface.diffuse (red):",
+                        "f:5:76: scene[1].surface.specular (blue):",
+                        "f:7:15: velocity:");
+    }
+
+    /** Wrong corners are replaced by those of the default, beside which the other one must not look wrong. */
+    @Test
+    void mistakeDoesNotMakeItsNeighboursLookWrong() {
+        assertThat(messageOf("{\"scene\": [{\"type\": \"Box\", \"from\": 5, \"to\": [0, 0, 0]}]}"))
+                .isEqualTo("f:1:36: scene[0].from: must be three numbers [x, y, z], was 5");
+    }
+
+    @Test
+    void numberOfMistakesIsBounded() {
+        String many = "{\"scene\": [" + "{\"x\": 1}, ".repeat(1000) + "]}";
+        List<Problem> problems =
+                catchThrowableOfType(SceneFileException.class, () -> read(many)).problems();
+        assertThat(problems).hasSize(Problems.MOST + 1);
+        assertThat(problems.get(Problems.MOST).message()).isEqualTo("after 100 mistakes the rest is not looked at");
+    }
+
+    @Test
+    void longAndStrangeValuesAreShortened() {
+        String message = messageOf("{\"transformation\": \"a\\n\\u001b" + "b".repeat(100_000) + "\"}");
+        assertThat(message).hasSizeLessThan(200).contains("\"a bbb").contains("... (100003 characters)");
+        assertThat(message.lines()).hasSize(1);
+        assertThat(messageOf("{\"" + "k".repeat(100_000) + "\": 1}")).hasSizeLessThan(200);
+    }
+
+    @Test
+    @Timeout(value = 20, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void endlessNestingIsRefused() throws IOException {
+        byte[] brackets = new byte[60_000_000];
+        Arrays.fill(brackets, (byte) '[');
+        Path file = Files.write(folder.resolve("deep.json"), brackets);
+        assertThatExceptionOfType(SceneFileException.class)
+                .isThrownBy(() -> StudioReader.read(file))
+                .withMessageStartingWith(file + ":1:201: ")
+                .withMessageEndingWith("brackets and braces may be at most 200 deep");
+        String objects = "{\"type\":\"Group\",\"objects\":[".repeat(300);
+        assertThat(messageOf("{\"scene\": [" + objects)).endsWith("brackets and braces may be at most 200 deep");
+    }
+
+    @Test
+    void deepButAllowedNestingIsRead() {
+        String text = "{\"scene\": [" + "{\"type\": \"Group\", \"objects\": [".repeat(90) + "]}".repeat(90) + "]}";
+        Studio studio = read(text);
+        assertThat(read(StudioWriter.write(studio))).isEqualTo(studio);
+    }
+
+    @Test
+    void tooManyValuesAreRefused() {
+        assertThat(messageOf("{\"scene\": [" + "1,".repeat(JsonParsing.MOST_VALUES) + "]}"))
+                .endsWith("a scene file may hold at most 2000000 values");
+    }
+
+    @Test
+    void largeFileIsRefused() throws IOException {
+        byte[] spaces = new byte[SceneText.LARGEST + 1];
+        Arrays.fill(spaces, (byte) ' ');
+        Path file = Files.write(folder.resolve("large.json"), spaces);
+        assertFileRefused(file, "a scene file may have at most 67108864 bytes, has more");
+    }
+
+    @Test
+    void fileThatIsNoSceneIsRefused() throws IOException {
+        assertFileRefused(folder, "is a folder; a scene file or a saved photograph is needed");
+        assertFileRefused(folder.resolve("none.json"), "there is no such file");
+        Path picture = Files.write(folder.resolve("broken.png"), new byte[] {1, 2, 3});
+        assertFileRefused(
+                picture, "not a picture; a photograph that holds its scene is a PNG, TIFF or Radiance HDR picture");
+    }
+
+    @Test
+    void unreadableFileIsRefused() throws IOException {
+        Path file = Files.writeString(folder.resolve("locked.json"), "{}");
+        Assumptions.assumeTrue(
+                file.toFile().setReadable(false) && !Files.isReadable(file), "this user may read all files");
+        assertFileRefused(file, "cannot be read: there is no permission");
+    }
+
+    private static void assertFileRefused(Path file, String message) {
+        assertThatExceptionOfType(SceneFileException.class)
+                .isThrownBy(() -> StudioReader.read(file))
+                .withMessage(file + ": " + message);
+    }
+
+    @Test
+    void otherEncodingsAreRefused() throws IOException {
+        Path file = folder.resolve("latin.json");
+        Files.write(file, "{\n  \"title\": \"\u00fc\"}".getBytes(StandardCharsets.ISO_8859_1));
+        assertThatExceptionOfType(SceneFileException.class)
+                .isThrownBy(() -> StudioReader.read(file))
+                .withMessage(file + ":2:13: must be text in the encoding UTF-8, has here the byte 0xfc");
+        Path marked = Files.writeString(folder.resolve("marked.json"), "\ufeff{\"title\": \"\u00fc\"}");
+        assertThat(StudioReader.read(marked).title()).isEqualTo("\u00fc");
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "../x.png",
+                "a/../../x.png",
+                "/etc/passwd",
+                "",
+                " ",
+                "a\\\\b.png",
+                "x\\u0000.png",
+                "..",
+                "link.png"
+            })
+    void picturesOutsideTheFolderAreRefused(String name) throws IOException {
+        Path inner = Files.createDirectory(folder.resolve("inner"));
+        Path outside = Files.writeString(folder.resolve("x.png"), "");
+        Files.createSymbolicLink(inner.resolve("link.png"), outside);
+        String text = "{\"background\": {\"type\": \"PanoramaBackground\", \"picture\": \"" + name + "\"}}";
+        assertThatExceptionOfType(SceneFileException.class)
+                .isThrownBy(() -> StudioReader.read(text, "f", inner))
+                .withMessageStartingWith("f:1:58: background.picture: ")
+                .withMessageContaining(
+                        "must be the name of a picture file in the folder of the scene file or below, with / between the parts");
+    }
+
+    @Test
+    void filesThatAreNoPicturesAreRefused() throws IOException {
+        Files.writeString(folder.resolve("x.png"), "no picture");
+        String start = "{\"background\": {\"type\": \"PanoramaBackground\", \"picture\": ";
+        assertThat(messageOf(start + "\"x.png\"}}"))
+                .startsWith("f:1:58: background.picture: x.png: not a picture that can be read; allowed are ");
+        assertThat(messageOf(start + "\"y.png\"}}"))
+                .startsWith("f:1:58: background.picture: there is no such file in ");
+        assertThat(messageOf(start + "{\"name\": \"z\", \"base64\": \"?\"}}}"))
+                .startsWith("f:1:58: background.picture: the value of base64 is not base 64");
+        assertThat(messageOf(start + "{\"name\": \"z\"}}}"))
+                .startsWith("f:1:58: background.picture: must be the name of");
+    }
+
+    @Test
+    void valuesAreTakenFromTheKeys() {
+        Studio studio = read("{\"settings\": {\"width\": 7}, \"velocity\": {\"gamma\": 2, \"direction\": [2, 0, 0]}}");
+        assertThat(studio)
+                .isEqualTo(Studio.DEFAULT
+                        .withSettings(RenderSettings.DEFAULT.withSize(7, 480))
+                        .withVelocity(studio.velocity()));
+        assertThat(studio.velocity().components().x()).isEqualTo(Math.sqrt(0.75));
+        assertThat(studio.velocity()).isNotEqualTo(Velocity.REST);
+    }
+
+    @Test
+    void numbersWhoseDifferencesOverflowAreRefused() {
+        String corners = "\"first\": [1e308, 0, 0], \"second\": [-1e308, 0, 0]";
+        assertThat(messageOf("{\"scene\": [{\"type\": \"Triangle\", " + corners + "}]}"))
+                .startsWith("f:1:");
+    }
+
+    /** Random changes of valid files: either still a scene, or a message; never another exception. */
+    @Test
+    void mutatedFilesGiveASceneOrAMessage() {
+        SplittableRandom random = new SplittableRandom(20_160_928);
+        RandomDescriptions descriptions = new RandomDescriptions(5, List.of(PixelPicture.WHITE));
+        int scenes = 0;
+        int messages = 0;
+        for (int i = 0; i < 300; i++) {
+            String text = StudioWriter.write((Studio) descriptions.record(Studio.class));
+            String changed = changed(text, random);
+            try {
+                read(changed);
+                scenes++;
+            } catch (SceneFileException mistakes) {
+                messages++;
+                assertThat(mistakes.problems())
+                        .isNotEmpty()
+                        .allMatch(problem -> problem.message().length() < 600);
+            } catch (RuntimeException failure) {
+                throw new AssertionError(changed, failure);
+            }
+        }
+        assertThat(scenes).isGreaterThan(10);
+        assertThat(messages).isGreaterThan(150);
+    }
+
+    private static String changed(String text, SplittableRandom random) {
+        String[] pieces = {
+            "1e308",
+            "-1e308",
+            "0",
+            "-0.0",
+            "5e-324",
+            "NaN",
+            "null",
+            "{}",
+            "[]",
+            "\"\"",
+            "true",
+            "1e400",
+            ",",
+            "}",
+            "]",
+            "\"",
+            "\\",
+            "/*",
+            "\u0000",
+            "\ud800",
+            "2147483648"
+        };
+        List<String> tokens = Arrays.stream(text.split("(?<=[\\[\\]{},: ])|(?=[\\[\\]{},: ])"))
+                .collect(Collectors.toList());
+        int changes = 1 + random.nextInt(2);
+        for (int i = 0; i < changes; i++) {
+            int index = random.nextInt(tokens.size());
+            boolean number = tokens.get(index).matches("-?[0-9.e-]+");
+            tokens.set(index, number ? pieces[random.nextInt(5)] : pieces[random.nextInt(pieces.length)]);
+        }
+        return String.join("", tokens);
+    }
+}
