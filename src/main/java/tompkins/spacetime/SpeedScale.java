@@ -1,14 +1,20 @@
 package tompkins.spacetime;
 
+import tompkins.property.Meaning;
+
 /** The numbers by which a speed can be given. */
 public enum SpeedScale {
     /** The speed itself, below 1. */
+    @Meaning("The speed in units of c")
     BETA("beta", "from 0 to below 1"),
     /** The Lorentz factor 1/sqrt(1 - beta^2), from 1. */
+    @Meaning("The Lorentz factor 1/sqrt(1 - beta^2)")
     GAMMA("gamma", "1 or above"),
     /** The rapidity artanh(beta), which adds up when velocities along one line are composed. */
+    @Meaning("The rapidity artanh(beta), which adds up when velocities along one line are composed")
     RAPIDITY("rapidity", "0 or above"),
     /** What the speed lacks to that of light, 1 - beta, for speeds that a decimal fraction cannot hold. */
+    @Meaning("What the speed lacks to that of light, 1 - beta")
     ONE_MINUS_BETA("oneMinusBeta", "above 0 and at most 1");
 
     private final String key;

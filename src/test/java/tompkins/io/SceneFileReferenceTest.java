@@ -1,0 +1,137 @@
+package tompkins.io;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Base64;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.camera.Camera;
+import tompkins.light.LightSource;
+import tompkins.sceneobject.SceneObject;
+import tompkins.shutter.Shutter;
+import tompkins.studio.Background;
+import tompkins.studio.Studio;
+import tompkins.surface.Surface;
+
+/** The reference of scene files is up to date, complete, and its examples work. */
+class SceneFileReferenceTest {
+
+    private static final String COMMAND = "mvn -q test -Dtest=SceneFileReferenceTest -Dtompkins.regenerate=true";
+
+    private static final Path PROJECT = Path.of(System.getProperty("basedir", ""));
+    private static final Path FILE = PROJECT.resolve("docs/scene-files.md");
+    /** One pixel. */
+    private static final String PICTURE =
+            "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNgAAAAAgABSK+kcQAAAABJRU5ErkJggg==";
+
+    @TempDir
+    private static Path folder;
+
+    private static final Pattern EXAMPLE = Pattern.compile("```json\n(.*?)\n```", Pattern.DOTALL);
+
+    @BeforeAll
+    static void makePicture() throws IOException {
+        Files.createDirectory(folder.resolve("pictures"));
+        Files.write(folder.resolve("pictures/clock.png"), Base64.getDecoder().decode(PICTURE));
+    }
+
+    @Test
+    void fileIsUpToDate() throws IOException {
+        String current = SceneFileReference.markdown();
+        if (Boolean.getBoolean("tompkins.regenerate")) {
+            Files.writeString(FILE, current);
+        }
+        assertThat(Files.exists(FILE) ? Files.readString(FILE).replace("\r\n", "\n") : "")
+                .as("%s is out of date; write it anew with: %s", FILE, COMMAND)
+                .isEqualTo(current);
+    }
+
+    @Test
+    void everyTypeHasASectionAndEveryKeyALine() {
+        String text = SceneFileReference.markdown();
+        List<Class<?>> types = Stream.of(
+                        SceneObject.class,
+                        Surface.class,
+                        LightSource.class,
+                        Shutter.class,
+                        Camera.class,
+                        Background.class)
+                .flatMap(family -> Stream.of(family.getPermittedSubclasses()))
+                .<Class<?>>map(type -> type)
+                .toList();
+        assertThat(types).hasSizeGreaterThan(30).allSatisfy(type -> {
+            String section =
+                    text.split("\n### " + type.getSimpleName() + "\n", -1)[1].split("\n##", -1)[0];
+            Stream.of(type.getRecordComponents())
+                    .forEach(component -> assertThat(section).contains("\n| `" + component.getName() + "` |"));
+        });
+    }
+
+    @Test
+    void everyLinkLeadsToAHeading() {
+        String text = SceneFileReference.markdown();
+        List<String> anchors = text.lines()
+                .filter(line -> line.startsWith("#"))
+                .map(line -> ValueKind.anchor(line.replaceAll("^#+ ", "")))
+                .toList();
+        Matcher links = Pattern.compile("\\]\\(#([^)]*)\\)").matcher(text);
+        assertThat(links.results().map(link -> link.group(1)).toList())
+                .hasSizeGreaterThan(50)
+                .allMatch(anchors::contains);
+        assertThat(anchors).doesNotHaveDuplicates();
+        assertThat(text).doesNotContain("@");
+    }
+
+    static Stream<String> examples() {
+        return EXAMPLE.matcher(SceneFileReference.markdown()).results().map(example -> example.group(1));
+    }
+
+    @ParameterizedTest
+    @MethodSource("examples")
+    void exampleWorks(String example) {
+        Matcher type = Pattern.compile("^\\{\\s*\"type\": \"(\\w+)\"").matcher(example);
+        String scene = type.find() ? place(type.group(1), example) : example;
+        Studio studio = StudioReader.read(scene, "example", folder);
+        assertThat(StudioReader.read(StudioWriter.write(studio), "again", folder))
+                .isEqualTo(studio);
+    }
+
+    @Test
+    void messagesAreThoseOfTheProgram() {
+        String scene = examples().findFirst().orElseThrow();
+        String wrong = scene.replace("\"radius\"", "\"raduis\"").replace("[0, 0, 0.9]", "[0, 0, 1.5]");
+        assertThatExceptionOfType(SceneFileException.class)
+                .isThrownBy(() -> StudioReader.read(wrong, "my-scene.json", folder))
+                .satisfies(mistakes -> assertThat(SceneFileReference.markdown())
+                        .contains("\n    " + mistakes.getMessage().replace("\n", "\n    ") + "\n"));
+    }
+
+    /** A scene with an example at the place of its family. */
+    private static String place(String type, String example) {
+        if (Descriptions.memberNames(SceneObject.class).contains(type)) {
+            return "{\"scene\": [" + example + "]}";
+        }
+        if (Descriptions.memberNames(Surface.class).contains(type)) {
+            return "{\"scene\": [{\"type\": \"Sphere\", \"surface\": " + example + "}]}";
+        }
+        if (Descriptions.memberNames(LightSource.class).contains(type)) {
+            return "{\"lights\": [" + example + "]}";
+        }
+        if (Descriptions.memberNames(Shutter.class).contains(type)) {
+            return "{\"camera\": {\"shutter\": " + example + "}}";
+        }
+        String key = Descriptions.memberNames(Camera.class).contains(type) ? "camera" : "background";
+        return "{\"" + key + "\": " + example + "}";
+    }
+}
