@@ -11,6 +11,7 @@ final class Problems {
     static final int MOST = 100;
 
     private static final int LONGEST_VALUE = 60;
+    private static final int LONGEST_PATH = 200;
 
     private final String file;
     private final List<Problem> found = new ArrayList<>();
@@ -30,7 +31,7 @@ final class Problems {
      * @throws SceneFileException if there are too many
      */
     void add(int line, int column, String path, String message) {
-        found.add(new Problem(file, line, column, shortened(path), oneLine(message)));
+        found.add(new Problem(file, line, column, shortened(path, LONGEST_PATH), oneLine(message)));
         if (found.size() == MOST) {
             found.add(new Problem(file, line, column, "", "after " + MOST + " mistakes the rest is not looked at"));
             throw new SceneFileException(found);
@@ -61,8 +62,12 @@ final class Problems {
 
     /** A text of bearable length, on one line. */
     static String shortened(String text) {
-        boolean tooLong = text.length() > LONGEST_VALUE;
-        String start = tooLong ? text.substring(0, LONGEST_VALUE - 10) : text;
+        return shortened(text, LONGEST_VALUE);
+    }
+
+    private static String shortened(String text, int longest) {
+        boolean tooLong = text.length() > longest;
+        String start = tooLong ? text.substring(0, longest - 10) : text;
         return oneLine(start) + (tooLong ? "... (" + text.length() + " characters)" : "");
     }
 

@@ -170,6 +170,14 @@ class SceneMistakesTest {
     }
 
     @Test
+    void longPathsAreShownWhole() {
+        String start = "{\"type\": \"Hidden\", \"object\": ".repeat(10);
+        String message =
+                messageOf("{\"scene\": [" + start + "{\"type\": \"Sphere\", \"radius\": 0}" + "}".repeat(10) + "]}");
+        assertThat(message).contains(": scene[0]" + ".object".repeat(10) + ".radius: must be");
+    }
+
+    @Test
     void longAndStrangeValuesAreShortened() {
         String message = messageOf("{\"transformation\": \"a\\n\\u001b" + "b".repeat(100_000) + "\"}");
         assertThat(message).hasSizeLessThan(200).contains("\"a bbb").contains("... (100003 characters)");
