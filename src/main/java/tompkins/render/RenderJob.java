@@ -119,11 +119,12 @@ public final class RenderJob {
         workDone.add(pass.work() / tiles.size());
         listener.tileDone(this, tile);
         if (tilesDone.incrementAndGet() % tiles.size() == 0) {
+            // before the others go on, so that nobody adds to the film while the listener looks at it
+            listener.passDone(this);
             synchronized (passLock) {
                 passesDone++;
                 passLock.notifyAll();
             }
-            listener.passDone(this);
         }
     }
 
