@@ -1,0 +1,142 @@
+package tompkins.ui;
+
+import java.util.function.Consumer;
+import javax.swing.ButtonGroup;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JRadioButton;
+import net.miginfocom.swing.MigLayout;
+import org.joml.Vector3d;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+
+/** What the picture is compared with, and how the two are shown. */
+final class ComparePanel {
+
+    /** What there is to compare with. */
+    enum Other {
+        NOTHING,
+        AT_REST,
+        GALILEAN_CAMERA,
+        OTHER_SHUTTER,
+        PINNED_PICTURE
+    }
+
+    private final JPanel panel = Rows.column();
+    private final JComboBox<Other> others = new JComboBox<>(Other.values());
+    private final JComboBox<Class<?>> shutters = new JComboBox<>();
+    private final JRadioButton split = new JRadioButton(Texts.get("compare.split"), true);
+    private final JRadioButton difference = new JRadioButton(Texts.get("compare.difference"));
+    private final JButton peek = new JButton(Texts.get("compare.peek"));
+    private final JButton pin = new JButton(Texts.get("compare.pin"));
+    private final Note hint = new Note("");
+    private final Runnable changed;
+    private final Updating updating = new Updating();
+
+    /**
+     * The panel.
+     *
+     * @param changed called when anything here has changed
+     * @param peeking told when the other picture is to be shown alone, and when not any more
+     * @param pinning called to keep the picture that is shown
+     */
+    ComparePanel(Runnable changed, Consumer<Boolean> peeking, Runnable pinning) {
+        this.changed = changed;
+        others.setRenderer(ValueEditors.renderer(other -> Descriptions.label((Other) other)));
+        name(others, "compare.name");
+        Records.records(Shutter.class).forEach(shutters::addItem);
+        shutters.setRenderer(ValueEditors.renderer(shutter -> Descriptions.label((Class<?>) shutter)));
+        name(shutters, "compare.shutter");
+        ButtonGroup group = new ButtonGroup();
+        for (JRadioButton button : new JRadioButton[] {split, difference}) {
+            group.add(button);
+            button.setName(button.getText());
+            button.addActionListener(event -> changed.run());
+        }
+        split.setToolTipText(Tips.html(Texts.get("compare.splitTip")));
+        difference.setToolTipText(Tips.html(Texts.get("compare.differenceTip")));
+        peek.setName(Texts.get("compare.peek"));
+        peek.setToolTipText(Tips.html(Texts.get("compare.peekTip")));
+        peek.getModel()
+                .addChangeListener(event -> peeking.accept(peek.getModel().isPressed()));
+        pin.setName(Texts.get("compare.pin"));
+        pin.setToolTipText(Tips.html(Texts.get("compare.pinTip")));
+        pin.addActionListener(event -> {
+            pinning.run();
+            others.setSelectedItem(Other.PINNED_PICTURE);
+        });
+        others.addActionListener(event -> updating.unless(this::update));
+        shutters.addActionListener(event -> updating.unless(this::update));
+        JPanel views = new JPanel(new MigLayout("insets 0, gap 12", "[pref!][pref!]"));
+        views.setOpaque(false);
+        views.add(split);
+        views.add(difference);
+        JPanel buttons = new JPanel(new MigLayout("insets 0, fillx, gap 4", "[grow,fill,sg][grow,fill,sg]"));
+        buttons.setOpaque(false);
+        buttons.add(pin, "wmin pref");
+        buttons.add(peek, "wmin pref");
+        panel.add(others, "wmin 0");
+        panel.add(shutters, "wmin 0");
+        panel.add(views, "wmin 0");
+        panel.add(buttons, "wmin 0");
+        panel.add(hint.component(), "wmin 0");
+        update();
+    }
+
+    private static void name(JComboBox<?> box, String key) {
+        box.setName(Texts.get(key));
+        box.getAccessibleContext().setAccessibleName(Texts.get(key));
+        box.setToolTipText(Tips.html(Texts.get(key + "Tip")));
+    }
+
+    private void update() {
+        shutters.setVisible(other() == Other.OTHER_SHUTTER);
+        boolean compares = other() != Other.NOTHING;
+        split.setEnabled(compares);
+        difference.setEnabled(compares);
+        peek.setEnabled(compares);
+        hint.setText(compares ? Texts.get("compare.hint") : "");
+        changed.run();
+    }
+
+    JComponent component() {
+        return panel;
+    }
+
+    /** What the picture is compared with. */
+    Other other() {
+        return (Other) others.getSelectedItem();
+    }
+
+    void setOther(Other other) {
+        others.setSelectedItem(other);
+    }
+
+    /** How the two are shown. */
+    Comparison view() {
+        return other() == Other.NOTHING
+                ? Comparison.NONE
+                : split.isSelected() ? Comparison.SPLIT : Comparison.DIFFERENCE;
+    }
+
+    /** What the other picture is called. */
+    String otherName() {
+        return other() == Other.OTHER_SHUTTER
+                ? Descriptions.label((Class<?>) shutters.getSelectedItem())
+                : Descriptions.label(other());
+    }
+
+    /** The studio of the other picture; null if there is none, or if it is the pinned one. */
+    Studio otherStudio(Studio now) {
+        return switch (other()) {
+            case NOTHING, PINNED_PICTURE -> null;
+            case AT_REST -> now.withVelocity(Velocity.of(new Vector3d()));
+            case GALILEAN_CAMERA -> now.withTransformation(TransformationLaw.GALILEAN);
+            case OTHER_SHUTTER -> Shutters.replaced(now, (Class<?>) shutters.getSelectedItem());
+        };
+    }
+}

@@ -1,0 +1,11 @@
+package tompkins.ui;
+
+/** How the canvas shows the picture and another one. */
+enum Comparison {
+    /** The picture alone. */
+    NONE,
+    /** The picture to the left of a divider, the other one to the right. */
+    SPLIT,
+    /** By how much the two differ. */
+    DIFFERENCE
+}

@@ -1,0 +1,109 @@
+package tompkins.ui;
+
+import java.awt.event.ActionEvent;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.util.function.Consumer;
+import javax.swing.AbstractAction;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import tompkins.property.InvalidPropertyException;
+
+/**
+ * A field for a value that is written as text. It is taken when Enter is pressed or the focus leaves. A wrong value is marked
+ * with the message of the model, and stays until it is put right or the value changes elsewhere.
+ */
+final class EntryField {
+
+    private final JTextField field;
+    private final Note note;
+    private final Consumer<String> commit;
+    private String shown = "";
+
+    /** What the field makes of the text: it holds no line ends. */
+    private String displayed = "";
+
+    /**
+     * A field.
+     *
+     * @param name what a screen reader calls it
+     * @param tip its meaning, unit and range
+     * @param note where messages go; fields may share one
+     * @param commit takes the text, or throws {@link InvalidPropertyException}
+     */
+    EntryField(String name, String tip, Note note, Consumer<String> commit) {
+        this.note = note;
+        this.commit = commit;
+        field = new JTextField();
+        field.setName(name);
+        field.setToolTipText(tip.isEmpty() ? null : Tips.html(tip));
+        field.getAccessibleContext().setAccessibleName(name);
+        field.getAccessibleContext().setAccessibleDescription(tip);
+        field.addActionListener(event -> commit());
+        field.addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusLost(FocusEvent event) {
+                if (!event.isTemporary()) {
+                    commit();
+                }
+            }
+        });
+        field.getInputMap().put(KeyStroke.getKeyStroke("ESCAPE"), "revert");
+        field.getActionMap().put("revert", new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                revert();
+            }
+        });
+    }
+
+    JTextField field() {
+        return field;
+    }
+
+    /** Shows the text of a value; keeps a wrong entry as long as the value has not changed. */
+    void show(String text) {
+        if (!text.equals(shown) || !isWrong()) {
+            shown = text;
+            revert();
+        }
+    }
+
+    boolean isWrong() {
+        return field.getClientProperty("JComponent.outline") != null;
+    }
+
+    /** Takes what was typed, if it is not what was shown. */
+    void commit() {
+        String text = field.getText();
+        if (text.equals(displayed)) {
+            clear();
+            return;
+        }
+        try {
+            commit.accept(text);
+            clear();
+            displayed = field.getText();
+        } catch (InvalidPropertyException wrong) {
+            field.putClientProperty("JComponent.outline", "error");
+            field.getAccessibleContext().setAccessibleDescription(wrong.getMessage());
+            note.setError(wrong.getMessage());
+        }
+    }
+
+    private void revert() {
+        if (!field.getText().equals(shown)) {
+            field.setText(shown);
+            field.setCaretPosition(0);
+        }
+        displayed = field.getText();
+        clear();
+    }
+
+    private void clear() {
+        if (isWrong()) {
+            field.putClientProperty("JComponent.outline", null);
+            note.setText("");
+        }
+    }
+}

@@ -1,0 +1,115 @@
+package tompkins.ui;
+
+import java.util.function.Consumer;
+import java.util.function.DoubleFunction;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JToggleButton;
+import tompkins.camera.Camera;
+import tompkins.camera.ThinLensCamera;
+import tompkins.studio.Studio;
+
+/** Aperture, focus, field of view, exposure, and how many samples the blur gets. */
+final class LensPanel {
+
+    private final StudioModel model;
+    private final JPanel panel = Rows.panel();
+    private final NumberRow aperture;
+    private final NumberRow focus;
+    private final NumberRow samples;
+    private final JToggleButton pick = new JToggleButton(Texts.get("lens.pick"));
+
+    /** The panel; {@code picking} is told when a point of the picture is to be picked, and when not any more. */
+    LensPanel(StudioModel model, Consumer<Boolean> picking) {
+        this.model = model;
+        Class<?> lens = ThinLensCamera.class;
+        aperture = row(
+                "apertureRadius",
+                apertures(),
+                Descriptions.meaning(lens, "apertureRadius"),
+                value -> camera("apertureRadius", value));
+        focus = new NumberRow(
+                model,
+                "focusDistance",
+                Texts.get("lens.focus"),
+                Texts.get("lens.focusTip"),
+                distances(),
+                value -> model.studio()
+                        .withCamera(Cameras.focusedAt(model.studio().camera(), value)));
+        NumberRow field = row(
+                "horizontalAngleDegrees",
+                Range.even(1, 170),
+                Descriptions.meaning(lens, "horizontalAngleDegrees"),
+                value -> camera("horizontalAngleDegrees", value));
+        NumberRow exposure = row(
+                "exposureStops",
+                Range.even(-5, 5),
+                Descriptions.meaning(lens, "exposureStops"),
+                value -> camera("exposureStops", value));
+        samples = new NumberRow(
+                model,
+                "samples",
+                Texts.get("lens.samples"),
+                Texts.get("lens.samplesTip"),
+                new Range(1, 256, 4),
+                value -> model.studio().withSettings(model.studio().settings().withSamples((int) Math.rint(value))));
+        pick.setName(Texts.get("lens.pick"));
+        pick.setToolTipText(Tips.html(Texts.get("lens.pickTip")));
+        pick.addActionListener(event -> picking.accept(pick.isSelected()));
+        aperture.addTo(panel);
+        focus.addTo(panel);
+        panel.add(pick, "skip 1, span 2, growx");
+        field.addTo(panel);
+        exposure.addTo(panel);
+        samples.addTo(panel);
+        model.addListener(() -> update(field, exposure));
+        update(field, exposure);
+    }
+
+    private NumberRow row(String property, Range range, String tip, DoubleFunction<Studio> change) {
+        return new NumberRow(model, property, Texts.get("lens." + property), tip, range, change);
+    }
+
+    private Studio camera(String property, double value) {
+        return model.studio().withCamera(Records.with(model.studio().camera(), property, value));
+    }
+
+    private Range apertures() {
+        return new Range(0, Numbers.niceCeiling(Math.max(0.05 * SceneSize.of(model.studio()), 1e-3)), 2);
+    }
+
+    private Range distances() {
+        double far = Numbers.niceCeiling(3 * SceneSize.of(model.studio()));
+        return new Range(far / 1000, far, 2);
+    }
+
+    JComponent component() {
+        return panel;
+    }
+
+    /** A point was picked, or picking was given up. */
+    void endPicking() {
+        pick.setSelected(false);
+    }
+
+    private void update(NumberRow field, NumberRow exposure) {
+        Studio studio = model.studio();
+        Camera camera = studio.camera();
+        boolean hasLens = camera instanceof ThinLensCamera;
+        aperture.setEnabled(hasLens);
+        if (camera instanceof ThinLensCamera lens) {
+            aperture.setRange(
+                    lens.apertureRadius() > apertures().maximum()
+                            ? new Range(0, Numbers.niceCeiling(lens.apertureRadius()), 2)
+                            : apertures());
+            aperture.show(lens.apertureRadius());
+        } else {
+            aperture.show(0);
+        }
+        focus.setRange(distances());
+        focus.show(Numbers.rounded(Cameras.focusDistance(camera), 9));
+        field.show((double) Records.get(camera, Records.component(camera.getClass(), "horizontalAngleDegrees")));
+        exposure.show(camera.exposureStops());
+        samples.show(studio.settings().samples());
+    }
+}

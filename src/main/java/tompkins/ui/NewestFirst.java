@@ -1,0 +1,68 @@
+package tompkins.ui;
+
+import java.util.function.Consumer;
+
+/** A thread that works on the newest thing that it is given; what it has not begun when a newer one comes is dropped. */
+final class NewestFirst<T> implements AutoCloseable {
+
+    /** As much as the threads of the renderer have: here, too, rays may be followed through deep recursions. */
+    private static final long STACK_BYTES = 16 << 20;
+
+    private final Object lock = new Object();
+    private final Consumer<T> work;
+    private T waiting;
+    private boolean closed;
+
+    /** A thread with a name that does the given work. The work must not throw. */
+    NewestFirst(String name, Consumer<T> work) {
+        this.work = work;
+        Thread thread = new Thread(null, this::run, name, STACK_BYTES);
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    /** Puts a thing in the place of the one that waits. */
+    void submit(T thing) {
+        synchronized (lock) {
+            waiting = thing;
+            lock.notifyAll();
+        }
+    }
+
+    /** Whether something newer than the work at hand waits, or everything is to end. */
+    boolean hasNewer() {
+        synchronized (lock) {
+            return waiting != null || closed;
+        }
+    }
+
+    private void run() {
+        try {
+            for (T thing = take(); thing != null; thing = take()) {
+                work.accept(thing);
+            }
+        } catch (InterruptedException closing) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private T take() throws InterruptedException {
+        synchronized (lock) {
+            while (waiting == null && !closed) {
+                lock.wait();
+            }
+            T thing = closed ? null : waiting;
+            waiting = null;
+            return thing;
+        }
+    }
+
+    /** Ends the thread after the work at hand. */
+    @Override
+    public void close() {
+        synchronized (lock) {
+            closed = true;
+            lock.notifyAll();
+        }
+    }
+}

@@ -1,0 +1,68 @@
+package tompkins.ui;
+
+import java.awt.Color;
+import javax.swing.JComponent;
+import javax.swing.JTextArea;
+import javax.swing.UIManager;
+
+/** A line of explanation or a message beneath a field, as high as its text needs. */
+final class Note {
+
+    private final JTextArea area = new JTextArea() {
+        @Override
+        public void updateUI() {
+            super.updateUI();
+            setFont(UIManager.getFont("small.font"));
+            setBorder(null);
+            setOpaque(false);
+            setDisabledTextColor(colour());
+            setForeground(colour());
+        }
+    };
+
+    private boolean error;
+
+    /** A note with a text; a note without text takes no room. */
+    Note(String text) {
+        area.setEditable(false);
+        area.setEnabled(false);
+        area.setFocusable(false);
+        area.setLineWrap(true);
+        area.setWrapStyleWord(true);
+        area.setColumns(1);
+        area.updateUI();
+        setText(text);
+    }
+
+    JComponent component() {
+        return area;
+    }
+
+    /** Explains. */
+    void setText(String text) {
+        show(text, false);
+    }
+
+    /** Says what is wrong. */
+    void setError(String message) {
+        show("\u26A0 " + message, true);
+    }
+
+    String text() {
+        return area.getText();
+    }
+
+    private void show(String text, boolean isError) {
+        error = isError;
+        if (!area.getText().equals(text)) {
+            area.setText(text);
+            area.setVisible(!text.isEmpty());
+            area.revalidate();
+        }
+        area.setDisabledTextColor(colour());
+    }
+
+    private Color colour() {
+        return UIManager.getColor(error ? "Tompkins.error" : "Tompkins.note");
+    }
+}

@@ -1,0 +1,54 @@
+package tompkins.ui;
+
+import java.awt.event.ActionEvent;
+import java.util.function.DoubleConsumer;
+import javax.swing.AbstractAction;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+
+/** A field for a number; the up and down keys change it by a step of its last digits, with Shift by ten of them. */
+final class NumberField {
+
+    private static final double STEP = 0.01;
+
+    private final EntryField entry;
+    private final DoubleConsumer commit;
+    private double value;
+
+    /** A field as {@link EntryField}, for the property of the given name. */
+    NumberField(String property, String name, String tip, Note note, DoubleConsumer commit) {
+        this.commit = commit;
+        entry = new EntryField(name, tip, note, text -> commit.accept(Numbers.parse(property, text)));
+        entry.field().setColumns(6);
+        step("UP", 1);
+        step("DOWN", -1);
+        step("shift UP", 10);
+        step("shift DOWN", -10);
+    }
+
+    private void step(String key, int steps) {
+        field().getInputMap().put(KeyStroke.getKeyStroke(key), key);
+        field().getActionMap().put(key, new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                double size = value == 0 ? 1 : Math.pow(10, Math.floor(Math.log10(Math.abs(value))));
+                entry.field().setText(Numbers.text(Numbers.rounded(value + steps * size * STEP, 6)));
+                entry.commit();
+            }
+        });
+    }
+
+    JTextField field() {
+        return entry.field();
+    }
+
+    boolean isWrong() {
+        return entry.isWrong();
+    }
+
+    /** Shows a number with all its digits. */
+    void show(double number) {
+        value = number;
+        entry.show(Numbers.text(number));
+    }
+}

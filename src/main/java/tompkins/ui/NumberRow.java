@@ -1,0 +1,75 @@
+package tompkins.ui;
+
+import java.util.function.DoubleFunction;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import tompkins.studio.Studio;
+
+/** One number of the studio: its name, a slider, a field, and room for a message. */
+final class NumberRow {
+
+    private final StudioModel model;
+    private final DoubleFunction<Studio> change;
+    private final JLabel label;
+    private final ValueSlider slider;
+    private final NumberField field;
+    private final Note note = new Note("");
+
+    /**
+     * A row.
+     *
+     * @param property the name of the property, for messages
+     * @param title what the user calls it
+     * @param change makes the studio that has the number, or throws
+     */
+    NumberRow(
+            StudioModel model, String property, String title, String tip, Range range, DoubleFunction<Studio> change) {
+        this.model = model;
+        this.change = change;
+        label = new JLabel(title);
+        label.setToolTipText(Tips.html(tip));
+        slider = new ValueSlider(
+                Texts.get("slider.name", title),
+                tip,
+                range,
+                (value, gesture) -> model.adjust(change.apply(value), gesture),
+                model::endGesture);
+        field = new NumberField(property, title, tip, note, value -> model.set(change.apply(value)));
+        label.setLabelFor(field.field());
+    }
+
+    /** Adds the row to a panel of {@link Rows}. */
+    void addTo(JPanel panel) {
+        panel.add(label);
+        panel.add(slider.slider(), "growx, wmin 40");
+        panel.add(field.field());
+        panel.add(note.component(), "span, growx, wmin 0");
+    }
+
+    void setRange(Range range) {
+        slider.setRange(range);
+    }
+
+    /** Shows a value; NaN for none. */
+    void show(double value) {
+        if (Double.isFinite(value)) {
+            slider.show(value);
+            field.show(value);
+        }
+    }
+
+    void setVisible(boolean visible) {
+        label.setVisible(visible);
+        slider.slider().setVisible(visible);
+        field.field().setVisible(visible);
+        if (!visible) {
+            note.setText("");
+        }
+    }
+
+    void setEnabled(boolean enabled) {
+        label.setEnabled(enabled);
+        slider.slider().setEnabled(enabled);
+        field.field().setEnabled(enabled);
+    }
+}

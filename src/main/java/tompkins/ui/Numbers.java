@@ -1,0 +1,82 @@
+package tompkins.ui;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.Locale;
+import org.joml.Vector3dc;
+import tompkins.property.InvalidPropertyException;
+import tompkins.spacetime.Event;
+
+/** Numbers as texts and back; always with a decimal point. */
+final class Numbers {
+
+    private Numbers() {}
+
+    /**
+     * The number that a text writes.
+     *
+     * @throws InvalidPropertyException if it writes none
+     */
+    static double parse(String property, String text) {
+        try {
+            return Double.parseDouble(text.strip().replace('\u2212', '-'));
+        } catch (NumberFormatException e) {
+            throw new InvalidPropertyException(property, "a number such as 0.5 or 2e-3", "\"" + text.strip() + "\"");
+        }
+    }
+
+    /** All digits of a number, but no more than it needs. */
+    static String text(double value) {
+        if (value == Math.rint(value) && Math.abs(value) < 1e9) {
+            return Long.toString((long) value);
+        }
+        return Double.toString(value).replace(".0E", "e").replace('E', 'e');
+    }
+
+    /** The first digits of a number, for reading. */
+    static String brief(double value) {
+        return brief(value, 5);
+    }
+
+    /** The first digits of a number, for reading. */
+    static String brief(double value, int digits) {
+        if (!Double.isFinite(value)) {
+            return value > 0 ? "\u221e" : value < 0 ? "\u2212\u221e" : Texts.get("number.none");
+        }
+        double rounded = rounded(value, digits);
+        double size = Math.abs(rounded);
+        if (size == 0 || size >= 1e-4 && size < 1e7) {
+            return new BigDecimal(Double.toString(rounded)).stripTrailingZeros().toPlainString();
+        }
+        return String.format(Locale.ROOT, "%." + (digits - 1) + "e", rounded).replaceAll("\\.?0*e([+-])0?", "e$1");
+    }
+
+    /** The number with at most the given digits. */
+    static double rounded(double value, int digits) {
+        return Double.isFinite(value)
+                ? new BigDecimal(value).round(new MathContext(digits)).doubleValue() + 0.0
+                : value;
+    }
+
+    /** The first digits of three numbers. */
+    static String brief(Vector3dc vector) {
+        return "(" + brief(vector.x()) + ", " + brief(vector.y()) + ", " + brief(vector.z()) + ")";
+    }
+
+    /** The first digits of place and time. */
+    static String brief(Event event) {
+        return "(" + brief(event.x()) + ", " + brief(event.y()) + ", " + brief(event.z()) + "; t = "
+                + brief(event.time()) + ")";
+    }
+
+    /** The least of 1, 2, 5, 10, 20, ... that is not below a positive number. */
+    static double niceCeiling(double value) {
+        double power = Math.pow(10, Math.floor(Math.log10(value)));
+        for (double step : new double[] {1, 2, 5}) {
+            if (step * power >= value) {
+                return rounded(step * power, 1);
+            }
+        }
+        return rounded(10 * power, 1);
+    }
+}

@@ -1,0 +1,194 @@
+package tompkins.ui;
+
+import java.awt.geom.Point2D;
+import java.util.function.DoubleConsumer;
+import javax.swing.SwingUtilities;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+
+/** The photograph of the current studio on its canvas, with what it is compared with, and the probe of its pixels. */
+final class PhotographView implements AutoCloseable {
+
+    /** Told what there is to know about the picture on the screen. */
+    interface Listener {
+
+        /** Another picture is on the screen. */
+        void shown(Picture picture);
+
+        /** A pixel was read; null if the mouse has left the picture. */
+        void read(PixelProbe.Reading reading);
+
+        /** The pinned pixel was read; null if none is pinned. */
+        void pinned(PixelProbe.Reading reading);
+
+        /** There is no picture. */
+        void failed(String message);
+    }
+
+    private final StudioModel model;
+    private final Listener listener;
+    private final PictureCanvas canvas;
+    private final ScreenPictures screen;
+    private final RenderController controller;
+    private final PixelProbe hover = new PixelProbe();
+    private final PixelProbe fixed = new PixelProbe();
+    private ComparePanel otherSource;
+    private RenderController otherController;
+    private Studio otherStudio;
+    private Picture pinnedPicture;
+    private Point2D pin;
+    private DoubleConsumer picked;
+    private RenderPlan lastPlan;
+
+    PhotographView(StudioModel model, Listener listener) {
+        this.model = model;
+        this.listener = listener;
+        screen = new ScreenPictures(this::show);
+        canvas = new PictureCanvas(screen::setCanvas);
+        canvas.setMouse(new ProbeMouse());
+        controller = new RenderController(new RenderController.Listener() {
+            @Override
+            public void picture(Picture picture) {
+                screen.setNow(picture);
+            }
+
+            @Override
+            public void failed(String message) {
+                SwingUtilities.invokeLater(() -> listener.failed(message));
+            }
+        });
+        model.addListener(this::render);
+    }
+
+    PictureCanvas canvas() {
+        return canvas;
+    }
+
+    RenderController controller() {
+        return controller;
+    }
+
+    /** Makes the picture of the current studio. */
+    void render() {
+        controller.show(model.studio());
+        renderOther();
+    }
+
+    private void show(ScreenPicture pictures) {
+        canvas.show(pictures);
+        Picture now = pictures.now();
+        listener.shown(now);
+        if (now.plan() != lastPlan) {
+            lastPlan = now.plan();
+            readPin();
+        }
+    }
+
+    /** Compares as the panel says. */
+    void compare(ComparePanel panel) {
+        canvas.setComparison(panel.view(), panel.otherName());
+        screen.setDifference(panel.view() == Comparison.DIFFERENCE);
+        otherSource = panel;
+        renderOther();
+    }
+
+    private void renderOther() {
+        if (otherSource == null) {
+            return;
+        }
+        Studio studio = otherSource.otherStudio(model.studio());
+        if (otherSource.other() == ComparePanel.Other.PINNED_PICTURE) {
+            otherStudio = null;
+            screen.setOther(pinnedPicture);
+        } else if (studio == null) {
+            otherStudio = null;
+            screen.setOther(null);
+        } else if (!studio.equals(otherStudio)) {
+            otherStudio = studio;
+            otherController().show(studio);
+        }
+    }
+
+    private RenderController otherController() {
+        if (otherController == null) {
+            otherController = new RenderController(new RenderController.Listener() {
+                @Override
+                public void picture(Picture picture) {
+                    SwingUtilities.invokeLater(() -> {
+                        // what is no longer wanted may still arrive
+                        if (picture.studio().equals(otherStudio)) {
+                            screen.setOther(picture);
+                        }
+                    });
+                }
+
+                @Override
+                public void failed(String message) {
+                    SwingUtilities.invokeLater(() -> listener.failed(message));
+                }
+            });
+        }
+        return otherController;
+    }
+
+    /** Keeps the picture that is on the screen, to compare others with it. */
+    void pinPicture() {
+        pinnedPicture = canvas.shown().now();
+    }
+
+    /** Marks a place of the picture and tells the life of its ray; of no place if it is null. */
+    void setPin(Point2D place) {
+        pin = place;
+        canvas.setPin(place);
+        readPin();
+    }
+
+    private void readPin() {
+        if (pin == null || lastPlan == null) {
+            listener.pinned(null);
+        } else {
+            fixed.ask(lastPlan, pin, reading -> listener.pinned(pin == null ? null : reading));
+        }
+    }
+
+    /** The next click on the picture gives the distance of what is there; NaN if there is nothing. */
+    void pickDistance(DoubleConsumer taker) {
+        picked = taker;
+        canvas.setPicking(taker != null);
+    }
+
+    private final class ProbeMouse implements PictureCanvas.Mouse {
+
+        @Override
+        public void over(Point2D place) {
+            if (place == null || lastPlan == null) {
+                listener.read(null);
+            } else {
+                hover.ask(lastPlan, place, listener::read);
+            }
+        }
+
+        @Override
+        public void clicked(Point2D place) {
+            if (picked != null && lastPlan != null) {
+                DoubleConsumer taker = picked;
+                pickDistance(null);
+                RenderPlan plan = lastPlan;
+                fixed.ask(plan, place, reading -> taker.accept(PixelProbe.depth(plan, reading)));
+            } else {
+                setPin(place);
+            }
+        }
+    }
+
+    @Override
+    public void close() {
+        controller.close();
+        if (otherController != null) {
+            otherController.close();
+        }
+        screen.close();
+        hover.close();
+        fixed.close();
+    }
+}

@@ -1,0 +1,23 @@
+package tompkins.ui;
+
+import java.time.Duration;
+import java.util.List;
+import tompkins.image.LinearImage;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+
+/**
+ * A picture on its way to the screen.
+ *
+ * @param plan what it was made from
+ * @param image its light
+ * @param complete whether all samples were taken
+ * @param time since the change that it answers
+ * @param warnings what went wrong; known when it is complete
+ */
+record Picture(RenderPlan plan, LinearImage image, boolean complete, Duration time, List<String> warnings) {
+
+    Studio studio() {
+        return plan.studio();
+    }
+}

@@ -1,0 +1,156 @@
+package tompkins.ui;
+
+import java.awt.geom.Point2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.SwingUtilities;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.spacetime.Event;
+import tompkins.spacetime.SpaceTimeTransformation;
+import tompkins.trace.Frame;
+import tompkins.trace.RayLife;
+import tompkins.trace.RenderPlan;
+
+/** Follows the ray of the pixel under the mouse, on a thread of its own: what it hits, where and when, in both frames. */
+final class PixelProbe implements AutoCloseable {
+
+    /**
+     * What lies under a pixel.
+     *
+     * @param column column of the pixel
+     * @param row row of the pixel
+     * @param life the life of its ray through the centre of the lens; null if it never crosses the shutter
+     * @param object what was hit last, or null for the background
+     * @param inScene where and when, in the scene frame; null if nothing was hit
+     * @param inCamera the same event in the camera frame; null if nothing was hit
+     * @param angleDegrees angle between the look direction and the camera's velocity, in the camera frame; NaN at rest
+     * @param frequencyRatio frequency in the camera frame divided by that in the scene frame
+     */
+    record Reading(
+            int column,
+            int row,
+            RayLife life,
+            String object,
+            Event inScene,
+            Event inCamera,
+            double angleDegrees,
+            double frequencyRatio) {}
+
+    private record Question(RenderPlan plan, Point2D place, Consumer<Reading> answer) {}
+
+    private final NewestFirst<Question> worker = new NewestFirst<>("tompkins-probe", PixelProbe::answer);
+
+    /** Reads a place of a plan's picture; the answer comes on the event thread, unless a newer question comes first. */
+    void ask(RenderPlan plan, Point2D place, Consumer<Reading> answer) {
+        worker.submit(new Question(plan, place, answer));
+    }
+
+    private static void answer(Question question) {
+        Reading reading = read(question.plan, question.place);
+        SwingUtilities.invokeLater(() -> question.answer.accept(reading));
+    }
+
+    /** Reads a place of a plan's picture, in pixels. */
+    static Reading read(RenderPlan plan, Point2D place) {
+        int column = (int) place.getX();
+        int row = (int) place.getY();
+        RayLife life = RayLife.of(plan, place.getX(), place.getY(), 0, 0);
+        if (life == null) {
+            return new Reading(column, row, null, null, null, null, Double.NaN, 1);
+        }
+        RayLife.Encounter end =
+                life.hits().isEmpty() ? null : life.hits().get(life.hits().size() - 1);
+        SpaceTimeTransformation sceneFromCamera = plan.studio().sceneFromCamera();
+        boolean inCameraFrame = end != null && end.frame() == Frame.CAMERA;
+        Event inScene = end == null ? null : inCameraFrame ? sceneFromCamera.transform(end.event()) : end.event();
+        Event inCamera = end == null
+                ? null
+                : inCameraFrame ? end.event() : sceneFromCamera.inverse().transform(end.event());
+        double angle = plan.isAtRest()
+                ? Double.NaN
+                : degreesBetween(
+                        life.cameraDirection(), plan.studio().velocity().direction());
+        String object = end == null || leavesTheScene(life) ? null : end.object();
+        return new Reading(
+                column,
+                row,
+                life,
+                object,
+                object == null ? null : inScene,
+                object == null ? null : inCamera,
+                angle,
+                life.frequencyRatio());
+    }
+
+    /** Whether the ray went on after its last hit, through a window or from a mirror, and met nothing more. */
+    private static boolean leavesTheScene(RayLife life) {
+        return life.hits().get(life.hits().size() - 1).surface().continuesRays();
+    }
+
+    private static double degreesBetween(Vector3dc first, Vector3dc second) {
+        Vector3d across = new Vector3d(first).cross(second);
+        return Math.toDegrees(Math.atan2(across.length(), first.dot(second)));
+    }
+
+    /** How far away along its view a camera has to be focused for what was read to be sharp, or NaN. */
+    static double depth(RenderPlan plan, Reading reading) {
+        if (reading.inCamera() == null) {
+            return Double.NaN;
+        }
+        Vector3d view = new Vector3d(Cameras.viewDirection(plan.studio().camera())).normalize();
+        return reading.inCamera()
+                .position()
+                .sub(plan.studio().camera().position())
+                .dot(view);
+    }
+
+    /** The life of a ray in lines, as the command "trace" tells it. */
+    static List<String> story(Reading reading) {
+        List<String> lines = new ArrayList<>();
+        lines.add(Texts.get("probe.pixel", reading.column, reading.row));
+        RayLife life = reading.life;
+        if (life == null) {
+            lines.add(Texts.get("probe.noShutter"));
+            return lines;
+        }
+        lines.add(Texts.get("probe.cameraStart", Numbers.brief(life.cameraStart())));
+        lines.add(Texts.get("probe.direction", Numbers.brief(life.cameraDirection())));
+        boolean crossed = false;
+        for (RayLife.Encounter hit : life.hits()) {
+            if (!crossed && hit.frame() == Frame.SCENE) {
+                crossed = true;
+                addCrossing(lines, life);
+            }
+            lines.add(Texts.get(
+                    hit.frame() == Frame.SCENE ? "probe.hitScene" : "probe.hitCamera",
+                    hit.object(),
+                    Numbers.brief(hit.distance()),
+                    Numbers.brief(hit.event())));
+        }
+        if (!crossed && life.sceneStart() != null) {
+            addCrossing(lines, life);
+        }
+        if (reading.object == null) {
+            lines.add(Texts.get("probe.background"));
+        }
+        lines.add(Texts.get(
+                "probe.colour",
+                Numbers.brief(life.colour().red(), 4),
+                Numbers.brief(life.colour().green(), 4),
+                Numbers.brief(life.colour().blue(), 4)));
+        return lines;
+    }
+
+    private static void addCrossing(List<String> lines, RayLife life) {
+        lines.add(Texts.get("probe.sceneStart", Numbers.brief(life.sceneStart())));
+        lines.add(Texts.get("probe.direction", Numbers.brief(life.sceneDirection())));
+        lines.add(Texts.get("probe.ratio", Numbers.brief(life.frequencyRatio())));
+    }
+
+    @Override
+    public void close() {
+        worker.close();
+    }
+}

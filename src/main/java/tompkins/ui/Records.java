@@ -1,0 +1,86 @@
+package tompkins.ui;
+
+import java.lang.reflect.Constructor;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.RecordComponent;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+
+/** Reads and rebuilds descriptions without knowing them: they are records and sealed families of records. */
+final class Records {
+
+    private Records() {}
+
+    /** The value of a component. */
+    static Object get(Object holder, RecordComponent component) {
+        try {
+            return component.getAccessor().invoke(holder);
+        } catch (IllegalAccessException | InvocationTargetException e) {
+            throw new IllegalStateException(component.toString(), e);
+        }
+    }
+
+    /** The component of a record that has the given name. */
+    static RecordComponent component(Class<?> type, String name) {
+        return Arrays.stream(type.getRecordComponents())
+                .filter(component -> component.getName().equals(name))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException(type.getName() + " has no component " + name));
+    }
+
+    /**
+     * The same record with another value of one component.
+     *
+     * @throws tompkins.property.InvalidPropertyException if the record does not accept it
+     */
+    static <R> R with(R holder, String name, Object value) {
+        @SuppressWarnings("unchecked")
+        Class<R> type = (Class<R>) holder.getClass();
+        Object[] values = Arrays.stream(type.getRecordComponents())
+                .map(component -> component.getName().equals(name) ? value : get(holder, component))
+                .toArray();
+        return build(type, values);
+    }
+
+    /**
+     * A record from the values of its components.
+     *
+     * @throws tompkins.property.InvalidPropertyException if the record does not accept them
+     */
+    static <R> R build(Class<R> type, Object... values) {
+        Class<?>[] types = Arrays.stream(type.getRecordComponents())
+                .map(RecordComponent::getType)
+                .toArray(Class<?>[]::new);
+        try {
+            Constructor<R> constructor = type.getDeclaredConstructor(types);
+            return constructor.newInstance(values);
+        } catch (InvocationTargetException e) {
+            if (e.getCause() instanceof RuntimeException refused) {
+                throw refused;
+            }
+            throw new IllegalStateException(type.getName(), e);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException(type.getName(), e);
+        }
+    }
+
+    /** All records of a sealed family, in the order in which it names them; the type itself if it is a record. */
+    static List<Class<?>> records(Class<?> family) {
+        return family.isRecord() ? List.of(family) : permitted(family).toList();
+    }
+
+    private static Stream<Class<?>> permitted(Class<?> family) {
+        return Arrays.stream(family.getPermittedSubclasses())
+                .flatMap(type -> type.isSealed() ? permitted(type) : Stream.of(type));
+    }
+
+    /** The value with which a new description of a type starts. */
+    static Object defaultOf(Class<?> type) {
+        try {
+            return type.getField("DEFAULT").get(null);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException(type.getName(), e);
+        }
+    }
+}

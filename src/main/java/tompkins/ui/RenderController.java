@@ -1,0 +1,165 @@
+package tompkins.ui;
+
+import java.time.Duration;
+import java.util.List;
+import tompkins.render.RenderJob;
+import tompkins.render.RenderListener;
+import tompkins.render.Renderer;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+
+/**
+ * Makes the picture of the newest studio, away from the event thread. While a slider is dragged each picture gets as far as
+ * a frame of a smooth motion allows, then the next one takes its place; when the hand rests the picture is completed.
+ */
+final class RenderController implements AutoCloseable {
+
+    /** Told of pictures by threads of the renderer, of trouble by a thread of the controller. */
+    interface Listener {
+
+        /** There is a better picture. */
+        void picture(Picture picture);
+
+        /** There is no picture; the message says why. */
+        void failed(String message);
+    }
+
+    /** A picture is shown coarse if the next finer one would come later than this after the change. */
+    private static final Duration PATIENCE = Duration.ofMillis(40);
+
+    /** A picture that has been worked on for so long has been seen, and gives way to a newer one. */
+    private static final Duration FRAME = Duration.ofMillis(33);
+
+    /** A picture that has nothing to show after this time gives way all the same. */
+    private static final Duration LONGEST_WAIT = Duration.ofMillis(80);
+
+    /** The sum of the parts of the work may miss 1 by its rounding. */
+    private static final double ALMOST_ONE = 1 - 1e-9;
+
+    private record Request(Studio studio, long time) {}
+
+    private final Renderer renderer = new Renderer();
+    private final Listener listener;
+    private final NewestFirst<Request> planner;
+    private volatile Run run;
+
+    RenderController(Listener listener) {
+        this.listener = listener;
+        planner = new NewestFirst<>("tompkins-plan", this::render);
+    }
+
+    /** Asks for the picture of a studio instead of all that were asked for before. Returns at once. */
+    void show(Studio studio) {
+        planner.submit(new Request(studio, System.nanoTime()));
+    }
+
+    /** Ends the work on the picture; what is there stays. */
+    void stop() {
+        Run running = run;
+        if (running != null) {
+            running.job.cancel();
+        }
+    }
+
+    /** Whether the newest picture is not complete yet. */
+    boolean isBusy() {
+        Run running = run;
+        return planner.hasNewer() || running != null && !running.ended;
+    }
+
+    /** The share of the picture that is done, from 0 to 1. */
+    double progress() {
+        Run running = run;
+        return running == null || running.job.isCancelled() ? 1 : running.job.progress();
+    }
+
+    private void render(Request request) {
+        try {
+            giveWay();
+            if (planner.hasNewer()) {
+                return;
+            }
+            RenderPlan plan = RenderPlan.of(request.studio);
+            if (!planner.hasNewer()) {
+                Run next = new Run(request.time);
+                next.job = renderer.startCoarse(plan, next);
+                run = next;
+            }
+        } catch (InterruptedException closing) {
+            Thread.currentThread().interrupt();
+        } catch (RuntimeException | OutOfMemoryError | StackOverflowError error) {
+            listener.failed(message(error));
+        }
+    }
+
+    /** Ends the running picture as soon as it has been of use. */
+    private void giveWay() throws InterruptedException {
+        Run running = run;
+        if (running == null) {
+            return;
+        }
+        while (!running.mayEnd()) {
+            Thread.sleep(1);
+        }
+        running.job.cancel();
+    }
+
+    private static String message(Throwable error) {
+        return error.getMessage() == null ? error.getClass().getSimpleName() : error.getMessage();
+    }
+
+    @Override
+    public void close() {
+        planner.close();
+        stop();
+        renderer.close();
+    }
+
+    /** One picture on its way. */
+    private final class Run implements RenderListener {
+
+        private final long changeTime;
+        private final long startTime = System.nanoTime();
+        private volatile RenderJob job;
+        private volatile boolean shown;
+        private volatile boolean ended;
+
+        Run(long changeTime) {
+            this.changeTime = changeTime;
+        }
+
+        boolean mayEnd() {
+            long age = System.nanoTime() - startTime;
+            return ended || shown && age >= FRAME.toNanos() || age >= LONGEST_WAIT.toNanos();
+        }
+
+        @Override
+        public void passDone(RenderJob rendered) {
+            long now = System.nanoTime();
+            // each of the coarse passes takes three times the samples of all before it
+            long nextPass = now - changeTime + 3 * (now - startTime);
+            boolean finerSoon = !shown && nextPass < PATIENCE.toNanos();
+            boolean last = rendered.progress() > ALMOST_ONE;
+            if (!finerSoon && !last && !rendered.isCancelled()) {
+                deliver(rendered, false);
+            }
+        }
+
+        @Override
+        public void ended(RenderJob rendered) {
+            ended = true;
+            if (rendered.failure() != null) {
+                listener.failed(message(rendered.failure()));
+            } else if (rendered.isComplete()) {
+                deliver(rendered, true);
+            }
+        }
+
+        private void deliver(RenderJob rendered, boolean complete) {
+            Duration time = Duration.ofNanos(System.nanoTime() - changeTime);
+            List<String> warnings = complete ? rendered.report().warnings() : List.of();
+            listener.picture(new Picture(rendered.plan(), rendered.image(), complete, time, warnings));
+            shown = true;
+        }
+    }
+}

@@ -1,0 +1,25 @@
+package tompkins.ui;
+
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+
+/** The grid that all panels share, so that their columns stand under each other. */
+final class Rows {
+
+    private Rows() {}
+
+    /** A panel of three columns: name, control, field. */
+    static JPanel panel() {
+        JPanel panel = new JPanel(
+                new MigLayout("insets 0, fillx, wrap 3, hidemode 3, gap 6 5", "[76::,pref][grow,fill][72!]"));
+        panel.setOpaque(false);
+        return panel;
+    }
+
+    /** A panel of one column. */
+    static JPanel column() {
+        JPanel panel = new JPanel(new MigLayout("insets 0, fillx, wrap 1, hidemode 3, gap 6 5", "[grow,fill]"));
+        panel.setOpaque(false);
+        return panel;
+    }
+}

@@ -1,0 +1,41 @@
+package tompkins.ui;
+
+import java.lang.reflect.RecordComponent;
+import java.util.List;
+import org.joml.Vector3dc;
+import tompkins.studio.Studio;
+
+/** How large a scene is, so that sliders have sensible ends. */
+final class SceneSize {
+
+    private SceneSize() {}
+
+    /** The largest coordinate that an object of the scene or the focus mentions; at least 1. */
+    static double of(Studio studio) {
+        double focus = Cameras.focusDistance(studio.camera());
+        return Math.max(Double.isFinite(focus) ? focus : 1, Math.max(1, largest(studio.scene())));
+    }
+
+    private static double largest(Object value) {
+        if (value instanceof Vector3dc vector) {
+            return Math.max(Math.abs(vector.x()), Math.max(Math.abs(vector.y()), Math.abs(vector.z())));
+        }
+        if (value instanceof List<?> list) {
+            return list.stream().mapToDouble(SceneSize::largest).max().orElse(0);
+        }
+        double largest = 0;
+        if (value instanceof Record) {
+            for (RecordComponent component : value.getClass().getRecordComponents()) {
+                largest = Math.max(largest, largest(Records.get(value, component)));
+            }
+        }
+        return largest;
+    }
+
+    /** A slider for times: a little more than light needs through the scene, and far enough for the time that is set. */
+    static Range times(Studio studio) {
+        double time = Math.abs(studio.camera().shutter().openingTime());
+        double end = Numbers.niceCeiling(Math.max(1.2 * of(studio), time));
+        return Range.even(-end, end);
+    }
+}

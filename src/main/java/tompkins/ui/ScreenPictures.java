@@ -1,0 +1,91 @@
+package tompkins.ui;
+
+import java.awt.Dimension;
+import java.awt.image.BufferedImage;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import javax.swing.SwingUtilities;
+
+/**
+ * Turns pictures into images of the size of the canvas, on a thread of its own, and hands the newest to the event thread.
+ * However fast pictures come, the event thread has one at a time to paint.
+ */
+final class ScreenPictures implements AutoCloseable {
+
+    /** What is wanted: pictures, and the size in which they are shown. */
+    private record Wanted(Picture now, Picture other, Dimension canvas, boolean difference) {}
+
+    private final AtomicReference<Wanted> wanted =
+            new AtomicReference<>(new Wanted(null, null, new Dimension(1, 1), false));
+    private final AtomicReference<ScreenPicture> ready = new AtomicReference<>();
+    private final NewestFirst<Wanted> worker;
+    private final Consumer<ScreenPicture> screen;
+    private Wanted doneFor;
+    private ScreenPicture done = ScreenPicture.EMPTY;
+
+    /** Hands images to {@code screen} on the event thread. */
+    ScreenPictures(Consumer<ScreenPicture> screen) {
+        this.screen = screen;
+        worker = new NewestFirst<>("tompkins-screen", this::prepare);
+    }
+
+    /** There is a better picture. Called by any thread. */
+    void setNow(Picture picture) {
+        want(old -> new Wanted(picture, old.other, old.canvas, old.difference));
+    }
+
+    /** There is another picture to compare with, or none. Called by any thread. */
+    void setOther(Picture picture) {
+        want(old -> new Wanted(old.now, picture, old.canvas, old.difference));
+    }
+
+    /** Whether the difference is wanted, too. */
+    void setDifference(boolean difference) {
+        want(old -> new Wanted(old.now, old.other, old.canvas, difference));
+    }
+
+    /** The canvas has another size, in pixels of the screen. */
+    void setCanvas(Dimension size) {
+        want(old -> new Wanted(old.now, old.other, size, old.difference));
+    }
+
+    private void want(UnaryOperator<Wanted> change) {
+        Wanted now = wanted.updateAndGet(change);
+        if (now.now != null) {
+            worker.submit(now);
+        }
+    }
+
+    private void prepare(Wanted order) {
+        boolean sameSize = doneFor != null && doneFor.canvas.equals(order.canvas);
+        BufferedImage now = sameSize && order.now == done.now() ? done.nowImage() : image(order.now, order);
+        BufferedImage other = sameSize && order.other == done.other() ? done.otherImage() : image(order.other, order);
+        BufferedImage difference = order.difference && other != null && sameShape(now, other)
+                ? ScreenPicture.difference(now, other)
+                : null;
+        done = new ScreenPicture(order.now, now, order.other, other, difference);
+        doneFor = order;
+        if (ready.getAndSet(done) == null) {
+            SwingUtilities.invokeLater(() -> screen.accept(ready.getAndSet(null)));
+        }
+    }
+
+    private static BufferedImage image(Picture picture, Wanted order) {
+        if (picture == null) {
+            return null;
+        }
+        Dimension fitted =
+                Fit.size(picture.image().width(), picture.image().height(), order.canvas.width, order.canvas.height);
+        return ScreenPicture.scaled(ScreenPicture.levels(picture), fitted);
+    }
+
+    private static boolean sameShape(BufferedImage first, BufferedImage second) {
+        return first.getWidth() == second.getWidth() && first.getHeight() == second.getHeight();
+    }
+
+    @Override
+    public void close() {
+        worker.close();
+    }
+}

@@ -1,0 +1,151 @@
+package tompkins.ui;
+
+import java.awt.Component;
+import java.util.List;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.ListCellRenderer;
+import net.miginfocom.swing.MigLayout;
+import tompkins.property.Require;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.Event;
+import tompkins.studio.Studio;
+
+/** Where the shutter is, when it opens, and where the aperture is in the scene then. */
+final class ShutterPanel {
+
+    private final StudioModel model;
+    private final JPanel panel = Rows.column();
+    private final JComboBox<Class<?>> models = new JComboBox<>();
+    private final Updating updating = new Updating();
+    private final Note meaning = new Note("");
+    private final Note place = new Note("");
+    private final Note note = new Note("");
+    private final NumberRow time;
+    private final JPanel timeRow = Rows.panel();
+    private final JPanel parameters = Rows.column();
+    private Class<?> shownModel;
+    private RecordForm form;
+
+    ShutterPanel(StudioModel model) {
+        this.model = model;
+        Records.records(Shutter.class).forEach(models::addItem);
+        models.setName(Texts.get("shutter.name"));
+        models.getAccessibleContext().setAccessibleName(Texts.get("shutter.name"));
+        models.setRenderer(new ModelRenderer());
+        models.setMaximumRowCount(models.getItemCount());
+        models.addActionListener(event -> updating.unless(this::choose));
+        time = new NumberRow(
+                model,
+                "openingTime",
+                Texts.get("shutter.time"),
+                Texts.get("shutter.timeTip"),
+                SceneSize.times(model.studio()),
+                value -> withShutter(shutter().openedAt(requireFinite(value))));
+        time.addTo(timeRow);
+        panel.add(models, "wmin 0");
+        panel.add(meaning.component(), "wmin 0");
+        panel.add(note.component(), "wmin 0");
+        panel.add(timeRow, "wmin 0");
+        panel.add(parameters, "wmin 0");
+        panel.add(place.component(), "wmin 0");
+        model.addListener(this::update);
+        update();
+    }
+
+    private static double requireFinite(double value) {
+        return Require.finite("openingTime", value);
+    }
+
+    JComponent component() {
+        return panel;
+    }
+
+    private Shutter shutter() {
+        return model.studio().camera().shutter();
+    }
+
+    private Studio withShutter(Shutter shutter) {
+        return model.studio().withCamera(model.studio().camera().withShutter(shutter));
+    }
+
+    private void choose() {
+        Class<?> chosen = (Class<?>) models.getSelectedItem();
+        if (chosen != shownModel) {
+            ValueEditors.attempt(note, () -> model.set(Shutters.replaced(model.studio(), chosen)));
+        }
+    }
+
+    private void update() {
+        Shutter shutter = shutter();
+        if (shutter.getClass() != shownModel) {
+            shownModel = shutter.getClass();
+            updating.during(() -> models.setSelectedItem(shownModel));
+            meaning.setText(Descriptions.meaning(shownModel));
+            replaceForm();
+        }
+        boolean hasTime = hasOpeningTime(shownModel);
+        timeRow.setVisible(hasTime);
+        if (hasTime) {
+            time.setRange(SceneSize.times(model.studio()));
+            time.show(shutter.openingTime());
+        }
+        form.show(shutter);
+    }
+
+    static boolean hasOpeningTime(Class<?> shutter) {
+        return List.of(shutter.getRecordComponents()).stream()
+                .anyMatch(component -> component.getName().equals("openingTime"));
+    }
+
+    private void replaceForm() {
+        parameters.removeAll();
+        form = new RecordForm(
+                shownModel,
+                component -> !component.getName().equals("openingTime"),
+                changed -> model.set(withShutter((Shutter) changed)));
+        parameters.add(form.component(), "wmin 0");
+        parameters.setVisible(!form.isEmpty());
+        parameters.revalidate();
+    }
+
+    /** Shows where the centre of the aperture is in the scene frame when the picture is taken. */
+    void showPlace(Event lensInScene) {
+        place.setText(Texts.get("shutter.place", Numbers.brief(lensInScene)));
+    }
+
+    /** A drawing, the name, and in the list a line that says what the model does. */
+    private static final class ModelRenderer implements ListCellRenderer<Class<?>> {
+
+        private final JPanel cell =
+                new JPanel(new MigLayout("insets 4 6 4 6, gap 8 2, hidemode 3", "[pref!][230!,fill]"));
+        private final JLabel icon = new JLabel();
+        private final JLabel name = new JLabel();
+        private final JLabel line = new JLabel();
+
+        ModelRenderer() {
+            cell.add(icon, "spany 2, aligny top");
+            cell.add(name, "wrap, wmin 0");
+            cell.add(line, "wmin 0");
+        }
+
+        @Override
+        public Component getListCellRendererComponent(
+                JList<? extends Class<?>> list, Class<?> model, int index, boolean selected, boolean focused) {
+            icon.setIcon(new ShutterIcon(model));
+            name.setText(model == null ? "" : Descriptions.label(model));
+            boolean inList = index >= 0;
+            line.setVisible(inList);
+            line.putClientProperty("FlatLaf.styleClass", "small");
+            line.setText(inList ? "<html>" + Descriptions.meaning(model) : "");
+            cell.setOpaque(inList);
+            cell.setBackground(selected ? list.getSelectionBackground() : list.getBackground());
+            name.setForeground(selected && inList ? list.getSelectionForeground() : list.getForeground());
+            line.setForeground(name.getForeground());
+            return cell;
+        }
+    }
+}

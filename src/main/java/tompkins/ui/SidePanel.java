@@ -1,0 +1,91 @@
+package tompkins.ui;
+
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.ScrollPaneConstants;
+import tompkins.trace.RenderPlan;
+
+/** The narrow panel beside the photograph: all that a teacher turns, one part under the other. */
+final class SidePanel {
+
+    private final JPanel panel = new Column();
+    private final JScrollPane scroll;
+    private final ShutterPanel shutter;
+    private final LensPanel lens;
+    private final ComparePanel compare;
+    private final PlanFold plan = new PlanFold();
+    private final RaySection ray;
+    private Picture shown;
+
+    /** The panel for a photograph. */
+    SidePanel(StudioModel model, PhotographView view) {
+        shutter = new ShutterPanel(model);
+        lens = new LensPanel(model, picking -> pick(model, view, picking));
+        compare = new ComparePanel(() -> compareAgain(view), view.canvas()::setOtherAlone, view::pinPicture);
+        ray = new RaySection(() -> view.setPin(null));
+        add("section.velocity", new VelocityPanel(model).component(), true);
+        add("section.shutter", shutter.component(), true);
+        add("section.lens", lens.component(), true);
+        add("section.compare", compare.component(), false);
+        add("section.transformation", new TransformationPanel(model).component(), false);
+        add("section.window", new WindowPanel(model).component(), false);
+        add("section.plan", plan.component(), false);
+        panel.add(ray.component());
+        scroll = new JScrollPane(
+                panel,
+                ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
+                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        scroll.setBorder(BorderFactory.createEmptyBorder());
+        scroll.getVerticalScrollBar().setUnitIncrement(20);
+    }
+
+    private void add(String title, JComponent content, boolean open) {
+        panel.add(new Section(Texts.get(title), content, open).component());
+    }
+
+    private void compareAgain(PhotographView view) {
+        // the panel tells of its first state while it is being made
+        if (compare != null) {
+            view.compare(compare);
+        }
+    }
+
+    private void pick(StudioModel model, PhotographView view, boolean picking) {
+        view.pickDistance(
+                picking
+                        ? distance -> {
+                            lens.endPicking();
+                            if (distance > 0) {
+                                model.set(model.studio()
+                                        .withCamera(Cameras.focusedAt(
+                                                model.studio().camera(), Numbers.rounded(distance, 6))));
+                            }
+                        }
+                        : null);
+    }
+
+    JComponent component() {
+        return scroll;
+    }
+
+    ComparePanel compare() {
+        return compare;
+    }
+
+    /** Shows what there is to say about the picture on the screen. */
+    void show(Picture picture) {
+        RenderPlan made = picture.plan();
+        if (shown == null || shown.plan() != made || !shown.warnings().equals(picture.warnings())) {
+            plan.show(made.sentences(), picture.warnings());
+            shutter.showPlace(made.lensInScene());
+        }
+        shown = picture;
+    }
+
+    /** Shows the life of the pinned ray, or nothing if it is null. */
+    void show(PixelProbe.Reading pinned) {
+        ray.show(pinned);
+    }
+}

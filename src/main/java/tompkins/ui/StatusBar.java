@@ -1,0 +1,104 @@
+package tompkins.ui;
+
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import javax.swing.Timer;
+import net.miginfocom.swing.MigLayout;
+
+/** The line under the photograph: what is under the mouse, and how far the picture is. */
+final class StatusBar {
+
+    private static final int STEPS = 100;
+
+    private final JPanel panel = new JPanel(new MigLayout("insets 4 10 5 10, fillx, gap 12 1", "[grow,fill][pref!]"));
+    private final JLabel what = new JLabel(" ");
+    private final JLabel where = new JLabel(" ");
+    private final JLabel picture = new JLabel(" ");
+    private final JProgressBar progress = new JProgressBar(0, STEPS);
+    private final Timer timer;
+
+    /** A status bar that shows the progress of a controller. */
+    StatusBar(RenderController controller) {
+        what.setName("status.what");
+        where.setName("status.where");
+        where.putClientProperty("FlatLaf.styleClass", "small");
+        picture.setName("status.picture");
+        progress.setName("status.progress");
+        progress.getAccessibleContext().setAccessibleName(Texts.get("status.progress"));
+        progress.setVisible(false);
+        panel.add(what, "wmin 0");
+        panel.add(picture, "wrap, alignx right");
+        panel.add(where, "wmin 0");
+        panel.add(progress, "w 120!, h 6!, aligny center, alignx right");
+        showIdle();
+        timer = new Timer(200, event -> {
+            boolean busy = controller.isBusy();
+            progress.setVisible(busy);
+            progress.setValue((int) (controller.progress() * STEPS));
+        });
+        timer.start();
+    }
+
+    JComponent component() {
+        return panel;
+    }
+
+    void stop() {
+        timer.stop();
+    }
+
+    private void showIdle() {
+        what.setText(Texts.get("status.idle"));
+        where.setText(" ");
+    }
+
+    /** Shows what lies under the mouse, or a hint if that is nothing. */
+    void show(PixelProbe.Reading reading) {
+        if (reading == null) {
+            showIdle();
+            return;
+        }
+        String object = reading.life() == null
+                ? Texts.get("probe.noShutter")
+                : reading.object() == null ? Texts.get("probe.background") : reading.object();
+        StringBuilder text = new StringBuilder(Texts.get("probe.pixel", reading.column(), reading.row()))
+                .append("  \u00b7  ")
+                .append(object);
+        if (Double.isFinite(reading.angleDegrees())) {
+            text.append("  \u00b7  ")
+                    .append(Texts.get("status.angle", Numbers.brief(reading.angleDegrees(), 4)))
+                    .append("  \u00b7  ")
+                    .append(Texts.get("probe.ratio", Numbers.brief(reading.frequencyRatio(), 4)));
+        }
+        what.setText(text.toString());
+        where.setText(
+                reading.inScene() == null
+                        ? " "
+                        : Texts.get(
+                                "status.events", Numbers.brief(reading.inScene()), Numbers.brief(reading.inCamera())));
+        where.setToolTipText(where.getText());
+    }
+
+    /** Shows what the picture on the screen is. */
+    void show(Picture shown) {
+        long milliseconds = shown.time().toMillis();
+        picture.setText(Texts.get(
+                shown.complete() ? "status.complete" : "status.refining",
+                shown.image().width(),
+                shown.image().height(),
+                shown.studio().settings().samples(),
+                milliseconds < 1000 ? milliseconds + " ms" : Numbers.brief(milliseconds / 1000.0, 3) + " s"));
+    }
+
+    /** Shows one line of text, until the mouse moves. */
+    void say(String message) {
+        what.setText(message);
+        where.setText(" ");
+    }
+
+    String message() {
+        return what.getText();
+    }
+}

@@ -1,0 +1,169 @@
+package tompkins.ui;
+
+import java.awt.Component;
+import java.lang.reflect.RecordComponent;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.joml.Vector3i;
+import org.joml.Vector3ic;
+import tompkins.property.InvalidPropertyException;
+import tompkins.ray.Colour;
+import tompkins.ray.PixelPicture;
+import tompkins.spacetime.Velocity;
+
+/** Chooses the controls for a component of a description by its type. */
+final class ValueEditors {
+
+    private ValueEditors() {}
+
+    /**
+     * Controls for a component.
+     *
+     * @param note where messages go
+     * @param commit takes a new value, or throws {@link InvalidPropertyException}
+     */
+    static ValueEditor of(RecordComponent component, Note note, Consumer<Object> commit) {
+        Class<?> type = component.getType();
+        String name = component.getName();
+        String label = Descriptions.label(name);
+        String tip = Descriptions.meaning(component);
+        if (type == double.class) {
+            return number(new NumberField(name, label, tip, note, commit::accept));
+        }
+        if (type == int.class) {
+            return number(new NumberField(name, label, tip, note, value -> commit.accept((int) whole(name, value))));
+        }
+        if (type == long.class) {
+            return number(new NumberField(name, label, tip, note, value -> commit.accept(whole(name, value))));
+        }
+        if (type == String.class) {
+            return text(new EntryField(label, tip, note, commit::accept));
+        }
+        if (type == boolean.class) {
+            return check(label, tip, note, commit);
+        }
+        if (type.isEnum()) {
+            return choice(type, label, tip, note, commit);
+        }
+        if (type == Vector3dc.class) {
+            return vector(new VectorFields(name, tip, note, commit::accept));
+        }
+        if (type == Vector3ic.class) {
+            return vector(new VectorFields(
+                    name,
+                    tip,
+                    note,
+                    vector -> commit.accept(
+                            new Vector3i((int) whole(name, vector.x()), (int) whole(name, vector.y()), (int)
+                                    whole(name, vector.z())))));
+        }
+        if (type == Colour.class) {
+            return new ColourEditor(name, tip, note, commit);
+        }
+        if (type == Velocity.class) {
+            return new VelocityEditor(tip, note, commit);
+        }
+        if (type == PixelPicture.class) {
+            return new PixelPictureEditor(label, tip, note, commit);
+        }
+        if (type.isRecord() || type.isSealed()) {
+            return new FamilyEditor(type, label, note, commit);
+        }
+        throw new IllegalArgumentException("no editor for " + component);
+    }
+
+    private static long whole(String name, double value) {
+        if (value != Math.rint(value) || Math.abs(value) > Integer.MAX_VALUE) {
+            throw new InvalidPropertyException(name, "a whole number", Numbers.text(value));
+        }
+        return (long) value;
+    }
+
+    private static ValueEditor number(NumberField field) {
+        return editor(field.field(), value -> field.show(((Number) value).doubleValue()));
+    }
+
+    private static ValueEditor text(EntryField field) {
+        return editor(field.field(), value -> field.show((String) value));
+    }
+
+    private static ValueEditor vector(VectorFields fields) {
+        JPanel row = new JPanel(new MigLayout("insets 0, fillx, gap 4", "[grow,fill][grow,fill][grow,fill]"));
+        row.setOpaque(false);
+        fields.addInRow(row);
+        return editor(
+                row, value -> fields.show(value instanceof Vector3ic whole ? new Vector3d(whole) : (Vector3dc) value));
+    }
+
+    private static ValueEditor check(String label, String tip, Note note, Consumer<Object> commit) {
+        JCheckBox box = new JCheckBox();
+        box.setName(label);
+        box.getAccessibleContext().setAccessibleName(label);
+        box.setToolTipText(Tips.html(tip));
+        box.addActionListener(event -> {
+            if (!attempt(note, () -> commit.accept(box.isSelected()))) {
+                box.setSelected(!box.isSelected());
+            }
+        });
+        return editor(box, value -> box.setSelected((Boolean) value));
+    }
+
+    private static ValueEditor choice(Class<?> type, String label, String tip, Note note, Consumer<Object> commit) {
+        JComboBox<Object> box = new JComboBox<>(type.getEnumConstants());
+        box.setRenderer(renderer(value -> Descriptions.label((Enum<?>) value)));
+        box.setName(label);
+        box.getAccessibleContext().setAccessibleName(label);
+        box.setToolTipText(Tips.html(tip));
+        Updating updating = new Updating();
+        box.addActionListener(event ->
+                updating.unless(() -> attempt(note, () -> commit.accept(box.getSelectedItem()))));
+        return editor(box, value -> updating.during(() -> box.setSelectedItem(value)));
+    }
+
+    /** Shows the objects of a combo box by their names. */
+    static DefaultListCellRenderer renderer(Function<Object, String> name) {
+        return new DefaultListCellRenderer() {
+            @Override
+            public Component getListCellRendererComponent(
+                    JList<?> list, Object value, int index, boolean selected, boolean focused) {
+                return super.getListCellRendererComponent(
+                        list, value == null ? "" : name.apply(value), index, selected, focused);
+            }
+        };
+    }
+
+    /** Does what may be refused; a refusal is shown in the note. */
+    static boolean attempt(Note note, Runnable change) {
+        try {
+            change.run();
+            note.setText("");
+            return true;
+        } catch (InvalidPropertyException wrong) {
+            note.setError(wrong.getMessage());
+            return false;
+        }
+    }
+
+    private static ValueEditor editor(JComponent component, Consumer<Object> show) {
+        return new ValueEditor() {
+            @Override
+            public JComponent component() {
+                return component;
+            }
+
+            @Override
+            public void show(Object value) {
+                show.accept(value);
+            }
+        };
+    }
+}

@@ -1,0 +1,58 @@
+package tompkins.ui;
+
+import java.util.function.BiConsumer;
+import javax.swing.JSlider;
+
+/** A slider for a value; all moves of one drag are one gesture. */
+final class ValueSlider {
+
+    private static final int STEPS = 1000;
+
+    private final JSlider slider = new JSlider(0, STEPS, 0);
+    private final Object gesture = new Object();
+    private Range range;
+    private boolean updating;
+
+    /**
+     * A slider.
+     *
+     * @param moved takes the value and the gesture it belongs to
+     * @param released called when the hand lets go
+     */
+    ValueSlider(String name, String tip, Range range, BiConsumer<Double, Object> moved, Runnable released) {
+        this.range = range;
+        slider.setName(name);
+        slider.setToolTipText(tip.isEmpty() ? null : Tips.html(tip));
+        slider.getAccessibleContext().setAccessibleName(name);
+        slider.getAccessibleContext().setAccessibleDescription(tip);
+        slider.addChangeListener(event -> {
+            if (updating) {
+                return;
+            }
+            moved.accept(this.range.value((double) slider.getValue() / STEPS), gesture);
+            if (!slider.getValueIsAdjusting()) {
+                released.run();
+            }
+        });
+    }
+
+    JSlider slider() {
+        return slider;
+    }
+
+    /** Other values at the ends; not while the hand moves the slider. */
+    void setRange(Range other) {
+        if (!slider.getValueIsAdjusting()) {
+            range = other;
+        }
+    }
+
+    /** Shows a value, without telling anybody. */
+    void show(double value) {
+        if (!slider.getValueIsAdjusting()) {
+            updating = true;
+            slider.setValue((int) Math.round(range.place(value) * STEPS));
+            updating = false;
+        }
+    }
+}

@@ -1,0 +1,59 @@
+package tompkins.ui;
+
+import java.util.function.Consumer;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.Velocity;
+
+/** Controls for a velocity in a form: its speed as it is written, and its direction. */
+final class VelocityEditor implements ValueEditor {
+
+    private static final Vector3dc FORWARDS = new Vector3d(0, 0, 1);
+
+    private final JPanel panel =
+            new JPanel(new MigLayout("insets 0, fillx, wrap 3, gap 4", "[grow,fill][grow,fill][grow,fill]"));
+    private final EntryField speed;
+    private final VectorFields direction;
+    private Velocity velocity = Velocity.REST;
+
+    VelocityEditor(String tip, Note note, Consumer<Object> commit) {
+        panel.setOpaque(false);
+        speed = new EntryField(
+                Texts.get("speed.name"),
+                tip + ". " + Texts.get("speed.tip"),
+                note,
+                text -> commit.accept(SpeedText.parse(text, SpeedScale.BETA, directionOf(velocity))));
+        direction = new VectorFields("direction", Texts.get("direction.tip"), note, vector -> {
+            SpeedScale scale = velocity.scale() == null ? SpeedScale.BETA : velocity.scale();
+            commit.accept(Velocity.of(scale, scale.valueOf(velocity), vector));
+        });
+        panel.add(speed.field(), "span, growx, wmin 0");
+        direction.addInRow(panel);
+    }
+
+    private static Vector3dc directionOf(Velocity velocity) {
+        return velocity.given().lengthSquared() > 0 ? velocity.given() : FORWARDS;
+    }
+
+    @Override
+    public JComponent component() {
+        return panel;
+    }
+
+    @Override
+    public void show(Object value) {
+        velocity = (Velocity) value;
+        speed.show(
+                switch (velocity.scale() == null ? SpeedScale.BETA : velocity.scale()) {
+                    case BETA -> Numbers.text(velocity.speed());
+                    case GAMMA -> "gamma " + Numbers.text(velocity.value());
+                    case RAPIDITY -> "rapidity " + Numbers.text(velocity.value());
+                    case ONE_MINUS_BETA -> "1-" + Numbers.text(velocity.value());
+                });
+        direction.show(directionOf(velocity));
+    }
+}
