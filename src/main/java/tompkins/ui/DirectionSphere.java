@@ -19,7 +19,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.util.function.BiConsumer;
 import javax.swing.AbstractAction;
-import javax.swing.JComponent;
+import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import javax.swing.UIManager;
 import org.joml.Vector3d;
@@ -30,12 +30,12 @@ import org.joml.Vector3dc;
  * can be dragged; arrow keys turn it by 5 degrees. Past the rim, or with Shift, it points towards the viewer.
  */
 @SuppressWarnings("serial") // never written to a stream
-final class DirectionSphere extends JComponent {
+final class DirectionSphere extends JPanel {
 
     private static final double STEP = Math.toRadians(5);
 
-    /** The view: turned to the left and down a little, so that z does not hide behind the origin. */
-    private static final double TURN = Math.toRadians(-28);
+    /** The view: turned to the right and down a little, so that z does not hide behind the origin. */
+    private static final double TURN = Math.toRadians(38);
 
     private static final double TILT = Math.toRadians(22);
 
@@ -46,6 +46,7 @@ final class DirectionSphere extends JComponent {
     /** A sphere that tells of new directions with the gesture that they belong to, and of the end of a gesture. */
     DirectionSphere(BiConsumer<Vector3dc, Object> turned, Runnable released) {
         this.turned = turned;
+        setOpaque(false);
         setName(Texts.get("direction.name"));
         getAccessibleContext().setAccessibleName(Texts.get("direction.name"));
         setToolTipText(Tips.html(Texts.get("direction.tip")));

@@ -31,6 +31,7 @@ final class Note {
         area.setWrapStyleWord(true);
         area.setColumns(1);
         area.updateUI();
+        area.setVisible(false);
         setText(text);
     }
 

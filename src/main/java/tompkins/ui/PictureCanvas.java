@@ -21,12 +21,12 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.function.Consumer;
-import javax.swing.JComponent;
+import javax.swing.JPanel;
 import javax.swing.UIManager;
 
 /** Shows the photograph as large as the window allows, alone or beside another one, and knows what lies under the mouse. */
 @SuppressWarnings("serial") // never written to a stream
-final class PictureCanvas extends JComponent {
+final class PictureCanvas extends JPanel {
 
     /** Told what the mouse does on the picture; places in pixels of the picture. */
     interface Mouse {

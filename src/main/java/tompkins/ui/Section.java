@@ -27,7 +27,10 @@ final class Section {
         heading = new JToggleButton(title, new Arrow(), open);
         heading.setHorizontalAlignment(SwingConstants.LEADING);
         heading.putClientProperty("JButton.buttonType", "borderless");
-        heading.putClientProperty("FlatLaf.styleClass", "section");
+        heading.putClientProperty(
+                "FlatLaf.style",
+                "font: bold; toolbar.selectedBackground: null; toolbar.hoverBackground: $Tompkins.hover;"
+                        + " margin: 3,2,3,2");
         heading.setName(title);
         heading.getAccessibleContext().setAccessibleDescription(Texts.get("section.tip"));
         heading.addItemListener(event -> {

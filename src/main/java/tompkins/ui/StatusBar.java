@@ -83,12 +83,13 @@ final class StatusBar {
 
     /** Shows what the picture on the screen is. */
     void show(Picture shown) {
+        int samples = shown.studio().settings().samples();
         long milliseconds = shown.time().toMillis();
         picture.setText(Texts.get(
                 shown.complete() ? "status.complete" : "status.refining",
                 shown.image().width(),
                 shown.image().height(),
-                shown.studio().settings().samples(),
+                Texts.get(samples == 1 ? "status.sample" : "status.samples", samples),
                 milliseconds < 1000 ? milliseconds + " ms" : Numbers.brief(milliseconds / 1000.0, 3) + " s"));
     }
 

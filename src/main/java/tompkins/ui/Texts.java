@@ -1,6 +1,7 @@
 package tompkins.ui;
 
 import java.text.MessageFormat;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.MissingResourceException;
 import java.util.ResourceBundle;
@@ -19,7 +20,9 @@ final class Texts {
 
     /** The text for a key, with values in its places {0}, {1}, ... */
     static String get(String key, Object... values) {
-        return new MessageFormat(get(key), Locale.ROOT).format(values);
+        // as texts: a number would be given signs between its thousands
+        Object[] texts = Arrays.stream(values).map(String::valueOf).toArray();
+        return new MessageFormat(get(key), Locale.ROOT).format(texts);
     }
 
     /** The text for a key, or another one if the bundle has none. */

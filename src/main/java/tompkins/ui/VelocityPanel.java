@@ -171,6 +171,6 @@ final class VelocityPanel {
         if (scale == SpeedScale.BETA && value > 0.999999) {
             return "1-" + Numbers.brief(velocity.oneMinusSpeed());
         }
-        return Numbers.text(velocity.scale() == scale ? value : Numbers.rounded(value, 9));
+        return Numbers.text(velocity.scale() == scale ? value : Numbers.rounded(value, 7));
     }
 }

@@ -1,0 +1,103 @@
+package tompkins.ui;
+
+import java.awt.Window;
+import java.util.concurrent.CancellationException;
+import javax.swing.JButton;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import javax.swing.SwingUtilities;
+import javax.swing.Timer;
+import net.miginfocom.swing.MigLayout;
+
+/** Work that takes a while, away from the event thread; a small window shows how far it is, and can cancel it. */
+final class BackgroundTask {
+
+    /** The work. */
+    interface Work {
+
+        /** Does the work; returns early if the task is cancelled. */
+        void run(BackgroundTask task) throws Exception;
+    }
+
+    private static final int STEPS = 1000;
+
+    /** Shorter work shows no window. */
+    private static final int PATIENCE_MILLISECONDS = 400;
+
+    private final Window owner;
+    private final JDialog dialog;
+    private final JProgressBar bar = new JProgressBar(0, STEPS);
+    private volatile double progress;
+    private volatile boolean cancelled;
+
+    private BackgroundTask(Window owner, String title) {
+        this.owner = owner;
+        dialog = new JDialog(owner, title);
+        JPanel panel = new JPanel(new MigLayout("insets 16, wrap 1, gap 0 12", "[320!,fill]"));
+        panel.add(new JLabel(title));
+        panel.add(bar);
+        JButton cancel = new JButton(Texts.get("task.cancel"));
+        cancel.setName(Texts.get("task.cancel"));
+        cancel.addActionListener(event -> cancelled = true);
+        bar.getAccessibleContext().setAccessibleName(title);
+        panel.add(cancel, "growx 0, alignx right");
+        dialog.setContentPane(panel);
+        dialog.getRootPane().setDefaultButton(cancel);
+        dialog.setName("task");
+        dialog.setDefaultCloseOperation(JDialog.DO_NOTHING_ON_CLOSE);
+        dialog.pack();
+        dialog.setResizable(false);
+        dialog.setLocationRelativeTo(owner);
+    }
+
+    /**
+     * Starts work. Called by the event thread.
+     *
+     * @param done called on the event thread if the work was done and not cancelled
+     */
+    static void start(Window owner, String title, Work work, Runnable done) {
+        BackgroundTask task = new BackgroundTask(owner, title);
+        Timer timer = new Timer(PATIENCE_MILLISECONDS, event -> task.refresh());
+        timer.start();
+        Thread thread = new Thread(() -> task.run(work, timer, done), "tompkins-task");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private void run(Work work, Timer timer, Runnable done) {
+        Throwable failure = null;
+        try {
+            work.run(this);
+        } catch (CancellationException stopped) {
+            cancelled = true;
+        } catch (Exception | OutOfMemoryError | StackOverflowError error) {
+            failure = error;
+        }
+        Throwable reason = failure;
+        SwingUtilities.invokeLater(() -> {
+            timer.stop();
+            dialog.dispose();
+            if (reason != null) {
+                Messages.error(owner, Messages.of(reason));
+            } else if (!cancelled) {
+                done.run();
+            }
+        });
+    }
+
+    private void refresh() {
+        bar.setValue((int) (progress * STEPS));
+        dialog.setVisible(true);
+    }
+
+    /** The share of the work that is done, from 0 to 1. */
+    void setProgress(double share) {
+        progress = share;
+    }
+
+    boolean isCancelled() {
+        return cancelled;
+    }
+}

@@ -1,0 +1,18 @@
+package tompkins.ui;
+
+import java.nio.file.Path;
+import tompkins.studio.Studio;
+
+/** Knows the command line that takes the same photograph as the window shows. */
+@FunctionalInterface
+public interface CommandLine {
+
+    /**
+     * The command line.
+     *
+     * @param studio what the window shows
+     * @param opened the studio as it was read from the file or last saved
+     * @param file where it was read from, or null
+     */
+    String of(Studio studio, Studio opened, Path file);
+}

@@ -1,0 +1,52 @@
+package tompkins.ui;
+
+import java.awt.Component;
+import javax.swing.JOptionPane;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+
+/** Messages that must not be overlooked. */
+final class Messages {
+
+    private static final int COLUMNS = 60;
+    private static final int MOST_ROWS = 14;
+
+    private Messages() {}
+
+    /** Says what went wrong. */
+    static void error(Component parent, String message) {
+        show(parent, Texts.get("message.error"), message, JOptionPane.ERROR_MESSAGE);
+    }
+
+    /** Tells something. */
+    static void tell(Component parent, String title, String message) {
+        show(parent, title, message, JOptionPane.PLAIN_MESSAGE);
+    }
+
+    private static void show(Component parent, String title, String message, int kind) {
+        JTextArea text = new JTextArea(message, (int) Math.min(MOST_ROWS, lines(message)), COLUMNS);
+        text.setName("message");
+        text.setEditable(false);
+        text.setLineWrap(true);
+        text.setWrapStyleWord(true);
+        text.setOpaque(false);
+        JScrollPane scroll = new JScrollPane(text);
+        scroll.setBorder(null);
+        JOptionPane.showMessageDialog(parent, scroll, title, kind);
+    }
+
+    private static long lines(String message) {
+        return message.lines().mapToLong(line -> 1 + line.length() / COLUMNS).sum();
+    }
+
+    /** Asks a question; true if the answer is yes. */
+    static boolean confirm(Component parent, String title, String question) {
+        return JOptionPane.showConfirmDialog(parent, question, title, JOptionPane.OK_CANCEL_OPTION)
+                == JOptionPane.OK_OPTION;
+    }
+
+    /** What an exception says to the user. */
+    static String of(Throwable failure) {
+        return failure.getMessage() == null ? failure.toString() : failure.getMessage();
+    }
+}

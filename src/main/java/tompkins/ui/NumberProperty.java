@@ -1,0 +1,94 @@
+package tompkins.ui;
+
+import java.lang.reflect.RecordComponent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BiFunction;
+import java.util.function.ToDoubleFunction;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+
+/**
+ * A number of the studio that an animation can change.
+ *
+ * @param name what the user calls it
+ * @param get its value
+ * @param with the studio with another value; throws if that is not allowed
+ */
+record NumberProperty(String name, ToDoubleFunction<Studio> get, BiFunction<Studio, Double, Studio> with) {
+
+    /** So many numbers are offered at most; scenes can have millions. */
+    private static final int MOST = 500;
+
+    /** The speed on a scale; the direction stays. */
+    static NumberProperty speed(SpeedScale scale) {
+        return new NumberProperty(
+                Texts.get("scale." + scale.name() + ".name"),
+                studio -> scale.valueOf(studio.velocity()),
+                (studio, value) -> FrontWindow.withVelocity(studio, Velocity.of(scale, value, direction(studio))));
+    }
+
+    private static Vector3dc direction(Studio studio) {
+        Vector3dc given = studio.velocity().given();
+        return given.lengthSquared() > 0 ? given : new Vector3d(0, 0, 1);
+    }
+
+    /** The time at which the shutter opens. */
+    static NumberProperty openingTime() {
+        return new NumberProperty(
+                Texts.get("play.openingTime"),
+                studio -> studio.camera().shutter().openingTime(),
+                (studio, value) -> studio.withCamera(studio.camera()
+                        .withShutter(studio.camera().shutter().openedAt(value))));
+    }
+
+    /** Speed and opening time first, then all other numbers of a studio. */
+    static List<NumberProperty> of(Studio studio) {
+        List<NumberProperty> properties = new ArrayList<>();
+        properties.add(speed(SpeedScale.BETA));
+        properties.add(speed(SpeedScale.RAPIDITY));
+        Shutter shutter = studio.camera().shutter();
+        if (ShutterPanel.hasOpeningTime(shutter.getClass())) {
+            properties.add(openingTime());
+        }
+        collect(studio.camera(), StudioPath.ROOT.then("camera"), Texts.get("tree.camera"), properties);
+        for (String list : List.of("cameraFrame", "scene", "lights")) {
+            StudioPath path = StudioPath.ROOT.then(list);
+            collect(path.get(studio), path, Descriptions.label(list), properties);
+        }
+        return properties;
+    }
+
+    private static void collect(Object value, StudioPath path, String name, List<NumberProperty> properties) {
+        if (properties.size() >= MOST) {
+            return;
+        }
+        if (value instanceof Double) {
+            properties.add(new NumberProperty(name, studio -> (Double) path.get(studio), path::with));
+        } else if (value instanceof Vector3dc) {
+            for (String axis : List.of("x", "y", "z")) {
+                StudioPath component = path.then(axis);
+                properties.add(new NumberProperty(
+                        name + " " + axis, studio -> (Double) component.get(studio), component::with));
+            }
+        } else if (value instanceof List<?> list) {
+            for (int i = 0; i < list.size(); i++) {
+                collect(list.get(i), path.then(i), name + " \u203a " + StudioTree.name(list.get(i)), properties);
+            }
+        } else if (value instanceof Record) {
+            for (RecordComponent component : value.getClass().getRecordComponents()) {
+                String label = name + " \u203a " + Descriptions.label(component.getName());
+                collect(Records.get(value, component), path.then(component.getName()), label, properties);
+            }
+        }
+    }
+
+    @Override
+    public String toString() {
+        return name;
+    }
+}
