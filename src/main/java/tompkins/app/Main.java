@@ -1,6 +1,8 @@
 package tompkins.app;
 
+import java.io.PrintStream;
 import java.io.PrintWriter;
+import java.nio.charset.Charset;
 import picocli.CommandLine;
 
 /** Starts the program: a command line with its sub-commands, or the window. */
@@ -13,10 +15,15 @@ public final class Main {
      * in the arguments or in a scene).
      */
     public static void main(String[] arguments) {
-        int code = run(new PrintWriter(System.out, true), new PrintWriter(System.err, true), arguments);
+        int code = run(printer(System.out), printer(System.err), arguments);
         if (code != Failures.WINDOW_IS_OPEN) {
             System.exit(code);
         }
+    }
+
+    /** Letters that the terminal cannot show become question marks. */
+    private static PrintWriter printer(PrintStream stream) {
+        return new PrintWriter(stream, true, Charset.defaultCharset());
     }
 
     /** Runs the program and returns its exit code. */

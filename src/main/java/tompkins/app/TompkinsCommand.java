@@ -7,6 +7,9 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import tompkins.io.StudioReader;
+import tompkins.ui.Displays;
+import tompkins.ui.TompkinsWindow;
 
 /** The program as a whole. */
 @Command(
@@ -31,7 +34,13 @@ final class TompkinsCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         Path file = scene == null ? BundledScenes.file("fig1b.json") : scene;
-        spec.commandLine().getErr().println("No display: taking the photograph instead of opening the window.");
+        if (Displays.usable()) {
+            TompkinsWindow.open(StudioReader.read(file), scene);
+            return Failures.WINDOW_IS_OPEN;
+        }
+        spec.commandLine()
+                .getErr()
+                .println("There is no display: taking the photograph instead of opening the window.");
         return new Photographer(spec.commandLine(), 0).takeDefault(List.of(file));
     }
 }

@@ -42,8 +42,8 @@ record NumberProperty(String name, ToDoubleFunction<Studio> get, BiFunction<Stud
         return new NumberProperty(
                 Texts.get("play.openingTime"),
                 studio -> studio.camera().shutter().openingTime(),
-                (studio, value) -> studio.withCamera(studio.camera()
-                        .withShutter(studio.camera().shutter().openedAt(value))));
+                (studio, value) -> studio.withCamera(
+                        studio.camera().withShutter(studio.camera().shutter().openedAt(value))));
     }
 
     /** Speed and opening time first, then all other numbers of a studio. */

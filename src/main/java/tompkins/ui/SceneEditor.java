@@ -21,7 +21,8 @@ import tompkins.studio.Studio;
 final class SceneEditor {
 
     private final StudioModel model;
-    private final JPanel panel = new JPanel(new MigLayout("insets 10, fill, wrap 1, gap 0 8", "[grow,fill]", "[grow,fill][]"));
+    private final JPanel panel =
+            new JPanel(new MigLayout("insets 10, fill, wrap 1, gap 0 8", "[grow,fill]", "[grow,fill][]"));
     private final StudioTree tree = new StudioTree(this::choose);
     private final Column formPanel = new Column();
     private final Note note = new Note("");
@@ -49,7 +50,8 @@ final class SceneEditor {
         panel.add(buttons());
         add.addActionListener(event -> offerTypes());
         duplicate.addActionListener(event -> changeList(list -> inserted(list, place() + 1, list.get(place())), 1));
-        hide.addActionListener(event -> changeList(list -> replaced(list, place(), hiddenOrShown(list.get(place()))), 0));
+        hide.addActionListener(event ->
+                changeList(list -> replaced(list, place(), hiddenOrShown(list.get(place()))), 0));
         up.addActionListener(event -> changeList(list -> moved(list, place(), place() - 1), -1));
         down.addActionListener(event -> changeList(list -> moved(list, place(), place() + 1), 1));
         remove.addActionListener(event -> changeList(list -> removed(list, place()), 0));
@@ -163,8 +165,7 @@ final class SceneEditor {
 
     private void offerTypes() {
         JPopupMenu menu = new JPopupMenu();
-        Class<?> family =
-                isElement() ? (Class<?>) line.type() : Branches.elementType(line.type());
+        Class<?> family = isElement() ? (Class<?>) line.type() : Branches.elementType(line.type());
         for (Class<?> type : Records.records(family)) {
             JMenuItem item = new JMenuItem(Descriptions.label(type));
             item.setToolTipText(Tips.html(Descriptions.meaning(type)));

@@ -52,8 +52,8 @@ final class StudioTree {
     /** The chosen line; the studio itself if none is. */
     Line chosenLine() {
         TreePath path = tree.getSelectionPath();
-        DefaultMutableTreeNode node = (DefaultMutableTreeNode)
-                (path == null ? tree.getModel().getRoot() : path.getLastPathComponent());
+        DefaultMutableTreeNode node =
+                (DefaultMutableTreeNode) (path == null ? tree.getModel().getRoot() : path.getLastPathComponent());
         return (Line) node.getUserObject();
     }
 
@@ -61,7 +61,8 @@ final class StudioTree {
     void show(Studio studio) {
         DefaultMutableTreeNode root = node(studio, StudioPath.ROOT, Studio.class, studio.title());
         Set<StudioPath> open = openPaths();
-        StudioPath selected = tree.getSelectionPath() == null ? StudioPath.ROOT : chosenLine().path();
+        StudioPath selected =
+                tree.getSelectionPath() == null ? StudioPath.ROOT : chosenLine().path();
         updating.during(() -> {
             tree.setModel(new DefaultTreeModel(root));
             open.add(StudioPath.ROOT);
