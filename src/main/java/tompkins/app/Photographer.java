@@ -16,11 +16,15 @@ import tompkins.io.StudioWriter;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderReport;
 import tompkins.render.Renderer;
+import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
 /** Takes photographs and saves them, with the scene inside. */
 final class Photographer {
+
+    /** Film, picture and the levels of the file. */
+    private static final int BYTES_PER_PIXEL = 40;
 
     private final PrintWriter out;
     private final PrintWriter err;
@@ -61,24 +65,37 @@ final class Photographer {
     void take(Studio studio, Path target, PictureFormat format, boolean replace)
             throws IOException, InterruptedException {
         refuseToReplace(target, replace);
+        requireMemory(studio.settings());
+        PhotographInfo info = new PhotographInfo(
+                oneLine(studio.title()), ProgramVersion.text(), StudioWriter.writeSelfContained(studio));
         ProgressLine progress = new ProgressLine(err);
         RenderJob job;
         try (Renderer renderer = new Renderer(threads)) {
             job = renderer.start(RenderPlan.of(studio), progress);
             job.await();
-        } catch (OutOfMemoryError error) {
-            throw new MistakeException(
-                    "not enough memory for " + studio.settings().width() + " x "
-                            + studio.settings().height() + " pixels; a smaller --size or a larger java -Xmx may do");
         } finally {
             progress.clear();
         }
-        // the scene may have changed on the disk meanwhile, and somebody may have put a file there
+        // somebody may have put a file there meanwhile
         refuseToReplace(target, replace);
-        PhotographInfo info = new PhotographInfo(
-                oneLine(studio.title()), ProgramVersion.text(), StudioWriter.writeSelfContained(studio));
         PhotographFile.write(target, job.image(), format, studio.settings().toneCurve(), info);
         report(target, job.report());
+    }
+
+    /** Refuses pictures that the memory of this Java machine cannot hold, before any time is spent on them. */
+    private static void requireMemory(RenderSettings settings) {
+        long needed = (long) settings.width() * settings.height() * BYTES_PER_PIXEL;
+        long most = Runtime.getRuntime().maxMemory();
+        if (needed > most) {
+            throw new MistakeException(String.format(
+                    Locale.ROOT,
+                    "a picture of %d x %d pixels needs about %d MB of memory, and Java may use %d MB;"
+                            + " take a smaller --size, or start java with a larger -Xmx",
+                    settings.width(),
+                    settings.height(),
+                    needed >> 20,
+                    most >> 20));
+        }
     }
 
     private static String oneLine(String text) {

@@ -1,0 +1,188 @@
+package tompkins.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.zip.CRC32;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Every kind of bad input, what the program says, and that it says no more than that. The table stands in
+ * {@code docs/limits.md}; {@code mvn -q test -Dtest=LimitsTest -Dtompkins.regenerate=true} writes it again.
+ */
+class LimitsTest {
+
+    private static final Path TABLE = Path.of("docs", "limits.md");
+
+    private static final String BEGIN = "<!-- generated: LimitsTest -->\n";
+
+    @TempDir
+    private Path folder;
+
+    private record Case(String what, int code, String... words) {}
+
+    @Test
+    void everyBadInputGetsTheMessageOfTheTable() throws IOException {
+        String old = Files.exists(TABLE) ? Files.readString(TABLE) : BEGIN;
+        StringBuilder table = new StringBuilder(old.substring(0, old.indexOf(BEGIN) + BEGIN.length()));
+        table.append("\n| bad input | exit code | message |\n|---|---|---|\n");
+        for (Case bad : cases()) {
+            ProgramRun run = ProgramRun.of((Object[]) bad.words);
+            assertThat(run.code()).as("%s: %s", bad.what, run.err()).isEqualTo(bad.code);
+            assertThat(run.out()).as(bad.what).isEmpty();
+            assertThat(run.err()).as(bad.what).isNotBlank().doesNotContain("Exception", "\tat ");
+            String message = run.err()
+                    .strip()
+                    .replace(folder + "/", "")
+                    .replace(folder.toString(), "the folder")
+                    .replace("|", "\\|");
+            table.append("| ")
+                    .append(bad.what)
+                    .append(" | ")
+                    .append(bad.code)
+                    .append(" | ")
+                    .append(message.lines()
+                            .map(line -> "`" + line + "`")
+                            .reduce((a, b) -> a + "<br>" + b)
+                            .orElseThrow())
+                    .append(" |\n");
+        }
+        Files.delete(folder.resolve("link.png.txt"));
+        if (Boolean.getBoolean("tompkins.regenerate")) {
+            Files.writeString(TABLE, table);
+        }
+        assertThat(old).as("docs/limits.md is stale").isEqualTo(table.toString());
+        assertThat(Files.readString(folder.resolve("mine.png"))).isEqualTo("mine");
+        try (var files = Files.list(folder)) {
+            assertThat(files.filter(file -> file.toString().endsWith(".png"))
+                            .map(file -> file.getFileName().toString()))
+                    .containsExactlyInAnyOrder("mine.png", "text.png", "bomb.png", "folder.png");
+        }
+    }
+
+    private List<Case> cases() throws IOException {
+        write("text.png", "this is no picture");
+        Files.write(folder.resolve("bomb.png"), pictureThatClaims(100_000, 100_000));
+        write("mine.png", "mine");
+        Files.createDirectories(folder.resolve("folder.png"));
+        Files.createSymbolicLink(
+                folder.resolve("link.png.txt"), Path.of("README.md").toAbsolutePath());
+        String good = write("good.json", "{ \"scene\": [{ \"type\": \"Sphere\" }] }");
+        String output = folder.resolve("never.png").toString();
+        return List.of(
+                scene("speed of light", "{ \"velocity\": [0, 0, 1] }"),
+                scene("faster than light by rounding only", "{ \"velocity\": [0.6, 0.8, 0] }"),
+                scene("gamma beyond what doubles hold", "{ \"velocity\": { \"gamma\": 1e9 } }"),
+                scene("NaN", "{ \"velocity\": [0, 0, NaN] }"),
+                scene("Infinity", "{ \"camera\": { \"apertureRadius\": Infinity } }"),
+                scene("number too large for a double", "{ \"camera\": { \"apertureRadius\": 1e999 } }"),
+                scene("misspelt key", "{ \"camera\": { \"aperturRadius\": 0.1 } }"),
+                scene("missing type", "{ \"scene\": [{ \"radius\": 1 }] }"),
+                scene("misspelt type", "{ \"scene\": [{ \"type\": \"Spere\" }] }"),
+                scene("wrong kind of value", "{ \"scene\": [{ \"type\": \"Sphere\", \"radius\": \"big\" }] }"),
+                scene("too few numbers", "{ \"scene\": [{ \"type\": \"Sphere\", \"centre\": [1, 2] }] }"),
+                scene("key given twice", "{ \"title\": \"a\", \"title\": \"b\" }"),
+                scene("several mistakes", "{ \"velocity\": [2, 0, 0],\n  \"camera\": { \"exposureStop\": 1 } }"),
+                scene("zero radius", "{ \"scene\": [{ \"type\": \"Sphere\", \"radius\": 0 }] }"),
+                scene("negative radius", "{ \"scene\": [{ \"type\": \"Disc\", \"radius\": -1 }] }"),
+                scene(
+                        "degenerate triangle",
+                        "{ \"scene\": [{ \"type\": \"Triangle\", \"first\": [0, 0, 1], \"second\": [1, 0, 1],"
+                                + " \"third\": [2, 0, 1] }] }"),
+                scene(
+                        "focus through the lens",
+                        "{ \"camera\": { \"focus\": { \"type\": \"Plane\", \"point\": [0, 0, 0] } } }"),
+                scene("empty file", ""),
+                scene("file that ends too early", "{ \"title\": \"a\""),
+                scene("nesting", "[".repeat(100_000)),
+                new Case("100 MB of nesting", 2, "check", large()),
+                scene("picture that is none", surface("text.png")),
+                scene("picture that claims 100000 x 100000", surface("bomb.png")),
+                scene("picture outside the scene's folder", surface("../other.png")),
+                scene("picture with an absolute path", surface("/etc/hostname")),
+                scene("picture behind a link that leads out", surface("link.png.txt")),
+                scene("picture that is missing", surface("nothing.png")),
+                new Case(
+                        "missing scene file",
+                        2,
+                        "render",
+                        folder.resolve("nothing.json").toString()),
+                new Case("picture too large", 2, "render", good, "-o", output, "--size", "60000x60000"),
+                new Case("picture with no pixels", 2, "render", good, "-o", output, "--size", "0x10"),
+                new Case(
+                        "existing output",
+                        2,
+                        "render",
+                        good,
+                        "-o",
+                        folder.resolve("mine.png").toString()),
+                new Case(
+                        "output with another ending",
+                        2,
+                        "render",
+                        good,
+                        "-o",
+                        folder.resolve("a.bmp").toString()),
+                new Case(
+                        "output in a missing folder",
+                        1,
+                        "render",
+                        good,
+                        "--size",
+                        "8x6",
+                        "-o",
+                        folder.resolve("no/a.png").toString()),
+                new Case("velocity option", 2, "render", good, "-o", output, "--beta", "0,0,2"),
+                new Case("unknown option", 2, "render", good, "-o", output, "--bta", "0,0,2"),
+                new Case("unknown shutter", 2, "render", good, "-o", output, "--shutter", "rolling"),
+                new Case("pixel outside the picture", 2, "trace", good, "--pixel", "640,0"));
+    }
+
+    private int count;
+
+    private Case scene(String what, String text) throws IOException {
+        return new Case(what, 2, "check", write("scene-" + ++count + ".json", text));
+    }
+
+    private static String surface(String picture) {
+        return "{ \"scene\": [{ \"type\": \"Sphere\", \"surface\": { \"type\": \"PictureSurface\", \"picture\": \""
+                + picture + "\" } }] }";
+    }
+
+    private String write(String name, String text) throws IOException {
+        return Files.writeString(folder.resolve(name), text).toString();
+    }
+
+    private String large() throws IOException {
+        byte[] brackets = new byte[100 << 20];
+        Arrays.fill(brackets, (byte) '[');
+        return Files.write(folder.resolve("large.json"), brackets).toString();
+    }
+
+    /** The beginning of a PNG file with a sound header. */
+    private static byte[] pictureThatClaims(int width, int height) throws IOException {
+        var bytes = new ByteArrayOutputStream();
+        var out = new DataOutputStream(bytes);
+        var header = new ByteArrayOutputStream();
+        var headerOut = new DataOutputStream(header);
+        headerOut.write("IHDR".getBytes(StandardCharsets.US_ASCII));
+        headerOut.writeInt(width);
+        headerOut.writeInt(height);
+        headerOut.write(new byte[] {8, 2, 0, 0, 0});
+        CRC32 sum = new CRC32();
+        sum.update(header.toByteArray());
+        out.writeLong(0x89504e470d0a1a0aL);
+        out.writeInt(13);
+        out.write(header.toByteArray());
+        out.writeInt((int) sum.getValue());
+        return bytes.toByteArray();
+    }
+}
