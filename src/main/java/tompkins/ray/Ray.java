@@ -153,6 +153,26 @@ public final class Ray {
         return from(hit, newDx, newDy, newDz, newSlowness, weight * share, generation + 1);
     }
 
+    /** The same ray with its opening angle divided by a factor. */
+    public Ray narrowed(double factor) {
+        return new Ray(
+                x,
+                y,
+                z,
+                dx,
+                dy,
+                dz,
+                time,
+                slowness,
+                frequency,
+                width,
+                spread / factor,
+                weight,
+                boundary,
+                part,
+                generation);
+    }
+
     /** The same ray beyond a hit, with a share of its light. */
     public Ray straightOn(Hit hit, double share) {
         return from(hit, dx, dy, dz, slowness, weight * share, generation + 1);

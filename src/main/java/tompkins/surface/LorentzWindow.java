@@ -47,8 +47,9 @@ public record LorentzWindow(
 
     private Ray turned(Ray ray, Hit hit) {
         Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz);
-        new LorentzTransformation(inFrame(hit)).inverse().direction(direction, direction);
-        return ray.bent(hit, direction.x, direction.y, direction.z, transmission);
+        double stretch = new LorentzTransformation(inFrame(hit)).inverse().direction(direction, direction);
+        return ray.bent(hit, direction.x, direction.y, direction.z, transmission)
+                .narrowed(stretch);
     }
 
     private Velocity inFrame(Hit hit) {
