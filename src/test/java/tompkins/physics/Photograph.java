@@ -1,0 +1,175 @@
+package tompkins.physics;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.joml.Vector2d;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.camera.Camera;
+import tompkins.camera.PanoramicCamera;
+import tompkins.camera.ThinLensCamera;
+import tompkins.image.LinearImage;
+import tompkins.ray.Colour;
+import tompkins.render.RenderJob;
+import tompkins.render.Renderer;
+import tompkins.sceneobject.SceneObject;
+import tompkins.shutter.AperturePlaneShutter;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.studio.UniformBackground;
+import tompkins.surface.LuminousSurface;
+import tompkins.surface.Surface;
+import tompkins.trace.RayLife;
+import tompkins.trace.RenderPlan;
+
+/** A studio and its rendered picture, measured as one measures a photograph. */
+final class Photograph {
+
+    static final Surface WHITE = new LuminousSurface(Colour.WHITE, false);
+    static final Surface RED = new LuminousSurface(new Colour(1, 0, 0), false);
+    static final Surface GREEN = new LuminousSurface(new Colour(0, 1, 0), false);
+
+    private final Studio studio;
+    private final RenderPlan plan;
+    private RenderJob job;
+    private LinearImage image;
+
+    Photograph(Studio studio) {
+        this.studio = studio;
+        plan = RenderPlan.of(studio);
+    }
+
+    /** Objects before a black sky, a camera with the given velocity, one sample a pixel. */
+    static Photograph of(List<SceneObject> scene, Camera camera, Velocity velocity, int width, int height) {
+        return new Photograph(new Studio(
+                "",
+                "",
+                "",
+                scene,
+                List.of(),
+                List.of(),
+                new UniformBackground(Colour.BLACK),
+                camera,
+                velocity,
+                TransformationLaw.LORENTZ,
+                Studio.DEFAULT.settings().withSize(width, height)));
+    }
+
+    /** A pinhole at the origin of the camera frame with a shutter in the aperture. */
+    static ThinLensCamera pinhole(Vector3dc view, double horizontalAngleDegrees, double time) {
+        Vector3d top = Math.abs(view.y()) < 0.9 * view.length() ? new Vector3d(0, 1, 0) : new Vector3d(0, 0, 1);
+        return new ThinLensCamera(
+                new Vector3d(),
+                view,
+                top,
+                horizontalAngleDegrees,
+                0,
+                0,
+                ThinLensCamera.DEFAULT.focus(),
+                0,
+                new AperturePlaneShutter(time));
+    }
+
+    /** A camera that sees the whole sky; its poles lie up and down. */
+    static PanoramicCamera wholeSky() {
+        return PanoramicCamera.DEFAULT;
+    }
+
+    Studio studio() {
+        return studio;
+    }
+
+    RenderPlan plan() {
+        return plan;
+    }
+
+    LinearImage image() {
+        if (image == null) {
+            image = job().image();
+        }
+        return image;
+    }
+
+    RenderJob job() {
+        if (job == null) {
+            try (Renderer renderer = new Renderer(2)) {
+                job = renderer.render(plan);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+                throw new IllegalStateException(e);
+            }
+        }
+        return job;
+    }
+
+    boolean isLit(int column, int row, int channel) {
+        return image().value(column, row, channel) > 0.5;
+    }
+
+    /** Places in the picture, in pixels, half way between lit pixels and their dark neighbours in rows and columns. */
+    List<Vector2d> outline() {
+        List<Vector2d> outline = new ArrayList<>();
+        LinearImage picture = image();
+        float[] rgb = picture.rgb();
+        int width = picture.width();
+        for (int row = 0; row < picture.height(); row++) {
+            for (int column = 0; column < width; column++) {
+                boolean lit = rgb[3 * (row * width + column)] > 0.5;
+                if (column + 1 < width && lit != rgb[3 * (row * width + column + 1)] > 0.5) {
+                    outline.add(new Vector2d(column + 1, row + 0.5));
+                }
+                if (row + 1 < picture.height() && lit != rgb[3 * ((row + 1) * width + column)] > 0.5) {
+                    outline.add(new Vector2d(column + 0.5, row + 1));
+                }
+            }
+        }
+        return outline;
+    }
+
+    /** The mean place of the lit pixels of a channel. */
+    Vector2d centroid(int channel) {
+        Vector2d sum = new Vector2d();
+        int[] count = {0};
+        forEachLit(channel, place -> {
+            sum.add(place);
+            count[0]++;
+        });
+        return sum.div(count[0]);
+    }
+
+    /** Calls somebody with the centre of every lit pixel of a channel. */
+    void forEachLit(int channel, Consumer<Vector2d> visitor) {
+        for (int row = 0; row < image().height(); row++) {
+            for (int column = 0; column < image().width(); column++) {
+                if (isLit(column, row, channel)) {
+                    visitor.accept(new Vector2d(column + 0.5, row + 0.5));
+                }
+            }
+        }
+    }
+
+    /** The direction that belongs to a place in the picture, in the camera frame. */
+    Vector3d cameraDirection(Vector2d place) {
+        return new Vector3d(studio.camera()
+                .rays(plan.width(), plan.height(), studio.sceneFromCamera())
+                .chiefDirection(place.x, place.y));
+    }
+
+    /** The ray of a place in the picture, followed through both frames. */
+    RayLife trace(double x, double y) {
+        return RayLife.of(plan, x, y, 0, 0);
+    }
+
+    /** The same photograph with another shutter. */
+    Photograph with(Shutter shutter) {
+        return new Photograph(studio.withCamera(studio.camera().withShutter(shutter)));
+    }
+
+    /** A unit vector in the plane of z and x, at an angle from z. */
+    static Vector3d level(double degrees) {
+        return new Vector3d(Math.sin(Math.toRadians(degrees)), 0, Math.cos(Math.toRadians(degrees)));
+    }
+}
