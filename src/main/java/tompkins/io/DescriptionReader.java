@@ -16,6 +16,7 @@ import tompkins.io.JsonValue.JsonText;
 import tompkins.io.JsonValue.Member;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Colour;
+import tompkins.ray.MeshData;
 import tompkins.ray.PixelPicture;
 import tompkins.spacetime.Velocity;
 
@@ -28,13 +29,13 @@ final class DescriptionReader {
     private final Problems problems;
     private final ValueReader values;
     private final VelocityReader velocities;
-    private final PictureReader pictures;
+    private final FileContentReader files;
 
-    DescriptionReader(Problems problems, PictureFolder folder) {
+    DescriptionReader(Problems problems, SceneFolder folder) {
         this.problems = problems;
         values = new ValueReader(problems);
         velocities = new VelocityReader(problems, values);
-        pictures = new PictureReader(problems, folder);
+        files = new FileContentReader(problems, folder);
     }
 
     /**
@@ -85,7 +86,10 @@ final class DescriptionReader {
             return velocities.read(value, path);
         }
         if (type == PixelPicture.class) {
-            return pictures.read(value, path);
+            return files.read(value, path, FileContentParser.PICTURE);
+        }
+        if (type == MeshData.class) {
+            return files.read(value, path, FileContentParser.MESH);
         }
         if (type.isRecord()) {
             return value instanceof JsonObject object

@@ -12,16 +12,16 @@ import org.joml.Vector2ic;
 import org.joml.Vector3dc;
 import org.joml.Vector3ic;
 import tompkins.ray.Colour;
-import tompkins.ray.PixelPicture;
+import tompkins.ray.FileContent;
 import tompkins.spacetime.Velocity;
 
 /** Makes maps and lists, ready for {@link JsonLayout}, from descriptions; leaves out what the default says anyway. */
 final class DescriptionWriter {
 
-    private final Predicate<PixelPicture> embedded;
+    private final Predicate<FileContent> embedded;
 
-    /** A writer that includes the files of some pictures, and names the others. */
-    DescriptionWriter(Predicate<PixelPicture> embedded) {
+    /** A writer that includes the files of some pictures and meshes, and names the others. */
+    DescriptionWriter(Predicate<FileContent> embedded) {
         this.embedded = embedded;
     }
 
@@ -53,7 +53,7 @@ final class DescriptionWriter {
         if (value instanceof Velocity velocity) {
             return tree(velocity);
         }
-        return value instanceof PixelPicture picture ? tree(picture) : value;
+        return value instanceof FileContent content ? tree(content) : value;
     }
 
     /** The keys of a record whose values are not those of the default. */
@@ -89,13 +89,13 @@ final class DescriptionWriter {
         return members;
     }
 
-    private Object tree(PixelPicture picture) {
-        if (!embedded.test(picture)) {
-            return picture.name();
+    private Object tree(FileContent content) {
+        if (!embedded.test(content)) {
+            return content.name();
         }
         Map<String, Object> members = new LinkedHashMap<>();
-        members.put(PictureReader.NAME, picture.name());
-        members.put(PictureReader.BASE64, Base64.getEncoder().encodeToString(picture.file()));
+        members.put(FileContentReader.NAME, content.name());
+        members.put(FileContentReader.BASE64, Base64.getEncoder().encodeToString(content.file()));
         return members;
     }
 }

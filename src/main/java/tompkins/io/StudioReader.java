@@ -32,7 +32,7 @@ public final class StudioReader {
      * Reads the text of a scene file.
      *
      * @param name the name of the file, for messages
-     * @param folder where the scene's pictures are
+     * @param folder where the scene's pictures and meshes are
      * @throws SceneFileException if there are mistakes in the text
      */
     public static Studio read(String text, String name, Path folder) {
@@ -48,7 +48,7 @@ public final class StudioReader {
                     version.value(), VERSION_KEY, "must be " + VERSION + ", the only one that there is, was " + shown);
             throw problems.exception();
         }
-        DescriptionReader reader = new DescriptionReader(problems, new PictureFolder(folder));
+        DescriptionReader reader = new DescriptionReader(problems, new SceneFolder(folder));
         Object studio = reader.record(Studio.class, root, "", List.of(VERSION_KEY));
         if (!problems.isEmpty()) {
             throw problems.exception();

@@ -10,7 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.UUID;
 import java.util.function.Predicate;
-import tompkins.ray.PixelPicture;
+import tompkins.ray.FileContent;
 import tompkins.studio.Studio;
 
 /** Writes studios as scene files. What {@link StudioReader} makes of them is equal to the studio, to the last bit. */
@@ -18,18 +18,18 @@ public final class StudioWriter {
 
     private StudioWriter() {}
 
-    /** The text of a scene file that names its pictures; they must lie beside it when it is read. */
+    /** The text of a scene file that names its pictures and meshes; they must lie beside it when it is read. */
     public static String write(Studio studio) {
         return text(studio, picture -> false);
     }
 
-    /** The text of a scene file that holds its pictures, and so can be read anywhere. */
+    /** The text of a scene file that holds its pictures and small meshes, and so can be read anywhere; large meshes it names. */
     public static String writeSelfContained(Studio studio) {
-        return text(studio, picture -> true);
+        return text(studio, StudioWriter::isKept);
     }
 
     /**
-     * Saves a scene file. It names the pictures that lie under its folder, and holds the others. The file appears complete
+     * Saves a scene file. It names the pictures and meshes that lie under its folder, and holds the others. The file appears complete
      * or not at all; what was there before stays until then.
      *
      * @throws IOException with a message for the user, if the file cannot be written
@@ -46,7 +46,7 @@ public final class StudioWriter {
         Path target = Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
         Path temporary = target.resolveSibling(".tompkins-" + UUID.randomUUID() + ".part");
         try {
-            Files.writeString(temporary, text(studio, isNotIn(new PictureFolder(folder))));
+            Files.writeString(temporary, text(studio, isNotIn(new SceneFolder(folder))));
             move(temporary, target);
         } catch (IOException failure) {
             throw new IOException(file + ": cannot be written: " + FileFailure.reason(failure), failure);
@@ -63,17 +63,22 @@ public final class StudioWriter {
         }
     }
 
-    private static Predicate<PixelPicture> isNotIn(PictureFolder folder) {
-        return picture -> {
+    private static Predicate<FileContent> isNotIn(SceneFolder folder) {
+        return content -> {
             try {
-                return !Arrays.equals(folder.bytes(picture.name()), picture.file());
+                return isKept(content) && !Arrays.equals(folder.bytes(content.name()), content.file());
             } catch (IOException missing) {
                 return true;
             }
         };
     }
 
-    private static String text(Studio studio, Predicate<PixelPicture> embedded) {
+    /** Whether the bytes of the file are there; without a name none are needed. */
+    private static boolean isKept(FileContent content) {
+        return content.name().isEmpty() || content.file().length > 0;
+    }
+
+    private static String text(Studio studio, Predicate<FileContent> embedded) {
         Map<String, Object> members = new LinkedHashMap<>();
         members.put(StudioReader.VERSION_KEY, StudioReader.VERSION);
         Object tree = new DescriptionWriter(embedded).tree(Studio.class, studio);

@@ -6,7 +6,7 @@ import java.util.Arrays;
  * A picture as numbers, with the file that it came from. Pixels are red, green, blue, opacity; row 0 is at the top.
  * Immutable: the arrays are handed over and must not be changed afterwards.
  */
-public final class PixelPicture {
+public final class PixelPicture implements FileContent {
 
     /** One white pixel, for descriptions that still need a picture. */
     public static final PixelPicture WHITE = new PixelPicture("", 1, 1, new float[] {1, 1, 1, 1}, new byte[0]);
@@ -37,7 +37,7 @@ public final class PixelPicture {
         this.file = file;
     }
 
-    /** The file's name, as the scene file writes it. */
+    @Override
     public String name() {
         return name;
     }
@@ -52,7 +52,7 @@ public final class PixelPicture {
         return height;
     }
 
-    /** A copy of the file's bytes. */
+    @Override
     public byte[] file() {
         return file.clone();
     }

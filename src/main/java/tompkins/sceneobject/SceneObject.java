@@ -7,6 +7,7 @@ public sealed interface SceneObject
                 Disc,
                 Parallelogram,
                 Triangle,
+                TriangleMesh,
                 Box,
                 Cylinder,
                 Cone,

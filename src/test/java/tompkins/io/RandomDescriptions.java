@@ -14,6 +14,7 @@ import org.joml.Vector3i;
 import org.joml.Vector3ic;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Colour;
+import tompkins.ray.MeshData;
 import tompkins.ray.PixelPicture;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
@@ -113,6 +114,9 @@ final class RandomDescriptions {
         }
         if (type == PixelPicture.class) {
             return pictures.get(random.nextInt(pictures.size()));
+        }
+        if (type == MeshData.class) {
+            return MeshData.OCTAHEDRON;
         }
         return record((Class<?>) type, depth + 1);
     }

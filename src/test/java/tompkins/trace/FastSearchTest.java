@@ -9,6 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
+import tompkins.studio.SceneFiles;
 import tompkins.studio.Studio;
 
 /**
@@ -39,11 +40,13 @@ class FastSearchTest {
     }
 
     static Stream<Named<Studio>> studios() {
-        return VariedStudios.all().map(named -> Named.of(named.getName(), small(named.getPayload())));
+        return Stream.concat(VariedStudios.all(), SceneFiles.all())
+                .map(named -> Named.of(named.getName(), small(named.getPayload())));
     }
 
     private static Studio small(Studio studio) {
-        return studio.withSettings(studio.settings().withSize(77, 58));
+        int samples = Math.min(2, studio.settings().samples());
+        return studio.withSettings(studio.settings().withSize(77, 58).withSamples(samples));
     }
 
     /** The colours of all samples, and what was counted on the way. */

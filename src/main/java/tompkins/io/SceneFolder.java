@@ -6,36 +6,35 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
-import tompkins.image.PictureFile;
-import tompkins.ray.PixelPicture;
+import tompkins.ray.FileContent;
 
-/** The pictures under the folder of a scene file; nothing else on the disk can be reached. Each is read once. */
-final class PictureFolder {
+/** The files under the folder of a scene file; nothing else on the disk can be reached. Each is read once. */
+final class SceneFolder {
 
     private static final String ALLOWED =
-            "must be the name of a picture file in the folder of the scene file or below, with / between the parts";
+            "must be the name of a file in the folder of the scene file or below, with / between the parts";
 
     private static final long LARGEST_FILE = 1L << 28;
 
     private final Path folder;
-    private final Map<String, PixelPicture> read = new HashMap<>();
+    private final Map<String, FileContent> read = new HashMap<>();
 
-    PictureFolder(Path folder) {
+    SceneFolder(Path folder) {
         this.folder = folder;
     }
 
     /**
-     * The picture with a name relative to the folder.
+     * What the file with a name relative to the folder holds.
      *
-     * @throws IOException with a message for the user, if the name leaves the folder or is not that of a picture
+     * @throws IOException with a message for the user, if the name leaves the folder or the file cannot be used
      */
-    PixelPicture picture(String name) throws IOException {
-        PixelPicture known = read.get(name);
-        if (known == null) {
-            known = PictureFile.read(bytes(name), name);
+    <T extends FileContent> T content(String name, FileContentParser<T> parser) throws IOException {
+        FileContent known = read.get(name);
+        if (known == null || !parser.type().isInstance(known)) {
+            known = parser.parse(bytes(name), name);
             read.put(name, known);
         }
-        return known;
+        return parser.type().cast(known);
     }
 
     /** The bytes of a file with a name relative to the folder. */

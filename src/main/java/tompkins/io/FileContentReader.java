@@ -4,40 +4,39 @@ import java.io.IOException;
 import java.util.Base64;
 import java.util.List;
 import tompkins.image.PictureException;
-import tompkins.image.PictureFile;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.JsonText;
 import tompkins.io.JsonValue.Member;
-import tompkins.ray.PixelPicture;
+import tompkins.ray.FileContent;
 
-/** Makes pictures from JSON: the name of a file, or a name with the bytes of the file in base 64. */
-final class PictureReader {
+/** Makes what files hold from JSON: the name of a file, or a name with the bytes of the file in base 64. */
+final class FileContentReader {
 
     static final String NAME = "name";
     static final String BASE64 = "base64";
 
     private final Problems problems;
-    private final PictureFolder folder;
+    private final SceneFolder folder;
 
-    PictureReader(Problems problems, PictureFolder folder) {
+    FileContentReader(Problems problems, SceneFolder folder) {
         this.problems = problems;
         this.folder = folder;
     }
 
-    /** The picture, or null if a mistake was noted. */
-    PixelPicture read(JsonValue value, String path) {
+    /** What the file holds, or null if a mistake was noted. */
+    <T extends FileContent> T read(JsonValue value, String path, FileContentParser<T> parser) {
         try {
             if (value instanceof JsonText name) {
-                return folder.picture(name.text());
+                return folder.content(name.text(), parser);
             }
             if (value instanceof JsonObject object && hold(object, NAME) && hold(object, BASE64)) {
                 return Refusal.noteUnknownKeys(problems, object, path, List.of(NAME, BASE64))
-                        ? PictureFile.read(decoded(text(object, BASE64)), text(object, NAME))
+                        ? parser.parse(decoded(text(object, BASE64)), text(object, NAME))
                         : null;
             }
-            String allowed = "the name of a picture file in quotes, or an object with the texts name and base64";
+            String allowed = "the name of " + parser.noun() + " in quotes, or an object with the texts name and base64";
             problems.add(value, path, "must be " + allowed + ", was " + value.shown());
-        } catch (PictureException unusable) {
+        } catch (PictureException | MeshException unusable) {
             problems.add(value, path, unusable.getMessage());
         } catch (IOException unusable) {
             problems.add(value, path, unusable.getMessage() + ", was " + value.shown());

@@ -1,0 +1,33 @@
+package tompkins.io;
+
+import java.io.IOException;
+import tompkins.image.PictureFile;
+import tompkins.ray.FileContent;
+import tompkins.ray.MeshData;
+import tompkins.ray.PixelPicture;
+
+/**
+ * Understands one kind of file that scenes use.
+ *
+ * @param type what such a file holds
+ * @param noun what the user calls such a file
+ * @param method from the bytes and the name of a file to what it holds
+ */
+record FileContentParser<T extends FileContent>(Class<T> type, String noun, Method<T> method) {
+
+    static final FileContentParser<PixelPicture> PICTURE =
+            new FileContentParser<>(PixelPicture.class, "a picture file", PictureFile::read);
+
+    static final FileContentParser<MeshData> MESH =
+            new FileContentParser<>(MeshData.class, "an OBJ file", MeshFile::read);
+
+    /** How the bytes of a file are understood. */
+    @FunctionalInterface
+    interface Method<T> {
+        T read(byte[] file, String name) throws IOException;
+    }
+
+    T parse(byte[] file, String name) throws IOException {
+        return method.read(file, name);
+    }
+}

@@ -1,0 +1,77 @@
+package tompkins.io;
+
+import de.javagl.obj.ObjReader;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.LineNumberReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import tompkins.ray.MeshData;
+
+/** Reads triangle meshes from OBJ files: vertices and faces; faces with more corners are cut into fans of triangles. */
+public final class MeshFile {
+
+    /** The bytes of smaller files are kept, so that photographs hold the mesh. */
+    private static final int LARGEST_KEPT_FILE = 1 << 20;
+
+    private MeshFile() {}
+
+    /**
+     * Reads a file from the disk.
+     *
+     * @throws MeshException if the file cannot be read, or is no OBJ file with triangles
+     */
+    public static MeshData read(Path file) throws MeshException {
+        try {
+            return read(Files.readAllBytes(file), file.getFileName().toString());
+        } catch (MeshException clear) {
+            throw clear;
+        } catch (IOException failure) {
+            throw new MeshException(file + ": cannot be read: " + FileFailure.reason(failure), failure);
+        }
+    }
+
+    /**
+     * Reads the bytes of a file.
+     *
+     * @param name the file's name, for messages and as {@link MeshData#name()}
+     * @throws MeshException if they are no OBJ file with triangles
+     */
+    static MeshData read(byte[] file, String name) throws MeshException {
+        InputStream bytes = new ByteArrayInputStream(file);
+        CurrentLine line = new CurrentLine(new InputStreamReader(bytes, StandardCharsets.UTF_8));
+        MeshCollector collector = new MeshCollector(line);
+        try {
+            ObjReader.read(line, collector);
+            collector.requireComplete();
+        } catch (IOException | RuntimeException mistake) {
+            throw new MeshException(name + ":" + collector.lineOfMistake() + ": " + mistake.getMessage(), mistake);
+        }
+        byte[] kept = file.length <= LARGEST_KEPT_FILE ? file : new byte[0];
+        return new MeshData(name, collector.vertices(), collector.triangles(), kept);
+    }
+
+    /** Remembers the line that was read last. */
+    static final class CurrentLine extends LineNumberReader {
+
+        private String text = "";
+
+        CurrentLine(InputStreamReader in) {
+            super(in);
+        }
+
+        @Override
+        public String readLine() throws IOException {
+            String next = super.readLine();
+            text = next == null ? text : next;
+            return next;
+        }
+
+        String text() {
+            return text;
+        }
+    }
+}

@@ -1,0 +1,58 @@
+package tompkins.sceneobject;
+
+import org.joml.Vector3d;
+import tompkins.math.Vectors;
+import tompkins.property.Meaning;
+import tompkins.property.Require;
+import tompkins.ray.MeshData;
+import tompkins.surface.ColouredSurface;
+import tompkins.surface.Surface;
+
+/**
+ * Triangles from an OBJ file, each flat. Coordinates: (0, 0) at the first corner of each triangle, (1, 0) and (0, 1) at the
+ * others. Triangles without area are left out: no ray can meet them.
+ */
+@Meaning("Triangles from an OBJ file; (u, v) is (0, 0), (1, 0) and (0, 1) at the corners of each")
+public record TriangleMesh(
+        @Meaning("Name of the object") String description,
+
+        @Meaning("The OBJ file, relative to the scene file") MeshData mesh,
+
+        @Meaning("What it looks like") Surface surface)
+        implements SceneObject {
+
+    /** An octahedron. */
+    public static final TriangleMesh DEFAULT = new TriangleMesh("mesh", MeshData.OCTAHEDRON, ColouredSurface.DEFAULT);
+
+    /** Checks that nothing is missing. */
+    public TriangleMesh {
+        Require.present("description", description);
+        Require.present("mesh", mesh);
+        Require.present("surface", surface);
+    }
+
+    @Override
+    public void addTo(PrimitiveCollector collector, Placement placement) {
+        for (int triangle = 0; triangle < mesh.triangles(); triangle++) {
+            Vector3d first = corner(triangle, 0);
+            Vector3d spanU = placement.vector(corner(triangle, 1).sub(first));
+            Vector3d spanV = placement.vector(corner(triangle, 2).sub(first));
+            if (hasArea(spanU, spanV)) {
+                collector.add(new FlatPrimitive(
+                        description, surface, FlatPrimitive.Outline.TRIANGLE, placement.point(first), spanU, spanV));
+            }
+        }
+    }
+
+    private Vector3d corner(int triangle, int corner) {
+        return new Vector3d(
+                mesh.coordinate(triangle, corner, 0),
+                mesh.coordinate(triangle, corner, 1),
+                mesh.coordinate(triangle, corner, 2));
+    }
+
+    private static boolean hasArea(Vector3d spanU, Vector3d spanV) {
+        double area = Vectors.cross(spanU, spanV).length();
+        return area > 0 && area < Double.POSITIVE_INFINITY;
+    }
+}

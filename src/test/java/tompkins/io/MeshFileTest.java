@@ -1,0 +1,128 @@
+package tompkins.io;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.ray.MeshData;
+import tompkins.sceneobject.TriangleMesh;
+import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
+
+class MeshFileTest {
+
+    private static final String SQUARE = "# square\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.1 1e0 -0.30000000000000004\n";
+
+    @Test
+    void facesOfManyCornersAreCutIntoFans() throws IOException {
+        MeshData mesh = read(SQUARE + "f 1 2 3 4\n");
+
+        assertThat(mesh.triangles()).isEqualTo(2);
+        assertThat(corners(mesh, 0)).isEqualTo(List.of(0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0));
+        assertThat(corners(mesh, 1)).isEqualTo(List.of(0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.1, 1.0, -0.30000000000000004));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"f -4 -3 -2", "f 1/1 2/2 3/3", "f 1/1/1 2/1/1 3/1/1", "f 1//1 2//1 3//1", "F 1 2 3", "'f 1 \\\n 2 3'"})
+    void allWaysToWriteAFaceMeanTheSame(String face) throws IOException {
+        String text = SQUARE + "vt 0 0\nvt 1 0\nvt 1 1\nvn 0 0 1\nusemtl brass\ng knot\ns off\n" + face + "\n";
+
+        assertThat(corners(read(text), 0)).isEqualTo(corners(read(SQUARE + "f 1 2 3"), 0));
+    }
+
+    @Test
+    void facesMayComeBeforeTheirVertices() throws IOException {
+        assertThat(read("f 1 2 3\n" + SQUARE)).isEqualTo(read(SQUARE + "f 1 2 3\n"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "f 1 2 5             | 6: a face names vertex 5, but there are only 4",
+                "f 1 2 -7            | 6: a face counts 3 vertices back beyond the first",
+                "f 1 2               | 6: a face must have three or more corners, has 2",
+                "v 1 2               | 6: a vertex must have three coordinates, has 2",
+                "v 1 nought 3        | 6: ",
+                "v 1 NaN 3           | 6: coordinates must be finite, one was NaN",
+                "v 1 1e999 3         | 6: coordinates must be finite, one was Infinity",
+                "f one two three     | 6: ",
+                "# nothing           | 6: there is no face; an OBJ file has lines such as \"f 1 2 3\"",
+            })
+    void aMistakeIsReportedWithItsLine(String line, String message) {
+        assertThatThrownBy(() -> read(SQUARE + line + "\n"))
+                .isInstanceOf(MeshException.class)
+                .hasMessageStartingWith("knot.obj:" + message)
+                .hasMessageMatching("knot.obj:6: [a-zA-Z].+");
+    }
+
+    @Test
+    void aMeshIsFoundBesideTheSceneFileAndSmallOnesAreKept(@TempDir Path folder) throws IOException {
+        Files.createDirectory(folder.resolve("meshes"));
+        Files.writeString(folder.resolve("meshes/square.obj"), SQUARE + "f 1 2 3 4\n");
+        String text = "{\"scene\": [{\"type\": \"TriangleMesh\", \"mesh\": \"meshes/square.obj\"}]}";
+
+        Studio studio = StudioReader.read(text, "scene.json", folder);
+
+        assertThat(studio.scene())
+                .containsExactly(new TriangleMesh(
+                        "mesh", read(SQUARE + "f 1 2 3 4", "meshes/square.obj"), ColouredSurface.DEFAULT));
+        assertThat(StudioWriter.write(studio)).contains("\"meshes/square.obj\"").doesNotContain("base64");
+        String whole = StudioWriter.writeSelfContained(studio);
+        assertThat(StudioReader.read(whole, "photograph.png", folder.resolve("elsewhere")))
+                .isEqualTo(studio);
+    }
+
+    @Test
+    void aLargeMeshIsOnlyNamed(@TempDir Path folder) throws IOException {
+        String comments = "# nothing to see here\n".repeat(60_000);
+        Files.writeString(folder.resolve("large.obj"), comments + SQUARE + "f 1 2 3 4\n");
+        String text = "{\"scene\": [{\"type\": \"TriangleMesh\", \"mesh\": \"large.obj\"}]}";
+
+        Studio studio = StudioReader.read(text, "scene.json", folder);
+        String whole = StudioWriter.writeSelfContained(studio);
+
+        assertThat(whole).hasSizeLessThan(1000).contains("large.obj");
+        assertThat(StudioReader.read(whole, "photograph.png", folder)).isEqualTo(studio);
+        assertThatThrownBy(() -> StudioReader.read(whole, "photograph.png", folder.resolve("elsewhere")))
+                .isInstanceOf(SceneFileException.class)
+                .hasMessageContaining("photograph.png:")
+                .hasMessageContaining("scene[0].mesh")
+                .hasMessageContaining("there is no such file")
+                .hasMessageContaining("large.obj");
+    }
+
+    @Test
+    void aMistakeInAMeshNamesTheSceneFileTheMeshAndBothLines(@TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("bad.obj"), SQUARE + "f 1 2 9\n");
+
+        assertThatThrownBy(() -> StudioReader.read(
+                        "{\"scene\": [\n{\"type\": \"TriangleMesh\", \"mesh\": \"bad.obj\"}]}", "scene.json", folder))
+                .isInstanceOf(SceneFileException.class)
+                .hasMessageContaining("scene.json:2:")
+                .hasMessageContaining("bad.obj:6: a face names vertex 9, but there are only 4");
+    }
+
+    private static MeshData read(String text) throws IOException {
+        return read(text, "knot.obj");
+    }
+
+    private static MeshData read(String text, String name) throws IOException {
+        return MeshFile.read(text.getBytes(StandardCharsets.UTF_8), name);
+    }
+
+    private static List<Double> corners(MeshData mesh, int triangle) {
+        return IntStream.range(0, 9)
+                .mapToObj(i -> mesh.coordinate(triangle, i / 3, i % 3))
+                .toList();
+    }
+}
