@@ -1,5 +1,6 @@
 package tompkins.app;
 
+import java.io.Console;
 import java.io.PrintWriter;
 import java.util.Locale;
 import tompkins.render.RenderJob;
@@ -13,12 +14,25 @@ final class ProgressLine implements RenderListener {
     private static final int WIDTH = 72;
 
     private final PrintWriter out;
-    private final boolean terminal = System.console() != null;
+    private final boolean terminal = isTerminal();
     private final long start = System.nanoTime();
     private long last = start;
 
     ProgressLine(PrintWriter out) {
         this.out = out;
+    }
+
+    /** From Java 22 on there is always a console, and it says itself whether somebody watches it. */
+    private static boolean isTerminal() {
+        Console console = System.console();
+        if (console == null) {
+            return false;
+        }
+        try {
+            return (boolean) Console.class.getMethod("isTerminal").invoke(console);
+        } catch (ReflectiveOperationException beforeJava22) {
+            return true;
+        }
     }
 
     @Override

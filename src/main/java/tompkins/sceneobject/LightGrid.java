@@ -175,7 +175,7 @@ public final class LightGrid {
         if (!(u >= 0 && v >= 0 && u < SIDE && v < SIDE)) {
             return NONE;
         }
-        Primitive[] seen = cells[(int) v * SIDE + (int) u];
+        Primitive[] seen = cells[((int) v) * SIDE + (int) u];
         return seen == null ? NONE : seen;
     }
 }

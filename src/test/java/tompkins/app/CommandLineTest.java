@@ -183,9 +183,9 @@ class CommandLineTest {
     }
 
     static Stream<Path> scenes() throws IOException {
-        return Files.list(Path.of("scenes"))
-                .filter(file -> file.toString().endsWith(".json"))
-                .sorted();
+        try (Stream<Path> files = Files.list(Path.of("scenes"))) {
+            return files.filter(file -> file.toString().endsWith(".json")).sorted().toList().stream();
+        }
     }
 
     @ParameterizedTest
