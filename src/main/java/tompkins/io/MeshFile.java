@@ -15,7 +15,7 @@ import tompkins.ray.MeshData;
 public final class MeshFile {
 
     /** The bytes of smaller files are kept, so that photographs hold the mesh. */
-    private static final int LARGEST_KEPT_FILE = 1 << 20;
+    static final int LARGEST_KEPT_FILE = 1 << 20;
 
     private MeshFile() {}
 

@@ -17,6 +17,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import tompkins.property.Meaning;
+import tompkins.ray.MeshData;
 import tompkins.ray.PixelPicture;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
@@ -27,8 +28,10 @@ public final class SceneFileReference {
 
     private static final String INTRODUCTION = "scene-files.md";
 
-    /** A picture that the scenes of the program use, for examples. */
+    /** A picture and a mesh that the scenes of the program use, for examples. */
     private static final String PICTURE = "pictures/clock.png";
+
+    private static final String MESH = "meshes/trefoil.obj";
 
     private static final DescriptionWriter WRITER = new DescriptionWriter(picture -> false);
 
@@ -56,6 +59,7 @@ public final class SceneFileReference {
             return text.replace("@SPEEDS@", speeds())
                     .replace("@LARGEST_GAMMA@", JsonLayout.number(VelocityReader.LARGEST_GAMMA))
                     .replace("@GUARANTEED_GAMMA@", JsonLayout.number(Velocity.GUARANTEED_GAMMA))
+                    .replace("@LARGEST_MESH@", Integer.toString(MeshFile.LARGEST_KEPT_FILE >> 20))
                     .replace("@LARGEST_FILE@", Integer.toString(SceneText.LARGEST >> 20))
                     .replace("@MOST_VALUES@", Integer.toString(JsonParsing.MOST_VALUES))
                     .replace("@DEEPEST@", Integer.toString(JsonParsing.DEEPEST));
@@ -137,8 +141,11 @@ public final class SceneFileReference {
 
     private static String standard(RecordComponent component, Object description) {
         Object value = Descriptions.value(component, description);
-        return value.equals(PixelPicture.WHITE)
-                ? "one white pixel"
+        if (value.equals(PixelPicture.WHITE)) {
+            return "one white pixel";
+        }
+        return value.equals(MeshData.OCTAHEDRON)
+                ? "an octahedron of radius 1"
                 : "`" + JsonLayout.oneLine(WRITER.tree(component.getGenericType(), value)) + "`";
     }
 
@@ -169,6 +176,9 @@ public final class SceneFileReference {
     private static Object example(RecordComponent component, Object description) {
         if (component.getType() == PixelPicture.class) {
             return PICTURE;
+        }
+        if (component.getType() == MeshData.class) {
+            return MESH;
         }
         Object value = Descriptions.value(component, description);
         Optional<Class<?>> element = Descriptions.elementType(component.getGenericType());

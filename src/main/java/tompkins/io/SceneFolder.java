@@ -11,9 +11,6 @@ import tompkins.ray.FileContent;
 /** The files under the folder of a scene file; nothing else on the disk can be reached. Each is read once. */
 final class SceneFolder {
 
-    private static final String ALLOWED =
-            "must be the name of a file in the folder of the scene file or below, with / between the parts";
-
     private static final long LARGEST_FILE = 1L << 28;
 
     private final Path folder;
@@ -31,26 +28,28 @@ final class SceneFolder {
     <T extends FileContent> T content(String name, FileContentParser<T> parser) throws IOException {
         FileContent known = read.get(name);
         if (known == null || !parser.type().isInstance(known)) {
-            known = parser.parse(bytes(name), name);
+            known = parser.parse(bytes(name, parser.noun()), name);
             read.put(name, known);
         }
         return parser.type().cast(known);
     }
 
-    /** The bytes of a file with a name relative to the folder. */
-    byte[] bytes(String name) throws IOException {
-        Path file = file(name);
+    /** The bytes of a file with a name relative to the folder; the noun says what file is meant. */
+    byte[] bytes(String name, String noun) throws IOException {
+        String allowed =
+                "must be the name of " + noun + " in the folder of the scene file or below, with / between the parts";
+        Path file = file(name, allowed);
         if (!Files.exists(file)) {
             throw new IOException(
-                    "there is no such file in " + folder.toAbsolutePath().normalize() + "; it " + ALLOWED);
+                    "there is no such file in " + folder.toAbsolutePath().normalize() + "; it " + allowed);
         }
         // links are followed first: what counts is where they lead
         Path real = file.toRealPath();
         if (!real.startsWith(folder.toRealPath())) {
-            throw new IOException("leads out of the folder by a link; it " + ALLOWED);
+            throw new IOException("leads out of the folder by a link; it " + allowed);
         }
         if (!Files.isRegularFile(real)) {
-            throw new IOException("is not a file; it " + ALLOWED);
+            throw new IOException("is not a file; it " + allowed);
         }
         if (Files.size(real) > LARGEST_FILE) {
             throw new IOException("must have at most " + LARGEST_FILE + " bytes, has " + Files.size(real));
@@ -62,19 +61,19 @@ final class SceneFolder {
         }
     }
 
-    private Path file(String name) throws IOException {
+    private Path file(String name, String allowed) throws IOException {
         Path relative;
         try {
             relative = folder.getFileSystem().getPath(name);
         } catch (InvalidPathException impossible) {
-            throw new IOException(ALLOWED, impossible);
+            throw new IOException(allowed, impossible);
         }
         if (name.isBlank() || relative.getRoot() != null || name.startsWith("/") || name.contains("\\")) {
-            throw new IOException(ALLOWED);
+            throw new IOException(allowed);
         }
         for (Path part : relative) {
             if (part.toString().equals("..")) {
-                throw new IOException(ALLOWED);
+                throw new IOException(allowed);
             }
         }
         return folder.resolve(relative);

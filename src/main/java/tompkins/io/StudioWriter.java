@@ -66,7 +66,7 @@ public final class StudioWriter {
     private static Predicate<FileContent> isNotIn(SceneFolder folder) {
         return content -> {
             try {
-                return isKept(content) && !Arrays.equals(folder.bytes(content.name()), content.file());
+                return isKept(content) && !Arrays.equals(folder.bytes(content.name(), "a file"), content.file());
             } catch (IOException missing) {
                 return true;
             }

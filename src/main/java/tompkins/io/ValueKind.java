@@ -8,6 +8,7 @@ import org.joml.Vector2ic;
 import org.joml.Vector3dc;
 import org.joml.Vector3ic;
 import tompkins.ray.Colour;
+import tompkins.ray.MeshData;
 import tompkins.ray.PixelPicture;
 import tompkins.spacetime.Velocity;
 
@@ -39,6 +40,9 @@ final class ValueKind {
         }
         if (type == PixelPicture.class) {
             return "[picture](#pictures)";
+        }
+        if (type == MeshData.class) {
+            return "[mesh](#meshes)";
         }
         if (type == Velocity.class) {
             return "[velocity](#velocities)";

@@ -17,6 +17,7 @@ import org.joml.Vector3i;
 import org.joml.Vector3ic;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Colour;
+import tompkins.ray.MeshData;
 import tompkins.ray.PixelPicture;
 import tompkins.spacetime.Velocity;
 
@@ -73,7 +74,10 @@ final class ValueEditors {
             return new VelocityEditor(tip, note, commit);
         }
         if (type == PixelPicture.class) {
-            return new PixelPictureEditor(label, tip, note, commit);
+            return FileContentEditor.picture(label, tip, note, commit);
+        }
+        if (type == MeshData.class) {
+            return FileContentEditor.mesh(label, tip, note, commit);
         }
         if (type.isRecord() || type.isSealed()) {
             return new FamilyEditor(type, label, note, commit);

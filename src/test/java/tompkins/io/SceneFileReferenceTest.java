@@ -41,9 +41,11 @@ class SceneFileReferenceTest {
     private static final Pattern EXAMPLE = Pattern.compile("```json\n(.*?)\n```", Pattern.DOTALL);
 
     @BeforeAll
-    static void makePicture() throws IOException {
+    static void makeFiles() throws IOException {
         Files.createDirectory(folder.resolve("pictures"));
         Files.write(folder.resolve("pictures/clock.png"), Base64.getDecoder().decode(PICTURE));
+        Files.createDirectory(folder.resolve("meshes"));
+        Files.writeString(folder.resolve("meshes/trefoil.obj"), "v 0 0 9\nv 1 0 9\nv 0 1 9\nf 1 2 3\n");
     }
 
     @Test
