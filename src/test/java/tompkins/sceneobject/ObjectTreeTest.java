@@ -1,0 +1,124 @@
+package tompkins.sceneobject;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.ray.Ray;
+import tompkins.surface.ColouredSurface;
+
+class ObjectTreeTest {
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 7, 50, 1000, 9000})
+    void theTreeFindsWhatTheListFinds(int count) {
+        List<Primitive> primitives = spheres(count, new Random(count));
+        ObjectTree tree = new ObjectTree(primitives, 1);
+        ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
+        NearestHit inTree = new NearestHit();
+        NearestHit inList = new NearestHit();
+        Random random = new Random(7);
+
+        int hits = 0;
+        for (int i = 0; i < 300; i++) {
+            Ray ray = ray(random);
+            boolean hit = list.nearest(ray, inList);
+            hits += hit ? 1 : 0;
+
+            assertThat(tree.nearest(ray, inTree)).isEqualTo(hit);
+            assertThat(inTree.primitive()).isSameAs(inList.primitive());
+            assertThat(inTree.distance()).isEqualTo(inList.distance());
+            assertThat(tree.shadows(ray, 5, inTree)).isEqualTo(list.shadows(ray, 5, inList));
+        }
+        assertThat(hits).isBetween(1, 299);
+        assertThat(tree.hasTree()).isTrue();
+        assertThat(list.hasTree()).isFalse();
+    }
+
+    /** Of a hundred spheres in one place the first is seen, whatever the tree makes of them. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 1000})
+    void ofEquallyNearHitsTheOneListedFirstCounts(int smallestTree) {
+        PrimitiveCollector collector = new PrimitiveCollector(point -> point);
+        for (int i = 0; i < 100; i++) {
+            new Sphere("sphere " + i, new Vector3d(0, 0, 10), 1, ColouredSurface.DEFAULT)
+                    .addTo(collector, Placement.NONE);
+        }
+        ObjectTree tree = new ObjectTree(collector.primitives(), smallestTree);
+        NearestHit nearest = new NearestHit();
+
+        assertThat(tree.nearest(Ray.fromCamera(0, 0, 0, 0, 0, 1, 0), nearest)).isTrue();
+
+        assertThat(nearest.primitive().description()).isEqualTo("sphere 0");
+    }
+
+    /** Large trees are built by several threads. */
+    @Test
+    void theTreeIsTheSameEachTime() {
+        List<Primitive> primitives = spheres(30_000, new Random(3));
+
+        assertThat(shape(TreeBuilder.build(primitives))).isEqualTo(shape(TreeBuilder.build(primitives)));
+    }
+
+    /** Numbers of primitives in the order of the leaves, with brackets for the nodes. */
+    private static String shape(TreeNode node) {
+        StringBuilder text = new StringBuilder();
+        append(text, node);
+        return text.toString();
+    }
+
+    private static void append(StringBuilder text, TreeNode node) {
+        text.append('(');
+        if (node.primitives == null) {
+            append(text, node.low);
+            append(text, node.high);
+        } else {
+            for (Primitive primitive : node.primitives) {
+                text.append(primitive.order()).append(' ');
+            }
+        }
+        text.append(')');
+    }
+
+    @Test
+    void manyPrimitivesInOnePlaceMakeNoDeepTree() {
+        PrimitiveCollector collector = new PrimitiveCollector(point -> point);
+        for (int i = 0; i < 20_000; i++) {
+            // distances that shrink by half each time: every cut takes off one
+            double x = i < 900 ? Math.scalb(1.0, -i) : 0;
+            new Sphere("sphere", new Vector3d(x, 0, 10), 1e-3, ColouredSurface.DEFAULT)
+                    .addTo(collector, Placement.NONE);
+        }
+
+        assertThat(depth(TreeBuilder.build(collector.primitives()))).isLessThan(NearestHit.DEEPEST_TREE);
+    }
+
+    private static int depth(TreeNode node) {
+        return node.primitives == null ? 1 + Math.max(depth(node.low), depth(node.high)) : 1;
+    }
+
+    private static Ray ray(Random random) {
+        Vector3d from = new Vector3d(random.nextDouble(-2, 2), random.nextDouble(-2, 2), -3);
+        Vector3d to = new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(0, 1));
+        Vector3d direction = to.sub(from).normalize();
+        return Ray.fromCamera(from.x, from.y, from.z, direction.x, direction.y, direction.z, 0);
+    }
+
+    private static List<Primitive> spheres(int count, Random random) {
+        PrimitiveCollector collector = new PrimitiveCollector(point -> point);
+        double radius = 0.5 / Math.sqrt(count);
+        List<SceneObject> objects = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            Vector3d centre =
+                    new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
+            objects.add(new Sphere("sphere", centre, radius, ColouredSurface.DEFAULT));
+        }
+        objects.forEach(object -> object.addTo(collector, Placement.NONE));
+        return collector.primitives();
+    }
+}
