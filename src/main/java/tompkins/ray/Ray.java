@@ -153,6 +153,26 @@ public final class Ray {
         return from(hit, newDx, newDy, newDz, newSlowness, weight * share, generation + 1);
     }
 
+    /** The same ray with a share of its light. */
+    public Ray dimmed(double share) {
+        return new Ray(
+                x,
+                y,
+                z,
+                dx,
+                dy,
+                dz,
+                time,
+                slowness,
+                frequency,
+                width,
+                spread,
+                weight * share,
+                boundary,
+                part,
+                generation);
+    }
+
     /** The same ray with its opening angle divided by a factor. */
     public Ray narrowed(double factor) {
         return new Ray(

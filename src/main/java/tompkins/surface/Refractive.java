@@ -19,9 +19,6 @@ public record Refractive(
     /** Glass in air. */
     public static final Refractive DEFAULT = new Refractive(1.5);
 
-    /** A part of the light that is weaker than this is given to the other part, not lost. */
-    private static final double WEAKEST_PART = 1.0 / 1024;
-
     /**
      * After so many surfaces light is let out where it can leave: a ray that grazes the inside of a sphere would otherwise
      * run around in it until the recursion depth ends it, and its light would be lost.
@@ -44,11 +41,11 @@ public record Refractive(
         double cosineBehind = Refraction.bend(direction, normal, before, behind, direction);
         double reflected = Refraction.reflectance(before, behind, Math.abs(along), cosineBehind);
         boolean caught = ray.generation >= LONGEST_CAPTURE && cosineBehind > 0;
-        if (caught || ray.weight * reflected < WEAKEST_PART) {
+        if (caught || ray.weight * reflected < Response.WEAKEST_PART) {
             return Response.goesOn(ray.bent(hit, direction.x, direction.y, direction.z, 1), Colour.WHITE);
         }
         double transmitted = 1 - reflected;
-        if (ray.weight * transmitted < WEAKEST_PART) {
+        if (ray.weight * transmitted < Response.WEAKEST_PART) {
             return Response.goesOn(Mirror.reflected(ray, hit, 1), Colour.WHITE);
         }
         Ray mirrored = Mirror.reflected(ray, hit, reflected);

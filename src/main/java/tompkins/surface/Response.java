@@ -14,6 +14,9 @@ import tompkins.ray.Ray;
  */
 public record Response(Colour light, Colour factor, Ray next) {
 
+    /** A part of the light that is weaker than this is not followed by itself but given to the other part. */
+    static final double WEAKEST_PART = 1.0 / 1024;
+
     /** Light of the surface alone. */
     public static Response ends(Colour light) {
         return new Response(light, Colour.BLACK, null);
@@ -24,8 +27,19 @@ public record Response(Colour light, Colour factor, Ray next) {
         return new Response(Colour.BLACK, factor, next);
     }
 
-    /** All the light of this response, with the ray that goes on followed to its end. */
-    public Colour followed(Tracer tracer) {
-        return next == null ? light : light.plus(tracer.colour(next).times(factor));
+    /** This response multiplied by a factor. */
+    Response times(double share) {
+        return new Response(light.times(share), factor.times(share), next);
+    }
+
+    /** Both responses: the ray of this one goes on, that of the other, weaker one is followed to its end. */
+    Response plus(Response weaker, Tracer tracer) {
+        if (next == null) {
+            return new Response(light.plus(weaker.light), weaker.factor, weaker.next);
+        }
+        Colour followed = weaker.next == null
+                ? weaker.light
+                : weaker.light.plus(tracer.colour(weaker.next).times(weaker.factor));
+        return new Response(light.plus(followed), factor, next);
     }
 }

@@ -3,6 +3,12 @@ package tompkins.surface;
 /** The wave that is +1 on [0, 1), -1 on [1, 2), and so on: one direction of a chequerboard. */
 final class SquareWave {
 
+    /** A window of this half width holds equally much of both values, to the last digit. */
+    private static final double WIDEST = 0x1p53;
+
+    /** Beyond this place neighbouring numbers are more than a period apart. */
+    private static final double FARTHEST = 0x1p54;
+
     private SquareWave() {}
 
     /**
@@ -10,6 +16,10 @@ final class SquareWave {
      * the rounding of the coordinates also where the window is far narrower than a tile or holds millions of them.
      */
     static double mean(double centre, double half) {
+        // so wide, or so far away, that no number is left: the mean of the whole wave
+        if (!(half < WIDEST && Math.abs(centre) < FARTHEST)) {
+            return 0;
+        }
         // where the wave is seen as constant, its value; this also keeps half = 0 from a division by zero
         double lower = Math.floor(centre - half);
         if (lower == Math.floor(centre + half)) {

@@ -54,9 +54,17 @@ public record Tiling(
         if (share == 1) {
             return second.respond(ray, hit, tracer);
         }
-        return Response.ends(first.respond(ray, hit, tracer)
-                .followed(tracer)
-                .mixedWith(second.respond(ray, hit, tracer).followed(tracer), share));
+        return respondBoth(ray, hit, tracer, share);
+    }
+
+    /** Each surface answers for its share of the bundle; the tracer loops over the larger share. */
+    private Response respondBoth(Ray ray, Hit hit, Tracer tracer, double share) {
+        if (continuesRays() && ray.weight * Math.min(share, 1 - share) < Response.WEAKEST_PART) {
+            return (share < 0.5 ? first : second).respond(ray, hit, tracer);
+        }
+        Response ofFirst = first.respond(ray.dimmed(1 - share), hit, tracer).times(1 - share);
+        Response ofSecond = second.respond(ray.dimmed(share), hit, tracer).times(share);
+        return share < 0.5 ? ofFirst.plus(ofSecond, tracer) : ofSecond.plus(ofFirst, tracer);
     }
 
     private double shareOfSecond(Ray ray, Hit hit) {

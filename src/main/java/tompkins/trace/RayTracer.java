@@ -55,6 +55,9 @@ final class RayTracer implements Tracer {
 
     @Override
     public Colour colour(Ray start) {
+        if (isGivenUp(start)) {
+            return Colour.BLACK;
+        }
         counts.rays++;
         return colour(start, objects.nearest(start, nearest));
     }
