@@ -45,12 +45,16 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
 
     /** This box, widened so that rounding in a ray's arithmetic cannot lose what touches its sides. */
     public Bounds widened() {
-        double largest = 0;
-        for (double coordinate : new double[] {minX, minY, minZ, maxX, maxY, maxZ}) {
-            largest = Math.max(largest, Math.abs(coordinate));
-        }
-        double margin = largest * MARGIN;
+        double margin = farthest() * MARGIN;
         return new Bounds(minX - margin, minY - margin, minZ - margin, maxX + margin, maxY + margin, maxZ + margin);
+    }
+
+    /** The largest coordinate, without its sign. */
+    public double farthest() {
+        double x = Math.max(Math.abs(minX), Math.abs(maxX));
+        double y = Math.max(Math.abs(minY), Math.abs(maxY));
+        double z = Math.max(Math.abs(minZ), Math.abs(maxZ));
+        return Math.max(x, Math.max(y, z));
     }
 
     /** Half the area of the sides. */

@@ -70,9 +70,11 @@ public record ImagePointGrid(
                 Vector3d point = new Vector3d(corner)
                         .add(new Vector3d(spanU).mul(share(i, points.x())))
                         .add(new Vector3d(spanV).mul(share(j, points.y())));
-                Placement there =
-                        new Placement(1, new Matrix3d(), collector.imagePoints().inFrame(point));
-                object.addTo(collector, placement.after(there));
+                Vector3dc place = collector.imagePoints().inFrame(point);
+                // a point whose light never crosses the shutter is photographed nowhere
+                if (place.isFinite()) {
+                    object.addTo(collector, placement.after(new Placement(1, new Matrix3d(), place)));
+                }
             }
         }
     }

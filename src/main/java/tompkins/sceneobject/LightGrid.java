@@ -140,7 +140,7 @@ public final class LightGrid {
         double nx = sign * (across.x() - slope * forward.x());
         double ny = sign * (across.y() - slope * forward.y());
         double nz = sign * (across.z() - slope * forward.z());
-        return primitive.least(nx, ny, nz) > nx * x + ny * y + nz * z;
+        return primitive.isBeyond(nx, ny, nz, nx * x + ny * y + nz * z);
     }
 
     /** Whether this is the grid of the lamp at (x, y, z). */

@@ -15,10 +15,14 @@ public abstract class Primitive implements Boundary {
     /** A line meets no primitive more often, not even with rounding at its edges. */
     private static final int MOST_MEETINGS = 8;
 
+    /** What rounding may move a point by, relative to the largest coordinate. */
+    private static final double SLACK = 1e-12;
+
     private final String description;
     private final Surface surface;
     private final Shadow shadow;
     private int order;
+    private double slack;
 
     /** A primitive of the object with the given description. */
     protected Primitive(String description, Surface surface) {
@@ -44,6 +48,11 @@ public abstract class Primitive implements Boundary {
      * the normal n (of any length).
      */
     public abstract double least(double nx, double ny, double nz);
+
+    /** Whether the primitive surely lies where n.x is above a bound, also if rounding speaks for it. */
+    public final boolean isBeyond(double nx, double ny, double nz, double bound) {
+        return least(nx, ny, nz) - slack * (Math.abs(nx) + Math.abs(ny) + Math.abs(nz)) > bound;
+    }
 
     /**
      * The inverse of the signed distance to this primitive along a line: positive in front of the ray's start, negative
@@ -99,6 +108,8 @@ public abstract class Primitive implements Boundary {
 
     final void setOrder(int order) {
         this.order = order;
+        Bounds bounds = bounds();
+        slack = bounds == null ? 0 : SLACK * bounds.farthest();
     }
 
     /** The nearer of two distances that lies in front and not beyond a limit. */

@@ -121,8 +121,8 @@ final class RayBundle {
     /** Whether no ray of the bundle can meet a primitive. */
     boolean misses(Primitive primitive) {
         for (int plane = 0; plane < PLANES; plane++) {
-            double least = primitive.least(normals[3 * plane], normals[3 * plane + 1], normals[3 * plane + 2]);
-            if (least > bounds[plane]) {
+            int at = 3 * plane;
+            if (primitive.isBeyond(normals[at], normals[at + 1], normals[at + 2], bounds[plane])) {
                 return true;
             }
         }

@@ -76,6 +76,9 @@ public final class RenderPlan {
 
     /** The event, in the scene frame, at which a point that is fixed to the camera is photographed through the lens centre. */
     private Event imagePoint(Vector3dc point) {
+        if (point.distance(studio.camera().position()) == 0) {
+            return lensInScene();
+        }
         LensRay ray = studio.camera().centralRay(point);
         double time = studio.camera().shutter().transmissionTime(ray, sceneFromCamera)
                 - point.distance(studio.camera().position());
