@@ -1,0 +1,309 @@
+package tompkins.fuzz;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import org.joml.Vector2i;
+import org.joml.Vector3d;
+import org.joml.Vector3i;
+import tompkins.camera.Camera;
+import tompkins.camera.PanoramicCamera;
+import tompkins.camera.ThinLensCamera;
+import tompkins.image.ToneCurve;
+import tompkins.light.AmbientLight;
+import tompkins.light.LightSource;
+import tompkins.light.PointLight;
+import tompkins.property.InvalidPropertyException;
+import tompkins.ray.Colour;
+import tompkins.ray.MeshData;
+import tompkins.ray.PixelPicture;
+import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Cone;
+import tompkins.sceneobject.Cylinder;
+import tompkins.sceneobject.CylinderLattice;
+import tompkins.sceneobject.Disc;
+import tompkins.sceneobject.Group;
+import tompkins.sceneobject.Hidden;
+import tompkins.sceneobject.ImagePointGrid;
+import tompkins.sceneobject.Parallelogram;
+import tompkins.sceneobject.Placed;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Silhouette;
+import tompkins.sceneobject.Sphere;
+import tompkins.sceneobject.Triangle;
+import tompkins.sceneobject.TriangleMesh;
+import tompkins.shutter.AperturePlaneShutter;
+import tompkins.shutter.ArbitraryPlaneShutter;
+import tompkins.shutter.DetectorPlaneShutter;
+import tompkins.shutter.FixedPointSurfaceShutter;
+import tompkins.shutter.FocusSurfaceShutter;
+import tompkins.shutter.LensHologramShutter;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Background;
+import tompkins.studio.PanoramaBackground;
+import tompkins.studio.RenderSettings;
+import tompkins.studio.SkyBackground;
+import tompkins.studio.Studio;
+import tompkins.studio.UniformBackground;
+import tompkins.surface.Clear;
+import tompkins.surface.ColourFilter;
+import tompkins.surface.ColouredSurface;
+import tompkins.surface.CutOut;
+import tompkins.surface.GalileoWindow;
+import tompkins.surface.LorentzWindow;
+import tompkins.surface.LuminousSurface;
+import tompkins.surface.Mirror;
+import tompkins.surface.PictureSurface;
+import tompkins.surface.Refractive;
+import tompkins.surface.Surface;
+import tompkins.surface.Tiling;
+import tompkins.surface.WindowAxes;
+
+/** Valid studios that nobody would build: all types, sizes over many powers of ten. The same seed gives the same one. */
+public final class RandomStudio {
+
+    private static final int TRIES = 1000;
+
+    private final SplittableRandom random;
+
+    /** The exponents of ten of lengths and times go from minus to plus this. */
+    private final double decades;
+
+    private RandomStudio(long seed) {
+        random = new SplittableRandom(seed);
+        decades = pick(1.5, 1.5, 1.5, 6.0, 6.0, 12.0, 40.0);
+    }
+
+    /** The studio with a number. */
+    public static Studio of(long seed) {
+        return new RandomStudio(seed).studio();
+    }
+
+    /** Objects of one type, by the order of the permitted types. */
+    public static SceneObject object(long seed, Class<?> type) {
+        return new RandomStudio(seed).valid(maker -> maker.object(type, 1));
+    }
+
+    /** A surface of one type. */
+    public static Surface surface(long seed, Class<?> type) {
+        return new RandomStudio(seed).valid(maker -> maker.surface(type, 1));
+    }
+
+    private <T> T valid(Function<RandomStudio, T> making) {
+        return valid(() -> making.apply(this));
+    }
+
+    /** Tries until the checks of the descriptions accept something. */
+    private <T> T valid(Supplier<T> making) {
+        for (int i = 0; i < TRIES; i++) {
+            try {
+                return making.get();
+            } catch (InvalidPropertyException tryAgain) {
+                continue;
+            }
+        }
+        throw new IllegalStateException("no valid value in " + TRIES + " tries");
+    }
+
+    private Studio studio() {
+        List<SceneObject> scene = several(random.nextInt(5) == 0 ? 150 : 6, this::anyObject);
+        List<SceneObject> cameraFrame = random.nextInt(3) == 0 ? several(2, this::anyObject) : List.of();
+        return valid(() -> new Studio(
+                "",
+                "",
+                "",
+                scene,
+                cameraFrame,
+                several(3, this::light),
+                background(),
+                camera(),
+                velocity(),
+                pick(TransformationLaw.values()),
+                new RenderSettings(
+                        16, 12, 1 + random.nextInt(2), random.nextLong(), pick(10, 100, 1000), ToneCurve.LINEAR)));
+    }
+
+    private SceneObject anyObject() {
+        return valid(() -> object(pick(SceneObject.class.getPermittedSubclasses()), 2));
+    }
+
+    private SceneObject object(Class<?> type, int depth) {
+        String name = type.getSimpleName();
+        return switch (name) {
+            case "Sphere" -> new Sphere(name, place(), size(), surface());
+            case "Plane" -> new Plane(name, place(), direction(), surface());
+            case "Disc" -> new Disc(name, place(), direction(), size(), surface());
+            case "Parallelogram" -> new Parallelogram(name, place(), place(), place(), surface());
+            case "Triangle" -> new Triangle(name, place(), place(), place(), surface());
+            case "TriangleMesh" -> new TriangleMesh(name, MeshData.OCTAHEDRON, surface());
+            case "Box" -> {
+                Vector3d from = place();
+                yield new Box(name, from, new Vector3d(size(), size(), size()).add(from), surface());
+            }
+            case "Cylinder" -> new Cylinder(name, place(), place(), size(), random.nextBoolean(), surface());
+            case "Cone" -> new Cone(name, place(), place(), size(), random.nextBoolean(), surface());
+            case "CylinderLattice" -> {
+                Vector3d from = place();
+                yield new CylinderLattice(
+                        name,
+                        from,
+                        new Vector3d(size(), size(), size()).add(from),
+                        new Vector3i(2 + random.nextInt(3), 2 + random.nextInt(3), 2),
+                        size() / 10,
+                        surface(),
+                        surface(),
+                        surface());
+            }
+            case "Silhouette" -> new Silhouette(name, place(), place(), place(), picture(), surface());
+            case "Group" -> new Group(name, depth == 0 ? List.of() : several(2, () -> objectWithin(depth)));
+            case "Placed" ->
+                new Placed(name, objectWithin(depth), size(), direction(), 360 * random.nextDouble(), place());
+            case "ImagePointGrid" ->
+                new ImagePointGrid(
+                        name, objectWithin(depth), place(), place(), place(), new Vector2i(1 + random.nextInt(3), 2));
+            case "Hidden" -> new Hidden(objectWithin(depth));
+            default -> throw new IllegalStateException("no random " + name + " yet");
+        };
+    }
+
+    private SceneObject objectWithin(int depth) {
+        return depth == 0 ? Sphere.DEFAULT : object(pick(SceneObject.class.getPermittedSubclasses()), depth - 1);
+    }
+
+    private Surface surface() {
+        return surface(pick(Surface.class.getPermittedSubclasses()), 2);
+    }
+
+    private Surface surface(Class<?> type, int depth) {
+        return switch (type.getSimpleName()) {
+            case "ColouredSurface" -> new ColouredSurface(colour(), colour());
+            case "LuminousSurface" -> new LuminousSurface(colour(), random.nextBoolean());
+            case "PictureSurface" -> new PictureSurface(picture(), random.nextBoolean());
+            case "Tiling" ->
+                new Tiling(surfaceWithin(depth), surfaceWithin(depth), size(), size(), random.nextInt(4) > 0);
+            case "CutOut" -> new CutOut(picture(), surfaceWithin(depth), surfaceWithin(depth));
+            case "Clear" -> Clear.DEFAULT;
+            case "ColourFilter" ->
+                new ColourFilter(new Colour(random.nextDouble(), random.nextDouble(), random.nextDouble()));
+            case "Mirror" -> new Mirror(pick(0.0, 0.5, 0.9, 0.99, 1.0));
+            case "Refractive" -> new Refractive(pick(1.0, 1 + 1e-12, 1.5, 0.5, 2.4, size()));
+            case "LorentzWindow" -> new LorentzWindow(velocity(), pick(WindowAxes.values()), random.nextDouble());
+            case "GalileoWindow" -> new GalileoWindow(velocity(), pick(WindowAxes.values()), random.nextDouble());
+            default -> throw new IllegalStateException("no random " + type + " yet");
+        };
+    }
+
+    private Surface surfaceWithin(int depth) {
+        return depth == 0 ? ColouredSurface.DEFAULT : surface(pick(Surface.class.getPermittedSubclasses()), depth - 1);
+    }
+
+    private LightSource light() {
+        return random.nextBoolean()
+                ? new AmbientLight(colour())
+                : new PointLight(place(), colour(), colour(), 100 * random.nextDouble());
+    }
+
+    private Background background() {
+        return switch (random.nextInt(3)) {
+            case 0 -> new UniformBackground(colour());
+            case 1 -> new SkyBackground(colour(), colour(), colour());
+            default -> new PanoramaBackground(picture());
+        };
+    }
+
+    private Camera camera() {
+        Vector3d position = random.nextInt(3) == 0 ? place() : new Vector3d();
+        double angle = pick(1e-6, 1.0, 20.0, 90.0, 179.9);
+        return random.nextInt(4) == 0
+                ? new PanoramicCamera(position, direction(), direction(), 360, 180, size(), 0, shutter())
+                : new ThinLensCamera(
+                        position,
+                        direction(),
+                        direction(),
+                        angle,
+                        0,
+                        random.nextBoolean() ? 0 : size() / 20,
+                        objectWithin(1),
+                        random.nextInt(3) - 1,
+                        shutter());
+    }
+
+    private Shutter shutter() {
+        return switch (pick(Shutter.class.getPermittedSubclasses()).getSimpleName()) {
+            case "AperturePlaneShutter" -> new AperturePlaneShutter(number());
+            case "DetectorPlaneShutter" -> new DetectorPlaneShutter(number(), size());
+            case "LensHologramShutter" -> new LensHologramShutter(number(), size());
+            case "FocusSurfaceShutter" -> new FocusSurfaceShutter(number());
+            case "ArbitraryPlaneShutter" -> new ArbitraryPlaneShutter(number(), place(), direction());
+            case "FixedPointSurfaceShutter" -> FixedPointSurfaceShutter.DEFAULT;
+            default -> throw new IllegalStateException("no such random shutter yet");
+        };
+    }
+
+    private Velocity velocity() {
+        return switch (random.nextInt(4)) {
+            case 0 -> Velocity.REST;
+            case 1 ->
+                Velocity.of(new Vector3d(random.nextDouble(), random.nextDouble(), random.nextDouble()).mul(0.57));
+            case 2 -> Velocity.of(SpeedScale.ONE_MINUS_BETA, Math.pow(10, -12 * random.nextDouble()), direction());
+            default -> Velocity.of(SpeedScale.RAPIDITY, Math.pow(10, 1.2 - 20 * random.nextDouble()), direction());
+        };
+    }
+
+    private Vector3d place() {
+        // near the axis of the camera, so that there is something to see
+        double reach = size();
+        Vector3d place = new Vector3d(sign(), sign(), sign()).mul(reach);
+        return random.nextInt(3) == 0 ? new Vector3d(number(), number(), number()) : place;
+    }
+
+    private double sign() {
+        return random.nextInt(8) == 0 ? 0 : 2 * random.nextDouble() - 1;
+    }
+
+    private Vector3d direction() {
+        return random.nextInt(3) == 0
+                ? new Vector3d(random.nextInt(3) - 1, random.nextInt(3) - 1, random.nextInt(3) - 1)
+                : new Vector3d(sign(), sign(), sign());
+    }
+
+    private double size() {
+        return Math.pow(10, decades * (2 * random.nextDouble() - 1) + 0.5);
+    }
+
+    private double number() {
+        return random.nextInt(10) == 0 ? 0 : random.nextBoolean() ? size() : -size();
+    }
+
+    private Colour colour() {
+        return new Colour(random.nextDouble(), random.nextDouble(), random.nextDouble());
+    }
+
+    private PixelPicture picture() {
+        int width = 1 + random.nextInt(4);
+        float[] rgba = new float[4 * width * 2];
+        for (int i = 0; i < rgba.length; i++) {
+            rgba[i] = (float) random.nextDouble();
+        }
+        return new PixelPicture("random.png", width, 2, rgba, new byte[0]);
+    }
+
+    private <T> List<T> several(int most, Supplier<T> making) {
+        List<T> list = new ArrayList<>();
+        for (int count = random.nextInt(most + 1); count > 0; count--) {
+            list.add(making.get());
+        }
+        return list;
+    }
+
+    @SafeVarargs
+    private <T> T pick(T... values) {
+        return values[random.nextInt(values.length)];
+    }
+}
