@@ -9,10 +9,11 @@ package tompkins.camera;
  */
 public final class PixelSampler {
 
-    private static final int DIMENSIONS = 4;
+    /** The number of the sample in the centre of the pixel and of the lens: the one that stands for all where one is enough. */
+    public static final int CENTRE = -1;
 
     private final int seed;
-    private final boolean centred;
+    private final boolean wideLens;
     private double x;
     private double y;
     private double lensX;
@@ -22,16 +23,21 @@ public final class PixelSampler {
      * A sampler for one picture.
      *
      * @param seed other seeds give other places
-     * @param samples samples for each pixel; a single one is taken in the centre of the pixel and of the lens
+     * @param wideLens whether the place on the lens matters; for a pinhole it stays in the centre
      */
-    public PixelSampler(long seed, int samples) {
+    public PixelSampler(long seed, boolean wideLens) {
         this.seed = hash((int) seed ^ hash((int) (seed >>> 32)));
-        centred = samples == 1;
+        this.wideLens = wideLens;
     }
 
-    /** Goes to a sample of a pixel. */
+    /** The number of a pixel's first sample, if it gets this many: a single one is taken in the centre. */
+    public static int firstOf(int samples) {
+        return samples == 1 ? CENTRE : 0;
+    }
+
+    /** Goes to a sample of a pixel: {@link #CENTRE}, or a number from 0 upwards. */
     public void start(int column, int row, int sample) {
-        if (centred) {
+        if (sample == CENTRE) {
             x = column + 0.5;
             y = row + 0.5;
             lensX = 0;
@@ -40,25 +46,19 @@ public final class PixelSampler {
         }
         int pixel = hash(seed + hash(column + hash(row)));
         int place = SobolPoints.shuffled(sample, pixel);
-        x = column + SobolPoints.coordinate(place, 0, hash(pixel + 1));
-        y = row + SobolPoints.coordinate(place, 1, hash(pixel + 2));
-        toDisc(
-                SobolPoints.coordinate(place, 2, hash(pixel + 3)),
-                SobolPoints.coordinate(place, 3, hash(pixel + DIMENSIONS)));
+        // the first two dimensions fill their square best; they go to the lens, over which more is blurred
+        if (wideLens) {
+            toLens(
+                    SobolPoints.coordinate(place, 0, hash(pixel + 1)),
+                    SobolPoints.coordinate(place, 1, hash(pixel + 2)));
+        }
+        x = column + SobolPoints.coordinate(place, 2, hash(pixel + 3));
+        y = row + SobolPoints.coordinate(place, 3, hash(pixel + 4));
     }
 
-    /** The concentric map (Shirley and Chiu 1997) of the unit square to the unit disc: even, and squares stay compact. */
-    private void toDisc(double s, double t) {
-        double a = 2 * s - 1;
-        double b = 2 * t - 1;
-        if (a == 0 && b == 0) {
-            lensX = 0;
-            lensY = 0;
-            return;
-        }
-        boolean flat = Math.abs(a) > Math.abs(b);
-        double radius = flat ? a : b;
-        double angle = flat ? Math.PI / 4 * (b / a) : Math.PI / 2 - Math.PI / 4 * (a / b);
+    private void toLens(double s, double t) {
+        double radius = ConcentricMap.radius(s, t);
+        double angle = ConcentricMap.angle(s, t);
         lensX = radius * Math.cos(angle);
         lensY = radius * Math.sin(angle);
     }

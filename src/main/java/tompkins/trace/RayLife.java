@@ -67,9 +67,8 @@ public record RayLife(
 
     /** As above, for a sample as the renderer takes it. */
     public static RayLife ofSample(RenderPlan plan, int column, int row, int sample) {
-        PixelSampler sampler = new PixelSampler(
-                plan.studio().settings().seed(), plan.studio().settings().samples());
-        sampler.start(column, row, sample);
+        PixelSampler sampler = plan.sampler();
+        sampler.start(column, row, sample == 0 ? PixelSampler.firstOf(plan.samples()) : sample);
         return of(plan, sampler.x(), sampler.y(), sampler.lensX(), sampler.lensY());
     }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3dc;
 import tompkins.camera.CameraRays;
+import tompkins.camera.PixelSampler;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.LightGrid;
@@ -105,9 +106,19 @@ public final class RenderPlan {
         return studio.settings().samples();
     }
 
+    /** The factor by which the light is multiplied in the end: exposure compensation. */
+    public double exposure() {
+        return Math.pow(2, studio.camera().exposureStops());
+    }
+
     /** Whether the camera and the scene share one frame. */
     public boolean isAtRest() {
         return sceneFromCamera instanceof IdentityTransformation;
+    }
+
+    /** The places of the samples, for one thread. */
+    PixelSampler sampler() {
+        return new PixelSampler(studio.settings().seed(), studio.camera().hasWideLens());
     }
 
     /** Where the lens is in the scene frame at the time of the picture. */
@@ -137,7 +148,7 @@ public final class RenderPlan {
                 ? null
                 : new RayTracer(
                         Frame.CAMERA, cameraFrame, studio.lights(), new LightGrid[0], entry, depth, counts, witness);
-        return new SampleTracer(studio.settings(), cameraRays, cameraTracer, entry, counts, witness);
+        return new SampleTracer(sampler(), cameraRays, cameraTracer, entry, counts, witness);
     }
 
     /** The place from which the tracer describes the scene; usually the origin of the scene frame. */

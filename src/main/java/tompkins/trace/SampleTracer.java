@@ -7,7 +7,6 @@ import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.Candidates;
 import tompkins.sceneobject.NearestHit;
-import tompkins.studio.RenderSettings;
 
 /** Takes samples of a picture. One for each thread. */
 public final class SampleTracer {
@@ -31,13 +30,13 @@ public final class SampleTracer {
 
     /** A tracer; the tracer of the camera frame is null if no objects move with the camera, the witness may be null. */
     SampleTracer(
-            RenderSettings settings,
+            PixelSampler sampler,
             CameraRays cameraRays,
             RayTracer cameraTracer,
             SceneEntry sceneEntry,
             RayCounts counts,
             RayWitness witness) {
-        this.sampler = new PixelSampler(settings.seed(), settings.samples());
+        this.sampler = sampler;
         this.cameraRays = cameraRays;
         this.cameraTracer = cameraTracer;
         this.sceneEntry = sceneEntry;
