@@ -13,6 +13,7 @@ import tompkins.image.PictureException;
 import tompkins.image.PictureFormat;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
+import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderReport;
 import tompkins.render.Renderer;
@@ -47,7 +48,13 @@ final class Photographer {
             Path target = targetOf(file, Path.of(""));
             boolean replaceable = Files.isRegularFile(target)
                     && PhotographFile.readScene(target).isPresent();
-            take(StudioReader.read(file), target, PictureFormat.of(target), replaceable);
+            Studio studio = StudioReader.read(file);
+            take(
+                    studio,
+                    new Quality.Samples(studio.settings().samples()),
+                    target,
+                    PictureFormat.of(target),
+                    replaceable);
         }
         return 0;
     }
@@ -62,7 +69,7 @@ final class Photographer {
     }
 
     /** Takes one picture and saves it; says where. */
-    void take(Studio studio, Path target, PictureFormat format, boolean replace)
+    void take(Studio studio, Quality quality, Path target, PictureFormat format, boolean replace)
             throws IOException, InterruptedException {
         refuseToReplace(target, replace);
         requireMemory(studio.settings());
@@ -71,7 +78,7 @@ final class Photographer {
         ProgressLine progress = new ProgressLine(err);
         RenderJob job;
         try (Renderer renderer = new Renderer(threads)) {
-            job = renderer.start(RenderPlan.of(studio), progress);
+            job = renderer.start(RenderPlan.of(studio), quality, progress);
             job.await();
         } finally {
             progress.clear();
@@ -112,10 +119,14 @@ final class Photographer {
         double seconds = report.time().toNanos() / 1e9;
         out.println(String.format(
                 Locale.ROOT,
-                "%s  (%.2f s, %.2f million rays/s)",
+                "%s  (%.2f s, %.2f million rays/s, %.1f samples a pixel%s)",
                 target.toAbsolutePath(),
                 seconds,
-                (report.rays() + report.shadowRays()) / seconds / 1e6));
+                (report.rays() + report.shadowRays()) / seconds / 1e6,
+                report.samplesPerPixel(),
+                Double.isNaN(report.error())
+                        ? ""
+                        : String.format(Locale.ROOT, ", estimated error %.2g", report.error())));
         for (String warning : report.warnings()) {
             err.println("warning: " + warning);
         }

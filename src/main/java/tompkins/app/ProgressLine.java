@@ -52,7 +52,7 @@ final class ProgressLine implements RenderListener {
                 Locale.ROOT,
                 "%3.0f %%   %.2f million camera rays/s   %.0f s left",
                 100 * progress,
-                samples / seconds / 1e6,
+                job.samples() / seconds / 1e6,
                 seconds * (1 - progress) / Math.max(progress, 1e-9)));
     }
 

@@ -4,6 +4,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
+import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -43,6 +44,9 @@ final class RenderCommand implements Callable<Integer> {
     @Option(names = "--tone", description = "tone curve of png and tiff: ${COMPLETION-CANDIDATES}")
     private ToneCurve toneCurve;
 
+    @ArgGroup
+    private QualityOptions quality = new QualityOptions();
+
     @Option(names = "--threads", paramLabel = "N", description = "number of threads; without it one for each core")
     private Integer threads;
 
@@ -73,7 +77,7 @@ final class RenderCommand implements Callable<Integer> {
             if (toneCurve != null) {
                 studio = studio.withSettings(studio.settings().withToneCurve(toneCurve));
             }
-            photographer.take(studio, target, targetFormat, force);
+            photographer.take(studio, quality.of(studio), target, targetFormat, force);
         }
         return 0;
     }

@@ -14,19 +14,70 @@ final class Film {
     private final float[] sums;
     private final int[] samples;
 
-    Film(int width, int height) {
+    /** The sums when a pixel had half of its samples: as many as the greatest power of two below their number. */
+    private final float[] halfSums;
+
+    /** A film; one that will get only one sample of each pixel has nothing to compare. */
+    Film(int width, int height, boolean oneSample) {
         this.width = width;
         this.height = height;
         sums = new float[Math.multiplyExact(3, width * height)];
         samples = new int[width * height];
+        halfSums = oneSample ? null : new float[sums.length];
+    }
+
+    int width() {
+        return width;
+    }
+
+    int height() {
+        return height;
     }
 
     void add(int column, int row, Colour colour) {
         int pixel = row * width + column;
+        int count = samples[pixel];
+        if (count > 0 && (count & (count - 1)) == 0) {
+            System.arraycopy(sums, 3 * pixel, halfSums, 3 * pixel, 3);
+        }
         sums[3 * pixel] += (float) colour.red();
         sums[3 * pixel + 1] += (float) colour.green();
         sums[3 * pixel + 2] += (float) colour.blue();
         samples[pixel]++;
+    }
+
+    /** Takes the samples of a pixel away. */
+    void restart(int pixel) {
+        samples[pixel] = 0;
+        sums[3 * pixel] = 0;
+        sums[3 * pixel + 1] = 0;
+        sums[3 * pixel + 2] = 0;
+    }
+
+    /** Number of samples of a pixel. */
+    int samples(int pixel) {
+        return samples[pixel];
+    }
+
+    /** The mean of a channel of a pixel that has samples. */
+    double mean(int pixel, int channel) {
+        return (double) sums[3 * pixel + channel] / samples[pixel];
+    }
+
+    /**
+     * The variance of the mean of a pixel with two samples or more, averaged over the channels: for n = a + b samples it is
+     * {@code D^2 a b/n^2}, where D is the difference between the means of the first a and of the other b.
+     */
+    double halvesVariance(int pixel) {
+        int count = samples[pixel];
+        int first = Integer.highestOneBit(count - 1);
+        double sum = 0;
+        for (int channel = 0; channel < 3; channel++) {
+            double half = halfSums[3 * pixel + channel];
+            double difference = half / first - (sums[3 * pixel + channel] - half) / (count - first);
+            sum += difference * difference;
+        }
+        return sum / 3 * first * (count - first) / ((double) count * count);
     }
 
     /**

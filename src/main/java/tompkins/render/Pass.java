@@ -1,7 +1,9 @@
 package tompkins.render;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
+import tompkins.camera.PixelSampler;
 
 /**
  * One pass over the picture. Coarse passes take the first sample of every 8th, 4th, 2nd pixel in both directions, and each
@@ -11,8 +13,10 @@ import java.util.List;
  * @param coarserStride stride of the pass before this one, or 0 if this is the first
  * @param firstSample number of the first sample
  * @param samples samples for each pixel
+ * @param chosen the pixels that get them, or null for all
+ * @param share the share of the pixels that get them
  */
-record Pass(int stride, int coarserStride, int firstSample, int samples) {
+record Pass(int stride, int coarserStride, int firstSample, int samples, BitSet chosen, double share) {
 
     private static final int COARSEST = 8;
 
@@ -27,26 +31,34 @@ record Pass(int stride, int coarserStride, int firstSample, int samples) {
         List<Pass> passes = new ArrayList<>();
         int coarser = 0;
         for (int stride = coarseFirst ? COARSEST : 1; stride >= 1; stride /= 2) {
-            passes.add(new Pass(stride, coarser, 0, 1));
+            double share = 1.0 / (stride * stride) - (coarser == 0 ? 0 : 1.0 / (coarser * coarser));
+            passes.add(new Pass(stride, coarser, PixelSampler.firstOf(samples), 1, null, share));
             coarser = stride;
         }
         int done = 1;
         while (done < samples) {
             int next = Math.min(Math.min(done, MOST_SAMPLES), samples - done);
-            passes.add(new Pass(1, 0, done, next));
+            passes.add(new Pass(1, 0, done, next, null, 1));
             done += next;
         }
         return passes;
     }
 
-    /** Whether this pass takes samples of a pixel. */
-    boolean takes(int column, int row) {
+    /** A pass that takes further samples of some pixels. */
+    static Pass refining(int firstSample, int samples, BitSet chosen, int pixels) {
+        return new Pass(1, 0, firstSample, samples, chosen, (double) chosen.cardinality() / pixels);
+    }
+
+    /** Whether this pass takes samples of a pixel, whose number is {@code pixel}. */
+    boolean takes(int column, int row, int pixel) {
+        if (chosen != null) {
+            return chosen.get(pixel);
+        }
         return coarserStride == 0 || column % coarserStride != 0 || row % coarserStride != 0;
     }
 
-    /** The share of the pixels that this pass takes, times its samples. */
+    /** Samples of this pass, divided by the number of pixels of the picture. */
     double work() {
-        double share = 1.0 / (stride * stride);
-        return samples * (coarserStride == 0 ? share : share - 1.0 / (coarserStride * coarserStride));
+        return samples * share;
     }
 }

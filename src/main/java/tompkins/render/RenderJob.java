@@ -1,6 +1,7 @@
 package tompkins.render;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -21,12 +22,12 @@ import tompkins.trace.SampleTracer;
 public final class RenderJob {
 
     private final RenderPlan plan;
-    private final List<Pass> passes;
+    private final Schedule schedule;
+    private final List<Pass> passes = new ArrayList<>();
     private final List<Tile> tiles;
     private final RenderListener listener;
     private final Consumer<RenderJob> whenEnded;
     private final Film film;
-    private final double allWork;
     private final int workers;
     private final long startTime = System.nanoTime();
 
@@ -41,18 +42,24 @@ public final class RenderJob {
     private long nodes;
     private long tests;
     private volatile boolean cancelled;
-    private volatile int passesDone;
+    private volatile boolean complete;
     private volatile long endTime;
 
-    RenderJob(RenderPlan plan, List<Pass> passes, int workers, RenderListener listener, Consumer<RenderJob> whenEnded) {
+    RenderJob(
+            RenderPlan plan,
+            Schedule schedule,
+            Film film,
+            int workers,
+            RenderListener listener,
+            Consumer<RenderJob> whenEnded) {
         this.plan = plan;
-        this.passes = passes;
+        this.schedule = schedule;
+        this.film = film;
         this.workers = workers;
         this.listener = listener;
         this.whenEnded = whenEnded;
         tiles = Tile.of(plan.width(), plan.height());
-        film = new Film(plan.width(), plan.height());
-        allWork = passes.stream().mapToDouble(Pass::work).sum();
+        passes.add(schedule.next(film));
     }
 
     /** What one thread does for this job. Whatever goes wrong is kept, so that nobody waits for a thread that has gone. */
@@ -70,17 +77,14 @@ public final class RenderJob {
     }
 
     private void renderTiles(SampleTracer tracer) {
-        int all = passes.size() * tiles.size();
-        for (int index = nextTile.getAndIncrement(); index < all; index = nextTile.getAndIncrement()) {
-            int pass = index / tiles.size();
-            if (!waitForPass(pass)) {
-                return;
-            }
+        int index = nextTile.getAndIncrement();
+        for (Pass pass = passOf(index); pass != null; pass = passOf(index)) {
             Tile tile = tiles.get(index % tiles.size());
-            renderTile(passes.get(pass), tile, tracer);
+            renderTile(pass, tile, tracer);
             if (!isStopped()) {
-                tileDone(passes.get(pass), tile);
+                tileDone(pass, tile);
             }
+            index = nextTile.getAndIncrement();
         }
     }
 
@@ -88,7 +92,7 @@ public final class RenderJob {
         SampleTaker taker = new SampleTaker() {
             @Override
             public boolean wants(int column, int row) {
-                return pass.takes(column, row) && !cancelled;
+                return pass.takes(column, row, row * plan.width() + column) && !cancelled;
             }
 
             @Override
@@ -102,17 +106,34 @@ public final class RenderJob {
             for (int column = 0; column < tile.width(); column += side) {
                 int width = Math.min(side, tile.width() - column);
                 int height = Math.min(side, tile.height() - row);
+                if (schedule.isOver() || !isWanted(pass, tile.column() + column, tile.row() + row, width, height)) {
+                    continue;
+                }
                 for (int sample = pass.firstSample(); sample < end && !isStopped(); sample++) {
                     try {
                         tracer.sampleBlock(
                                 tile.column() + column, tile.row() + row, width, height, pass.stride(), sample, taker);
                     } catch (RuntimeException | Error error) {
                         failure.compareAndSet(
-                                null, new RenderFailedException(tracer.column(), tracer.row(), sample, error));
+                                null,
+                                new RenderFailedException(tracer.column(), tracer.row(), Math.max(0, sample), error));
                     }
                 }
             }
         }
+    }
+
+    private boolean isWanted(Pass pass, int left, int top, int width, int height) {
+        if (pass.chosen() == null) {
+            return true;
+        }
+        for (int row = top; row < top + height; row++) {
+            int next = pass.chosen().nextSetBit(row * plan.width() + left);
+            if (next >= 0 && next < row * plan.width() + left + width) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private void tileDone(Pass pass, Tile tile) {
@@ -122,16 +143,22 @@ public final class RenderJob {
             // before the others go on, so that nobody adds to the film while the listener looks at it
             listener.passDone(this);
             synchronized (passLock) {
-                passesDone++;
+                Pass next = schedule.next(film);
+                if (next == null) {
+                    complete = true;
+                } else {
+                    passes.add(next);
+                }
                 passLock.notifyAll();
             }
         }
     }
 
-    /** Waits until the passes before this one are complete; false if the job was stopped meanwhile. */
-    private boolean waitForPass(int pass) {
+    /** The pass to which a tile belongs, once those before it are complete; null if the job has come to its end. */
+    private Pass passOf(int index) {
+        int pass = index / tiles.size();
         synchronized (passLock) {
-            while (passesDone < pass && !isStopped()) {
+            while (passes.size() <= pass && !complete && !isStopped()) {
                 try {
                     passLock.wait(10);
                 } catch (InterruptedException closing) {
@@ -139,8 +166,8 @@ public final class RenderJob {
                     Thread.currentThread().interrupt();
                 }
             }
+            return isStopped() || complete ? null : passes.get(pass);
         }
-        return !isStopped();
     }
 
     private void workerEnded(RayCounts mine, SampleTracer tracer) {
@@ -168,17 +195,22 @@ public final class RenderJob {
 
     /** Whether the job was cancelled before it was complete. */
     public boolean isCancelled() {
-        return cancelled && passesDone < passes.size();
+        return cancelled && !complete;
     }
 
     /** Whether all samples were taken. */
     public boolean isComplete() {
-        return passesDone == passes.size();
+        return complete;
     }
 
     /** The share of the work that is done, from 0 to 1. */
     public double progress() {
-        return isComplete() ? 1 : Math.min(1, workDone.sum() / allWork);
+        return isComplete() ? 1 : Math.min(1, schedule.progress(workDone.sum()));
+    }
+
+    /** About how many samples were taken so far. */
+    public long samples() {
+        return (long) (workDone.sum() * plan.width() * plan.height());
     }
 
     /**
@@ -200,7 +232,7 @@ public final class RenderJob {
 
     /** The picture so far, in linear light, with exposure compensation. */
     public LinearImage image() {
-        return film.image(Math.pow(2, plan.studio().camera().exposureStops()));
+        return film.image(plan.exposure());
     }
 
     /** The plan of the picture. */
@@ -208,11 +240,25 @@ public final class RenderJob {
         return plan;
     }
 
-    /** What was done; complete once the job has ended. */
+    /** What was done; complete once the job has ended. Works out the error of the picture, which takes a moment. */
     public RenderReport report() {
         long until = end.getCount() == 0 ? endTime : System.nanoTime();
+        double error = estimatedError();
         synchronized (counts) {
-            return RenderReport.of(counts, nodes, tests, Duration.ofNanos(until - startTime));
+            return RenderReport.of(
+                    counts,
+                    nodes,
+                    tests,
+                    (long) plan.width() * plan.height(),
+                    error,
+                    Duration.ofNanos(until - startTime));
         }
+    }
+
+    private double estimatedError() {
+        if (plan.studio().camera().hasWideLens() && film.samples(0) == 1) {
+            return Double.NaN;
+        }
+        return plan.exposure() * new Roughness(film).rootMeanSquare();
     }
 }

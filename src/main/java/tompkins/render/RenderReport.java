@@ -19,6 +19,9 @@ import tompkins.ray.RayCounts;
  * @param tooFaint rays that were given up because they could bring too little light
  * @param nodes nodes of bounding-volume trees that were visited
  * @param tests primitives that were tested
+ * @param pixels pixels of the picture
+ * @param error estimated root mean square error in linear light; NaN if there is too little to tell, such as one sample
+ *     through a wide lens
  * @param time how long it took
  */
 public record RenderReport(
@@ -32,9 +35,11 @@ public record RenderReport(
         long tooFaint,
         long nodes,
         long tests,
+        long pixels,
+        double error,
         Duration time) {
 
-    static RenderReport of(RayCounts counts, long nodes, long tests, Duration time) {
+    static RenderReport of(RayCounts counts, long nodes, long tests, long pixels, double error, Duration time) {
         return new RenderReport(
                 counts.samples,
                 counts.rays,
@@ -46,7 +51,14 @@ public record RenderReport(
                 counts.tooFaint,
                 nodes,
                 tests,
+                pixels,
+                error,
                 time);
+    }
+
+    /** Mean number of samples of a pixel. */
+    public double samplesPerPixel() {
+        return (double) samples / pixels;
     }
 
     /** What the user should know: one sentence for each kind of trouble. */

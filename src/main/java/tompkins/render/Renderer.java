@@ -43,19 +43,31 @@ public final class Renderer implements AutoCloseable {
         pool = Executors.newFixedThreadPool(threads, factory);
     }
 
-    /** Starts a picture from its plan. Returns at once. */
+    /** Starts a picture from its plan, with as many samples as its scene says. Returns at once. */
     public RenderJob start(RenderPlan plan, RenderListener listener) {
-        return start(plan, false, listener);
+        return start(plan, Quality.of(plan), listener);
+    }
+
+    /** Starts a picture of some quality from its plan. Returns at once. */
+    public RenderJob start(RenderPlan plan, Quality quality, RenderListener listener) {
+        return start(plan, quality, false, listener);
     }
 
     /** Starts a picture for the window: the first sample of each pixel is taken coarse to fine. Returns at once. */
     public RenderJob startCoarse(RenderPlan plan, RenderListener listener) {
-        return start(plan, true, listener);
+        return startCoarse(plan, Quality.of(plan), listener);
     }
 
-    private RenderJob start(RenderPlan plan, boolean coarseFirst, RenderListener listener) {
-        List<Pass> passes = Pass.of(plan.samples(), coarseFirst);
-        RenderJob job = new RenderJob(plan, passes, threads, listener, jobs::remove);
+    /** As above, with some quality. */
+    public RenderJob startCoarse(RenderPlan plan, Quality quality, RenderListener listener) {
+        return start(plan, quality, true, listener);
+    }
+
+    private RenderJob start(RenderPlan plan, Quality quality, boolean coarseFirst, RenderListener listener) {
+        boolean oneSample = quality instanceof Quality.Samples fixed && fixed.samples() == 1;
+        Film film = new Film(plan.width(), plan.height(), oneSample);
+        Schedule schedule = schedule(plan, quality, coarseFirst);
+        RenderJob job = new RenderJob(plan, schedule, film, threads, listener, jobs::remove);
         jobs.add(job);
         try {
             for (int worker = 0; worker < threads; worker++) {
@@ -70,9 +82,27 @@ public final class Renderer implements AutoCloseable {
         return job;
     }
 
+    private static Schedule schedule(RenderPlan plan, Quality quality, boolean coarseFirst) {
+        if (quality instanceof Quality.Samples fixed) {
+            return new FixedSchedule(Pass.of(fixed.samples(), coarseFirst));
+        }
+        int pixels = plan.width() * plan.height();
+        boolean wideLens = plan.studio().camera().hasWideLens();
+        if (quality instanceof Quality.TimeLimit limit) {
+            return new AdaptiveSchedule(pixels, wideLens, true, 0, new TimeBudget(limit.seconds()));
+        }
+        double error = ((Quality.TargetError) quality).rootMeanSquare() / plan.exposure();
+        return new AdaptiveSchedule(pixels, wideLens, coarseFirst, error, new TimeBudget(Double.POSITIVE_INFINITY));
+    }
+
     /** Renders a picture and waits for it. */
     public RenderJob render(RenderPlan plan) throws InterruptedException {
-        RenderJob job = start(plan, RenderListener.NONE);
+        return render(plan, Quality.of(plan));
+    }
+
+    /** Renders a picture of some quality and waits for it. */
+    public RenderJob render(RenderPlan plan, Quality quality) throws InterruptedException {
+        RenderJob job = start(plan, quality, RenderListener.NONE);
         job.await();
         return job;
     }

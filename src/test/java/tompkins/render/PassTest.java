@@ -19,8 +19,8 @@ class PassTest {
         for (Pass pass : Pass.of(samples, coarseFirst)) {
             for (int row = 0; row < side; row += pass.stride()) {
                 for (int column = 0; column < side; column += pass.stride()) {
-                    for (int i = 0; i < pass.samples() && pass.takes(column, row); i++) {
-                        taken[row * side + column][pass.firstSample() + i]++;
+                    for (int i = 0; i < pass.samples() && pass.takes(column, row, 0); i++) {
+                        taken[row * side + column][Math.max(0, pass.firstSample()) + i]++;
                     }
                 }
             }

@@ -1,0 +1,93 @@
+package tompkins.render;
+
+import java.util.ArrayDeque;
+import java.util.BitSet;
+import java.util.Map;
+import java.util.Queue;
+import java.util.TreeMap;
+
+/**
+ * Takes samples where they are needed. A pinhole begins with the centre of each pixel, a wide lens with
+ * {@link #FIRST_SAMPLES}. Then, round by round, pixels get twice as many where one sample more lowers the picture's error
+ * most. Which ones depends on the picture alone, so that the result does not depend on the number of threads.
+ */
+final class AdaptiveSchedule implements Schedule {
+
+    /** Fewer samples miss what is small, and then take it for settled (see the chart in docs/speed-and-accuracy.md). */
+    static final int FIRST_SAMPLES = 16;
+
+    private static final int MOST_SAMPLES = 1 << 16;
+
+    /** A round aims a little lower than the target, so that the last rounds are not many small ones. */
+    private static final double AIM = 0.95;
+
+    private final Queue<Pass> waiting = new ArrayDeque<>();
+    private final int pixels;
+    private final double targetError;
+    private final TimeBudget time;
+    private double work;
+    private double expectedWork;
+
+    /**
+     * A schedule for one picture.
+     *
+     * @param targetError root mean square error before exposure, or 0
+     * @param time when to stop at the latest
+     */
+    AdaptiveSchedule(int pixels, boolean wideLens, boolean coarseFirst, double targetError, TimeBudget time) {
+        this.pixels = pixels;
+        this.targetError = targetError;
+        this.time = time;
+        waiting.addAll(Pass.of(wideLens ? FIRST_SAMPLES : 1, coarseFirst));
+        expectedWork = 2 * waiting.stream().mapToDouble(Pass::work).sum();
+    }
+
+    @Override
+    public Pass next(Film film) {
+        if (waiting.isEmpty() && !time.isOver()) {
+            plan(film);
+        }
+        Pass pass = waiting.poll();
+        work += pass == null ? 0 : pass.work();
+        return pass;
+    }
+
+    private void plan(Film film) {
+        Roughness roughness = new Roughness(film);
+        if (roughness.rootMeanSquare() <= targetError) {
+            return;
+        }
+        Allocation allocation = new Allocation(film, roughness, MOST_SAMPLES);
+        double threshold = targetError > 0
+                ? allocation.thresholdForVariance(pixels * AIM * AIM * targetError * targetError)
+                : allocation.thresholdForSamples(work * pixels * (1 + time.left() / time.spent()));
+        expectedWork = allocation.samples(threshold) / pixels;
+        Map<Integer, BitSet> chosen = new TreeMap<>();
+        for (int pixel = 0; pixel < pixels; pixel++) {
+            if (allocation.gain(pixel) > threshold) {
+                int samples = film.samples(pixel);
+                if (samples == 1) {
+                    film.restart(pixel);
+                }
+                chosen.computeIfAbsent(samples, count -> new BitSet(pixels)).set(pixel);
+            }
+        }
+        chosen.forEach((samples, mask) -> {
+            if (samples == 1) {
+                waiting.add(Pass.refining(0, FIRST_SAMPLES, mask, pixels));
+            } else {
+                waiting.add(Pass.refining(samples, samples, mask, pixels));
+            }
+        });
+    }
+
+    @Override
+    public double progress(double done) {
+        return time.isLimited() ? time.spent() / (time.spent() + time.left()) : done / expectedWork;
+    }
+
+    @Override
+    public boolean isOver() {
+        return time.isOver();
+    }
+}

@@ -1,0 +1,31 @@
+package tompkins.render;
+
+import java.util.Iterator;
+import java.util.List;
+
+/** The passes of {@link Quality.Samples}. */
+final class FixedSchedule implements Schedule {
+
+    private final Iterator<Pass> passes;
+    private final double allWork;
+
+    FixedSchedule(List<Pass> passes) {
+        this.passes = passes.iterator();
+        allWork = passes.stream().mapToDouble(Pass::work).sum();
+    }
+
+    @Override
+    public Pass next(Film film) {
+        return passes.hasNext() ? passes.next() : null;
+    }
+
+    @Override
+    public double progress(double work) {
+        return work / allWork;
+    }
+
+    @Override
+    public boolean isOver() {
+        return false;
+    }
+}

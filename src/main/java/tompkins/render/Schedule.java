@@ -1,0 +1,19 @@
+package tompkins.render;
+
+/** Decides which samples are taken. Called by one thread at a time, between passes. */
+interface Schedule {
+
+    /** The next pass, or null if the picture is done. */
+    Pass next(Film film);
+
+    /**
+     * How much of the picture is done.
+     *
+     * @param work the {@link Pass#work()} that is done
+     * @return from 0 to 1
+     */
+    double progress(double work);
+
+    /** Whether no new part of a pass shall be begun because the time is over. */
+    boolean isOver();
+}

@@ -1,0 +1,139 @@
+package tompkins.render;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.Test;
+import tompkins.camera.ThinLensCamera;
+import tompkins.ray.Colour;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.studio.RenderSettings;
+import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
+import tompkins.surface.LuminousSurface;
+import tompkins.trace.RenderPlan;
+
+/** Samples go where they are needed, and the error is what the report says. */
+class AdaptiveRenderTest {
+
+    private static final Renderer RENDERER = new Renderer(2);
+    private static final RenderSettings SMALL = RenderSettings.DEFAULT.withSize(96, 72);
+
+    @AfterAll
+    static void close() {
+        RENDERER.close();
+    }
+
+    @Test
+    void pinholeWithoutEdgesTakesOneSample() throws InterruptedException {
+        RenderJob job = render(studio(List.of(), 0), new Quality.TargetError(0.001));
+        assertThat(job.report().samples()).isEqualTo(96 * 72);
+        assertThat(job.report().error()).isZero();
+    }
+
+    @Test
+    void pinholeTakesMoreSamplesAtEdgesOnly() throws InterruptedException {
+        RenderJob job = render(studio(spheres(), 0), new Quality.TargetError(0.004));
+        assertThat(job.report().samplesPerPixel()).isBetween(1.5, 60.0);
+        assertThat(job.report().error()).isBetween(0.001, 0.004);
+        assertThat(trueError(studio(spheres(), 0), job)).isLessThan(1.25 * 0.004);
+    }
+
+    @Test
+    void wideLensIsHonest() throws InterruptedException {
+        Studio studio = studio(spheres(), 0.2);
+        for (double target : new double[] {0.01, 0.003}) {
+            RenderJob job = render(studio, new Quality.TargetError(target));
+            assertThat(job.report().samplesPerPixel()).isGreaterThanOrEqualTo(AdaptiveSchedule.FIRST_SAMPLES);
+            assertThat(job.report().error()).isLessThanOrEqualTo(target);
+            assertThat(trueError(studio, job)).isLessThan(1.25 * target);
+        }
+    }
+
+    @Test
+    void takesFewerSamplesThanTheSameNumberEverywhere() throws InterruptedException {
+        Studio studio = studio(spheres(), 0.05);
+        RenderJob adaptive = render(studio, new Quality.TargetError(0.003));
+        int samples = (int) Math.ceil(adaptive.report().samplesPerPixel());
+        RenderJob fixed = render(studio, new Quality.Samples(samples));
+        assertThat(trueError(studio, adaptive)).isLessThan(0.7 * trueError(studio, fixed));
+    }
+
+    @Test
+    void numberOfThreadsDoesNotMatter() throws InterruptedException {
+        RenderPlan plan = RenderPlan.of(studio(spheres(), 0.1));
+        Quality quality = new Quality.TargetError(0.005);
+        try (Renderer one = new Renderer(1);
+                Renderer three = new Renderer(3)) {
+            assertThat(three.render(plan, quality).image().rgb())
+                    .containsExactly(one.render(plan, quality).image().rgb());
+        }
+    }
+
+    @Test
+    void endsWhenTheTimeIsOver() throws InterruptedException {
+        RenderJob job = render(studio(spheres(), 0.1), new Quality.TimeLimit(0.5));
+        assertThat(job.isComplete()).isTrue();
+        assertThat(job.report().time().toMillis()).isBetween(250L, 2000L);
+        double error = trueError(studio(spheres(), 0.1), job);
+        assertThat(job.report().error()).isBetween(0.7 * error, 3 * error);
+    }
+
+    @Test
+    void reportsTheErrorOfFixedSamples() throws InterruptedException {
+        Studio studio = studio(spheres(), 0.1);
+        for (int samples : new int[] {16, 48, 256}) {
+            RenderJob job = render(studio, new Quality.Samples(samples));
+            double error = trueError(studio, job);
+            assertThat(job.report().error()).as("%d samples", samples).isBetween(0.8 * error, 2.5 * error);
+        }
+        assertThat(render(studio, new Quality.Samples(1)).report().error()).isNaN();
+    }
+
+    private static RenderJob render(Studio studio, Quality quality) throws InterruptedException {
+        return RENDERER.render(RenderPlan.of(studio), quality);
+    }
+
+    /** The root mean square difference from many samples of another seed. */
+    private static double trueError(Studio studio, RenderJob job) throws InterruptedException {
+        RenderSettings settings = studio.settings().withSeed(77);
+        float[] reference = render(studio.withSettings(settings), new Quality.Samples(2048))
+                .image()
+                .rgb();
+        float[] values = job.image().rgb();
+        double sum = 0;
+        for (int i = 0; i < values.length; i++) {
+            double difference = values[i] - reference[i];
+            sum += difference * difference;
+        }
+        return Math.sqrt(sum / values.length);
+    }
+
+    private static Studio studio(List<SceneObject> scene, double apertureRadius) {
+        ThinLensCamera plain = ThinLensCamera.DEFAULT;
+        ThinLensCamera camera = new ThinLensCamera(
+                plain.position(),
+                plain.viewDirection(),
+                plain.topDirection(),
+                plain.horizontalAngleDegrees(),
+                0,
+                apertureRadius,
+                new Plane("focus", new Vector3d(0, 0, 8), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT),
+                0,
+                plain.shutter());
+        return Studio.DEFAULT.withScene(scene).withCamera(camera).withSettings(SMALL);
+    }
+
+    private static List<SceneObject> spheres() {
+        LuminousSurface white = new LuminousSurface(Colour.WHITE, false);
+        LuminousSurface red = new LuminousSurface(new Colour(0.9, 0.1, 0.1), false);
+        return List.of(
+                new Sphere("near", new Vector3d(0.3, 0.1, 5), 0.3, white),
+                new Sphere("middle", new Vector3d(-0.6, -0.2, 8), 0.4, red),
+                new Sphere("far", new Vector3d(0.2, 0.6, 15), 0.1, white));
+    }
+}
