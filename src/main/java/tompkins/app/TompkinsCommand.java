@@ -22,7 +22,13 @@ import tompkins.ui.TompkinsWindow;
             "Without a command: opens the window, with a scene file or saved photograph if one is given; without a display,"
                     + " takes the photograph."
         },
-        subcommands = {RenderCommand.class, CheckCommand.class, ExplainCommand.class, TraceCommand.class})
+        subcommands = {
+            RenderCommand.class,
+            CheckCommand.class,
+            ExplainCommand.class,
+            TraceCommand.class,
+            StudyCommand.class
+        })
 final class TompkinsCommand implements Callable<Integer> {
 
     @Parameters(arity = "0..1", paramLabel = "SCENE", description = "scene file or saved photograph to open")

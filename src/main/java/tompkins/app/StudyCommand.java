@@ -1,0 +1,150 @@
+package tompkins.app;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import tompkins.io.StudioReader;
+import tompkins.studio.Studio;
+import tompkins.study.Finding;
+import tompkins.study.Measurement;
+import tompkins.study.Study;
+import tompkins.study.StudyData;
+import tompkins.study.StudyKind;
+import tompkins.study.StudyPage;
+import tompkins.study.StudySetup;
+
+/** Charts speed against accuracy. */
+@Command(
+        name = "study",
+        mixinStandardHelpOptions = true,
+        description =
+                "Charts speed against accuracy: measures methods against each other and writes charts, figures and"
+                        + " what they show. A study that was stopped with Ctrl-C goes on where it was when it is started again.")
+final class StudyCommand implements Callable<Integer> {
+
+    private static final String ALL = "all";
+    private static final String PAGE_OF_ALL = "speed-and-accuracy";
+    private static final int WIDTH = 100;
+
+    @Parameters(
+            index = "0",
+            paramLabel = "NAME",
+            description = "aperture, antialiasing, precision, tree, depth, preview, stability, or all")
+    private String name;
+
+    @Parameters(
+            index = "1",
+            arity = "0..1",
+            paramLabel = "SCENE",
+            description = "scene file or saved photograph to measure instead of the program's own scenes (aperture,"
+                    + " antialiasing, preview)")
+    private Path scene;
+
+    @Option(
+            names = {"-o", "--output"},
+            paramLabel = "FOLDER",
+            description =
+                    "where the page goes, and beside it a folder with charts and figures; without it the current one")
+    private Path output = Path.of("");
+
+    @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "seed of everything that is random")
+    private long seed;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws Exception {
+        List<StudyKind> kinds = kinds();
+        Studio own = scene == null ? null : StudioReader.read(scene);
+        if (own != null) {
+            kinds = requireScene(kinds);
+        }
+        StudySetup setup = new StudySetup(seed, own, StudyCommand::bundled);
+        StudyPage page = kinds.size() == 1
+                ? new StudyPage(output, kinds.get(0).toString(), "# Study: " + kinds.get(0))
+                : new StudyPage(output, PAGE_OF_ALL, StudyPage.introduction());
+        boolean holds = true;
+        for (StudyKind kind : kinds) {
+            holds &= make(kind.study(setup), page);
+        }
+        spec.commandLine().getOut().println(page.write().toAbsolutePath());
+        return holds ? 0 : Failures.FAILURE;
+    }
+
+    private List<StudyKind> kinds() {
+        if (name.equalsIgnoreCase(ALL)) {
+            return List.of(StudyKind.values());
+        }
+        for (StudyKind kind : StudyKind.values()) {
+            if (kind.toString().equalsIgnoreCase(name)) {
+                return List.of(kind);
+            }
+        }
+        throw new MistakeException("NAME must be one of " + List.of(StudyKind.values()) + " or all; was " + name);
+    }
+
+    private List<StudyKind> requireScene(List<StudyKind> kinds) {
+        List<StudyKind> fitting = kinds.stream().filter(StudyKind::takesScene).toList();
+        if (fitting.isEmpty()) {
+            throw new MistakeException("the study " + name + " makes its own scenes; leave SCENE out, was " + scene);
+        }
+        return fitting;
+    }
+
+    private boolean make(Study study, StudyPage page) throws IOException {
+        StudyData data = new StudyData(study, page.dataOf(study), ProgramVersion.text());
+        List<Measurement> all = data.complete((point, done, count) -> progress(study, point, done, count), () -> false);
+        progressEnds();
+        page.add(study, all);
+        PrintWriter out = spec.commandLine().getOut();
+        boolean holds = true;
+        for (Finding finding : study.findings(all)) {
+            out.println((finding.holds() ? "" : "BROKEN: ") + finding.sentence());
+            holds &= finding.holds();
+        }
+        return holds;
+    }
+
+    private void progress(Study study, Measurement point, int done, int count) {
+        if (System.console() == null) {
+            return;
+        }
+        String text = String.format(
+                Locale.ROOT,
+                "%s %d/%d: %s, %s, %.6g",
+                study.name(),
+                done,
+                count,
+                point.problem(),
+                point.method(),
+                point.setting());
+        PrintWriter err = spec.commandLine().getErr();
+        err.print("\r" + text + " ".repeat(Math.max(0, WIDTH - text.length())));
+        err.flush();
+    }
+
+    private void progressEnds() {
+        if (System.console() != null) {
+            spec.commandLine().getErr().print("\r" + " ".repeat(WIDTH) + "\r");
+            spec.commandLine().getErr().flush();
+        }
+    }
+
+    private static Studio bundled(String name) {
+        try {
+            return StudioReader.read(BundledScenes.file(name + ".json"));
+        } catch (IOException missing) {
+            throw new UncheckedIOException(missing);
+        }
+    }
+}

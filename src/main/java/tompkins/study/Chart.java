@@ -1,0 +1,58 @@
+package tompkins.study;
+
+import java.util.List;
+import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
+
+/**
+ * What a chart shows: one curve for each method of a problem, on logarithmic axes.
+ *
+ * @param problem the problem whose measurements are drawn
+ * @param title above the chart
+ * @param across the axis across
+ * @param up the axis upwards
+ * @param pareto whether the best methods, which no other beats in both, are marked: less is better on both axes
+ */
+public record Chart(String problem, String title, Axis<Double> across, Axis<Spread> up, boolean pareto) {
+
+    /**
+     * An axis.
+     *
+     * @param label what it is, with its unit
+     * @param value the place of a measurement
+     * @param <T> a number, or a spread with error bars
+     */
+    public record Axis<T>(String label, Function<Measurement, T> value) {}
+
+    /** Seconds of one thread. */
+    static final Axis<Double> SECONDS = new Axis<>(
+            "seconds (one thread)", measurement -> measurement.seconds().middle());
+
+    /** Seconds of one thread, upwards. */
+    static final Axis<Spread> TIME = new Axis<>("seconds (one thread)", Measurement::seconds);
+
+    /** Root mean square error in linear light. */
+    static final Axis<Spread> ERROR = new Axis<>("RMSE in linear light (white = 1)", Measurement::error);
+
+    /** Error against time. */
+    static Chart errorAgainstTime(String problem, String title) {
+        return new Chart(problem, title, SECONDS, ERROR, true);
+    }
+
+    /** Another number across. */
+    static Axis<Double> across(String label, ToDoubleFunction<Measurement> value) {
+        return new Axis<>(label, value::applyAsDouble);
+    }
+
+    /** The setting of the trials across. */
+    static Axis<Double> setting(String label) {
+        return across(label, Measurement::setting);
+    }
+
+    /** The measurements that this chart shows. */
+    List<Measurement> shown(List<Measurement> all) {
+        return all.stream()
+                .filter(measurement -> measurement.problem().equals(problem))
+                .toList();
+    }
+}

@@ -1,0 +1,203 @@
+package tompkins.study;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Shape;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.jfree.chart.ChartUtils;
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.axis.LogAxis;
+import org.jfree.chart.plot.ValueMarker;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.renderer.xy.XYErrorRenderer;
+import org.jfree.chart.ui.RectangleAnchor;
+import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.chart.ui.TextAnchor;
+import org.jfree.data.xy.XYIntervalSeries;
+import org.jfree.data.xy.XYIntervalSeriesCollection;
+
+/** Draws a {@link Chart}: a curve with error bars for each method, its slope, the Pareto front, and the reference's error. */
+public final class ChartDrawing {
+
+    private static final int WIDTH = 860;
+    private static final int HEIGHT = 560;
+    private static final int FEWEST_FOR_SLOPE = 3;
+    private static final Color GRID = new Color(0xdddddd);
+    private static final Color FRONT = new Color(255, 200, 0, 130);
+
+    // told apart also by those who see few colours (Okabe and Ito 2008)
+    private static final Color[] COLOURS = {
+        new Color(0x000000),
+        new Color(0xe69f00),
+        new Color(0x56b4e9),
+        new Color(0x009e73),
+        new Color(0x0072b2),
+        new Color(0xd55e00),
+        new Color(0xcc79a7),
+        new Color(0x777777)
+    };
+
+    private ChartDrawing() {}
+
+    /** The chart as a PNG file. */
+    static byte[] png(Chart chart, List<Measurement> all) {
+        try {
+            return ChartUtils.encodeAsPNG(drawing(chart, all).createBufferedImage(WIDTH, HEIGHT), false, 9);
+        } catch (IOException impossible) {
+            throw new UncheckedIOException(impossible);
+        }
+    }
+
+    /** The chart, drawn from those of the measurements that it shows. */
+    public static JFreeChart drawing(Chart chart, List<Measurement> all) {
+        List<Measurement> shown = chart.shown(all).stream()
+                .filter(point -> chart.across().value().apply(point) > 0
+                        && chart.up().value().apply(point).low() > 0)
+                .toList();
+        XYIntervalSeriesCollection curves = new XYIntervalSeriesCollection();
+        XYErrorRenderer renderer = new XYErrorRenderer();
+        renderer.setDefaultLinesVisible(true);
+        renderer.setDrawXError(false);
+        curves(chart, shown).forEach((name, points) -> addCurve(chart, name, points, curves, renderer));
+        XYPlot plot =
+                new XYPlot(curves, axis(chart.across().label()), axis(chart.up().label()), renderer);
+        plot.setBackgroundPaint(Color.WHITE);
+        plot.setDomainGridlinePaint(GRID);
+        plot.setRangeGridlinePaint(GRID);
+        if (chart.pareto()) {
+            addFront(chart, shown, plot);
+        }
+        addFloor(shown, plot);
+        JFreeChart drawing = new JFreeChart(chart.title(), new Font(Font.SANS_SERIF, Font.BOLD, 16), plot, true);
+        drawing.setBackgroundPaint(Color.WHITE);
+        drawing.getLegend().setPosition(RectangleEdge.RIGHT);
+        drawing.getLegend().setFrame(org.jfree.chart.block.BlockBorder.NONE);
+        drawing.getLegend().setItemFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
+        return drawing;
+    }
+
+    private static Map<String, List<Measurement>> curves(Chart chart, List<Measurement> shown) {
+        Map<String, List<Measurement>> curves = new LinkedHashMap<>();
+        for (Measurement point : shown) {
+            curves.computeIfAbsent(point.method(), method -> new ArrayList<>()).add(point);
+        }
+        curves.values()
+                .forEach(points ->
+                        points.sort(Comparator.comparing(chart.across().value())));
+        return curves;
+    }
+
+    private static void addCurve(
+            Chart chart,
+            String name,
+            List<Measurement> points,
+            XYIntervalSeriesCollection curves,
+            XYErrorRenderer renderer) {
+        int number = curves.getSeriesCount();
+        XYIntervalSeries series = new XYIntervalSeries(name + slope(chart, points));
+        for (Measurement point : points) {
+            double x = chart.across().value().apply(point);
+            Spread y = chart.up().value().apply(point);
+            series.add(x, x, x, y.middle(), y.low(), y.high());
+        }
+        curves.addSeries(series);
+        renderer.setSeriesPaint(number, COLOURS[number % COLOURS.length]);
+        renderer.setSeriesStroke(number, new BasicStroke(1.6f));
+        renderer.setSeriesShape(number, marker(number));
+    }
+
+    private static String slope(Chart chart, List<Measurement> points) {
+        PowerLaw law = PowerLaw.fit(
+                points.stream()
+                        .mapToDouble(point -> chart.across().value().apply(point))
+                        .toArray(),
+                points.stream()
+                        .mapToDouble(point -> chart.up().value().apply(point).middle())
+                        .toArray());
+        return points.size() < FEWEST_FOR_SLOPE || !Double.isFinite(law.slope())
+                ? ""
+                : String.format(Locale.ROOT, "  (%.2f)", law.slope());
+    }
+
+    private static Shape marker(int number) {
+        if (number % 3 == 0) {
+            return new Ellipse2D.Double(-3, -3, 6, 6);
+        }
+        if (number % 3 == 1) {
+            return new Rectangle2D.Double(-3, -3, 6, 6);
+        }
+        Path2D triangle = new Path2D.Double();
+        triangle.moveTo(0, -4);
+        triangle.lineTo(4, 3);
+        triangle.lineTo(-4, 3);
+        triangle.closePath();
+        return triangle;
+    }
+
+    private static LogAxis axis(String label) {
+        LogAxis axis = new LogAxis(label);
+        axis.setBaseSymbol("10");
+        axis.setBaseFormatter(new java.text.DecimalFormat("0"));
+        axis.setLabelFont(new Font(Font.SANS_SERIF, Font.PLAIN, 13));
+        axis.setMinorTickMarksVisible(true);
+        return axis;
+    }
+
+    /** The points that no other beats in both, from the cheapest on. */
+    static List<Measurement> front(Chart chart, List<Measurement> shown) {
+        List<Measurement> byCost = new ArrayList<>(shown);
+        byCost.sort(Comparator.comparing(chart.across().value()));
+        List<Measurement> front = new ArrayList<>();
+        double best = Double.POSITIVE_INFINITY;
+        for (Measurement point : byCost) {
+            double error = chart.up().value().apply(point).middle();
+            if (error < best) {
+                best = error;
+                front.add(point);
+            }
+        }
+        return front;
+    }
+
+    private static void addFront(Chart chart, List<Measurement> shown, XYPlot plot) {
+        XYIntervalSeries series = new XYIntervalSeries("Pareto front");
+        for (Measurement point : front(chart, shown)) {
+            double x = chart.across().value().apply(point);
+            double y = chart.up().value().apply(point).middle();
+            series.add(x, x, x, y, y, y);
+        }
+        XYIntervalSeriesCollection front = new XYIntervalSeriesCollection();
+        front.addSeries(series);
+        XYErrorRenderer renderer = new XYErrorRenderer();
+        renderer.setDrawXError(false);
+        renderer.setDrawYError(false);
+        renderer.setDefaultLinesVisible(true);
+        renderer.setDefaultShapesVisible(false);
+        renderer.setSeriesPaint(0, FRONT);
+        renderer.setSeriesStroke(0, new BasicStroke(9, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        plot.setDataset(1, front);
+        plot.setRenderer(1, renderer);
+    }
+
+    private static void addFloor(List<Measurement> shown, XYPlot plot) {
+        double floor = shown.stream().mapToDouble(Measurement::floor).max().orElse(0);
+        if (floor > 0) {
+            ValueMarker marker = new ValueMarker(floor, Color.GRAY, new BasicStroke(1.5f));
+            marker.setLabel("error of the reference");
+            marker.setLabelAnchor(RectangleAnchor.TOP_LEFT);
+            marker.setLabelTextAnchor(TextAnchor.BOTTOM_LEFT);
+            plot.addRangeMarker(marker);
+        }
+    }
+}

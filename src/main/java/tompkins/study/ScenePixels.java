@@ -1,0 +1,110 @@
+package tompkins.study;
+
+import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
+import tompkins.ray.Colour;
+import tompkins.ray.RayCounts;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+import tompkins.trace.SampleTracer;
+
+/** Pixels of a picture, spread evenly over it, whose light can be worked out with any pattern of samples. */
+final class ScenePixels {
+
+    /** Samples of the reference for each pixel; half of them in each half. */
+    private final int referenceSamples;
+
+    private final RenderPlan plan;
+    private final int stride;
+    private final int columns;
+    private final int rows;
+    private final double exposure;
+    private double[] reference;
+    private double floor;
+
+    /**
+     * Some pixels of a picture.
+     *
+     * @param pixels about how many
+     * @param referenceSamples samples for each pixel of the reference
+     */
+    ScenePixels(Studio studio, int pixels, int referenceSamples) {
+        plan = RenderPlan.of(studio);
+        this.referenceSamples = referenceSamples;
+        stride = (int) Math.max(1, Math.sqrt((double) plan.width() * plan.height() / pixels));
+        columns = (plan.width() + stride - 1) / stride;
+        rows = (plan.height() + stride - 1) / stride;
+        exposure = Math.pow(2, studio.camera().exposureStops());
+    }
+
+    int count() {
+        return columns * rows;
+    }
+
+    /** The light of all pixels, three channels each, from some samples of a pattern. */
+    double[] light(SamplePattern pattern, int samples, BooleanSupplier cancelled) {
+        double[] light = new double[3 * count()];
+        SampleTracer tracer = plan.tracer(new RayCounts());
+        for (int row = 0; row < rows; row++) {
+            Stopwatch.stopIf(cancelled);
+            addRow(row, pattern, tracer, 0, samples, light);
+        }
+        return light;
+    }
+
+    private void addRow(int row, SamplePattern pattern, SampleTracer tracer, int first, int samples, double[] light) {
+        int y = Math.min(row * stride + stride / 2, plan.height() - 1);
+        for (int column = 0; column < columns; column++) {
+            int x = Math.min(column * stride + stride / 2, plan.width() - 1);
+            pattern.startPixel(x, y);
+            double weights = 0;
+            int place = 3 * (row * columns + column);
+            for (int sample = first; sample < first + samples; sample++) {
+                pattern.goTo(sample);
+                Colour colour = tracer.sample(x + pattern.x, y + pattern.y, pattern.lensX, pattern.lensY);
+                weights += pattern.weight;
+                light[place] += pattern.weight * colour.red();
+                light[place + 1] += pattern.weight * colour.green();
+                light[place + 2] += pattern.weight * colour.blue();
+            }
+            for (int channel = 0; channel < 3; channel++) {
+                light[place + channel] *= exposure / weights;
+            }
+        }
+    }
+
+    /** The light of all pixels as it should be; worked out when it is first asked for. */
+    double[] reference(BooleanSupplier cancelled) {
+        if (reference == null) {
+            double[] one = half(11, cancelled);
+            double[] other = half(12, cancelled);
+            double[] mean = new double[one.length];
+            for (int i = 0; i < mean.length; i++) {
+                mean[i] = (one[i] + other[i]) / 2;
+            }
+            floor = ErrorNorm.of(one, other).rootMeanSquare() / 2;
+            reference = mean;
+        }
+        return reference;
+    }
+
+    private double[] half(long seed, BooleanSupplier cancelled) {
+        double[] light = new double[3 * count()];
+        IntStream.range(0, rows).parallel().forEach(row -> {
+            Stopwatch.stopIf(cancelled);
+            addRow(
+                    row,
+                    new LatticePattern(seed),
+                    plan.tracer(new RayCounts()),
+                    0,
+                    Math.max(1, referenceSamples / 2),
+                    light);
+        });
+        return light;
+    }
+
+    /** The root mean square error of the reference, from the difference of its halves. */
+    double floor() {
+        return floor;
+    }
+}

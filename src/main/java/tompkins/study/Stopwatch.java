@@ -1,0 +1,34 @@
+package tompkins.study;
+
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+
+/** Times something that is done over and over, after it has run warm. */
+final class Stopwatch {
+
+    private static final long WARM_NANOS = 20_000_000;
+
+    private Stopwatch() {}
+
+    /** Runs a task until the compiler has settled; at least once. */
+    static void warmUp(Runnable task, BooleanSupplier cancelled) {
+        long start = System.nanoTime();
+        do {
+            stopIf(cancelled);
+            task.run();
+        } while (System.nanoTime() - start < WARM_NANOS);
+    }
+
+    /** Seconds that a task takes. */
+    static double seconds(Runnable task) {
+        long start = System.nanoTime();
+        task.run();
+        return (System.nanoTime() - start) / 1e9;
+    }
+
+    static void stopIf(BooleanSupplier cancelled) {
+        if (cancelled.getAsBoolean()) {
+            throw new CancellationException();
+        }
+    }
+}

@@ -1,0 +1,29 @@
+package tompkins.study;
+
+import java.util.List;
+
+/** One question about speed and accuracy, and how it is answered. */
+public interface Study {
+
+    /** Name on the command line and of the files. */
+    String name();
+
+    /** What is asked, in a sentence or two. */
+    String question();
+
+    /** Everything that changes the figures: other settings, and older figures count no more. */
+    String settings();
+
+    /** What is to be measured, in this order. */
+    List<Trial> trials();
+
+    /** What is drawn. */
+    List<Chart> charts();
+
+    /**
+     * What the measurements show.
+     *
+     * @param all the measurements of all trials
+     */
+    List<Finding> findings(List<Measurement> all);
+}

@@ -1,0 +1,146 @@
+package tompkins.study;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
+
+/**
+ * The figures of a study in a file of comma-separated values: lines about the study, the program and the machine, then one
+ * line for each measurement, written as soon as it is made. A study that was stopped goes on from there.
+ */
+public final class StudyData {
+
+    private static final String COLUMNS = "problem,method,setting,rays,seconds_low,seconds_median,seconds_high,"
+            + "rmse_low,rmse_median,rmse_high,percentile_99.9,maximum,reference_rmse";
+
+    private final Study study;
+    private final Path file;
+    private final List<String> head;
+
+    /**
+     * The data of a study.
+     *
+     * @param file where they are kept
+     * @param program name and version of the program
+     */
+    public StudyData(Study study, Path file, String program) {
+        this.study = study;
+        this.file = file;
+        head = List.of(
+                "# study: " + study.name(),
+                "# settings: " + study.settings(),
+                "# program: " + program,
+                "# machine: " + Machine.text(),
+                COLUMNS);
+    }
+
+    /**
+     * Makes the measurements that the file does not hold yet, and gives all of them in the order of the trials. Figures of
+     * another machine, program or setting do not count.
+     *
+     * @throws CancellationException if {@code cancelled} became true; the file holds what was measured
+     */
+    public List<Measurement> complete(StudyListener listener, BooleanSupplier cancelled) throws IOException {
+        List<Trial> trials = study.trials();
+        List<Measurement> known = read();
+        List<Measurement> all = new ArrayList<>();
+        for (Trial trial : trials) {
+            Measurement measurement =
+                    known.stream().filter(trial::made).findFirst().orElse(null);
+            if (measurement == null) {
+                Stopwatch.stopIf(cancelled);
+                measurement = trial.measurer().measure(cancelled);
+                Files.writeString(file, line(measurement) + "\n", StandardOpenOption.APPEND);
+            }
+            all.add(measurement);
+            listener.measured(measurement, all.size(), trials.size());
+        }
+        rewrite(all);
+        return all;
+    }
+
+    private List<Measurement> read() throws IOException {
+        List<String> lines = Files.exists(file) ? Files.readAllLines(file) : List.of();
+        if (lines.size() < head.size() || !lines.subList(0, head.size()).equals(head)) {
+            rewrite(List.of());
+            return List.of();
+        }
+        // a line that was cut off when the program was stopped is measured again
+        List<Measurement> known = lines.stream()
+                .skip(head.size())
+                .filter(line -> line.split(",", -1).length == COLUMNS.split(",", -1).length)
+                .map(StudyData::measurement)
+                .toList();
+        rewrite(known);
+        return known;
+    }
+
+    private void rewrite(List<Measurement> measurements) throws IOException {
+        Files.createDirectories(file.toAbsolutePath().getParent());
+        Stream<String> lines =
+                Stream.concat(head.stream(), measurements.stream().map(StudyData::line));
+        replace(file, (String.join("\n", lines.toList()) + "\n").getBytes(StandardCharsets.UTF_8));
+    }
+
+    /** Writes a file as a whole or not at all. */
+    static void replace(Path file, byte[] content) throws IOException {
+        Path part = file.resolveSibling(file.getFileName() + ".part");
+        Files.write(part, content);
+        Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
+    }
+
+    private static String line(Measurement point) {
+        return String.format(
+                Locale.ROOT,
+                "%s,%s,%s,%s,%s,%s,%.6g,%.6g,%.6g",
+                quoted(point.problem()),
+                quoted(point.method()),
+                point.setting(),
+                point.rays(),
+                line(point.seconds()),
+                line(point.error()),
+                point.percentile(),
+                point.maximum(),
+                point.floor());
+    }
+
+    private static String line(Spread spread) {
+        return String.format(Locale.ROOT, "%.6g,%.6g,%.6g", spread.low(), spread.middle(), spread.high());
+    }
+
+    private static String quoted(String text) {
+        return text.replace(',', ';');
+    }
+
+    private static Measurement measurement(String line) {
+        String[] cells = line.split(",", -1);
+        double[] numbers = new double[cells.length];
+        try {
+            for (int i = 2; i < cells.length; i++) {
+                numbers[i] = Double.parseDouble(cells[i]);
+            }
+        } catch (NumberFormatException damaged) {
+            throw new UncheckedIOException(new IOException("no figures of a study: " + line, damaged));
+        }
+        return new Measurement(
+                cells[0],
+                cells[1],
+                numbers[2],
+                numbers[3],
+                new Spread(numbers[4], numbers[5], numbers[6]),
+                new Spread(numbers[7], numbers[8], numbers[9]),
+                numbers[10],
+                numbers[11],
+                numbers[12]);
+    }
+}

@@ -1,0 +1,107 @@
+package tompkins.study;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+
+/** The slopes of theory, and what happens if a sampler is broken. */
+class ApertureStudyTest {
+
+    private static final String PROGRAM = SamplingMethod.SOBOL.title();
+
+    @Test
+    void methodsFallAsTheoryAndTableSay() {
+        ApertureStudy study = study(methods());
+        List<Measurement> all = measure(study);
+        assertThat(study.findings(all))
+                .allSatisfy(finding ->
+                        assertThat(finding.holds()).as(finding.sentence()).isTrue());
+        // measured for 400 other pixels by an independent prototype
+        Map<SamplingMethod, Double> onLens = Map.of(
+                SamplingMethod.RANDOM, -0.50,
+                SamplingMethod.JITTERED, -0.75,
+                SamplingMethod.ADDITIVE, -0.80,
+                SamplingMethod.SOBOL, -0.75,
+                SamplingMethod.HALTON, -0.73,
+                SamplingMethod.VOGEL, -0.77,
+                SamplingMethod.GAUSS, -0.75);
+        onLens.forEach((method, slope) ->
+                assertThat(slope("edge", method, all)).as(method.title()).isBetween(slope - 0.06, slope + 0.06));
+        assertThat(slope("edge-in-pixel", SamplingMethod.SOBOL, all)).isBetween(-0.7, -0.57);
+        assertThat(slope("edge-in-pixel", SamplingMethod.JITTERED, all)).isBetween(-0.6, -0.48);
+    }
+
+    @Test
+    void samplerThatStaysInTheCentreIsFound() {
+        Map<String, SamplingMethod.Factory> broken = methods();
+        broken.put(PROGRAM, (seed, samples, pixelToo) -> new SamplePattern(seed) {
+            @Override
+            void startPixel(int column, int row) {}
+
+            @Override
+            void goTo(int sample) {}
+        });
+        ApertureStudy study = study(broken);
+        assertThat(study.findings(measure(study)))
+                .filteredOn(finding -> !finding.holds())
+                .hasSizeGreaterThan(4);
+    }
+
+    @Test
+    void samplerThatIsTheSameInAllPixelsIsFound() {
+        Map<String, SamplingMethod.Factory> broken = methods();
+        broken.put(PROGRAM, (seed, samples, pixelToo) -> new SamplePattern(seed) {
+            private final SamplePattern right = SamplingMethod.SOBOL.pattern(seed, samples, pixelToo);
+
+            @Override
+            void startPixel(int column, int row) {
+                right.startPixel(0, 0);
+            }
+
+            @Override
+            void goTo(int sample) {
+                right.goTo(sample);
+                lensX = right.lensX;
+                lensY = right.lensY;
+                x = right.x;
+                y = right.y;
+            }
+        });
+        ApertureStudy study = study(broken);
+        assertThat(study.findings(measure(study)))
+                .filteredOn(finding -> !finding.holds())
+                .anySatisfy(finding -> assertThat(finding.sentence()).contains("must not err alike"));
+    }
+
+    private static Map<String, SamplingMethod.Factory> methods() {
+        Map<String, SamplingMethod.Factory> methods = new LinkedHashMap<>();
+        for (SamplingMethod method : SamplingMethod.values()) {
+            methods.put(method.title(), method::pattern);
+        }
+        return methods;
+    }
+
+    private static ApertureStudy study(Map<String, SamplingMethod.Factory> methods) {
+        return new ApertureStudy(Map.of(), 7, 1024, 1, methods, PROGRAM);
+    }
+
+    private static List<Measurement> measure(Study study) {
+        return study.trials().stream()
+                .map(trial -> trial.measurer().measure(() -> false))
+                .toList();
+    }
+
+    private static double slope(String problem, SamplingMethod method, List<Measurement> all) {
+        return PowerLaw.ofError(
+                        all.stream()
+                                .filter(point -> point.problem().equals(problem))
+                                .filter(point -> point.method().equals(method.title()))
+                                .filter(point -> point.setting() >= 16)
+                                .toList(),
+                        Measurement::setting)
+                .slope();
+    }
+}
