@@ -19,11 +19,22 @@ final class ThinLensRays implements CameraRays {
     private final boolean constantTime;
     private final FocusSurface focus;
     private final SpaceTimeTransformation sceneFromCamera;
-    private final double halfWidth;
-    private final double halfHeight;
-    private final double pixelsToRight;
-    private final double pixelsDown;
+    private final double middleX;
+    private final double middleY;
+    private final double slopePerColumn;
+    private final double slopePerRow;
     private final double pixelAngle;
+
+    // the axes as plain numbers, for every ray asks for them
+    private final double rightX;
+    private final double rightY;
+    private final double rightZ;
+    private final double upX;
+    private final double upY;
+    private final double upZ;
+    private final double forwardX;
+    private final double forwardY;
+    private final double forwardZ;
 
     ThinLensRays(ThinLensCamera camera, int width, int height, SpaceTimeTransformation sceneFromCamera) {
         axes = CameraAxes.of(camera.viewDirection(), camera.topDirection());
@@ -35,30 +46,41 @@ final class ThinLensRays implements CameraRays {
         boolean focused = camera.hasWideLens() || shutter.needsFocus();
         focus = focused ? new FocusSurface(camera.focus()) : null;
         this.sceneFromCamera = sceneFromCamera;
-        halfWidth = Math.tan(Math.toRadians(camera.horizontalAngleDegrees()) / 2);
-        halfHeight = camera.verticalAngleDegrees() == 0
+        double halfWidth = Math.tan(Math.toRadians(camera.horizontalAngleDegrees()) / 2);
+        double halfHeight = camera.verticalAngleDegrees() == 0
                 ? halfWidth * height / width
                 : Math.tan(Math.toRadians(camera.verticalAngleDegrees()) / 2);
-        pixelsToRight = width;
-        pixelsDown = height;
-        pixelAngle = 2 * Math.sqrt(halfWidth / width * halfHeight / height);
+        middleX = width / 2.0;
+        middleY = height / 2.0;
+        slopePerColumn = 2 * halfWidth / width;
+        slopePerRow = 2 * halfHeight / height;
+        pixelAngle = Math.sqrt(slopePerColumn * slopePerRow);
+        rightX = axes.right().x();
+        rightY = axes.right().y();
+        rightZ = axes.right().z();
+        upX = axes.up().x();
+        upY = axes.up().y();
+        upZ = axes.up().z();
+        forwardX = axes.forward().x();
+        forwardY = axes.forward().y();
+        forwardZ = axes.forward().z();
     }
 
     @Override
     public Vector3d chiefDirection(double x, double y) {
-        double right = (2 * x / pixelsToRight - 1) * halfWidth;
-        double up = (1 - 2 * y / pixelsDown) * halfHeight;
-        double length = Math.sqrt(1 + right * right + up * up);
+        double right = (x - middleX) * slopePerColumn;
+        double up = (middleY - y) * slopePerRow;
+        double scale = 1 / Math.sqrt(1 + right * right + up * up);
         return new Vector3d(
-                (axes.forward().x() + right * axes.right().x() + up * axes.up().x()) / length,
-                (axes.forward().y() + right * axes.right().y() + up * axes.up().y()) / length,
-                (axes.forward().z() + right * axes.right().z() + up * axes.up().z()) / length);
+                (forwardX + right * rightX + up * upX) * scale,
+                (forwardY + right * rightY + up * upY) * scale,
+                (forwardZ + right * rightZ + up * upZ) * scale);
     }
 
     @Override
     public Ray ray(double x, double y, double lensX, double lensY, RayCounts counts) {
         Vector3d chief = chiefDirection(x, y);
-        double cosine = chief.dot(axes.forward());
+        double cosine = chief.x * forwardX + chief.y * forwardY + chief.z * forwardZ;
         double spread = pixelAngle * cosine * cosine;
         double inverseFocusDistance = focus == null ? 0 : inverseFocusDistance(chief, counts);
         Vector3d offset = offset(lensX, lensY);
@@ -93,9 +115,6 @@ final class ThinLensRays implements CameraRays {
     private Vector3d offset(double lensX, double lensY) {
         double right = apertureRadius * lensX;
         double up = apertureRadius * lensY;
-        return new Vector3d(
-                right * axes.right().x() + up * axes.up().x(),
-                right * axes.right().y() + up * axes.up().y(),
-                right * axes.right().z() + up * axes.up().z());
+        return new Vector3d(right * rightX + up * upX, right * rightY + up * upY, right * rightZ + up * upZ);
     }
 }

@@ -59,8 +59,8 @@ final class CylinderPrimitive extends Primitive {
         if (offset * offset > radius * radius * squaredCross) {
             return NO_HIT;
         }
-        double alongStart = wx * axisX + wy * axisY + wz * axisZ;
-        double slope = axisX * ray.dx + axisY * ray.dy + axisZ * ray.dz;
+        double alongStart = alongAxis(wx, wy, wz);
+        double slope = alongAxis(ray.dx, ray.dy, ray.dz);
         double nearest = NO_HIT;
         if (squaredCross > 0) {
             nearest =
@@ -103,6 +103,10 @@ final class CylinderPrimitive extends Primitive {
         return near < NO_HIT ? near : within(Math.max(inner, outer), alongStart, slope);
     }
 
+    private double alongAxis(double x, double y, double z) {
+        return x * axisX + y * axisY + z * axisZ;
+    }
+
     /** The distance, if it lies in front and its point between the ends. */
     private double within(double distance, double alongStart, double slope) {
         double along = alongStart + distance * slope;
@@ -126,8 +130,8 @@ final class CylinderPrimitive extends Primitive {
         double wx = ray.x - startX;
         double wy = ray.y - startY;
         double wz = ray.z - startZ;
-        double alongStart = wx * axisX + wy * axisY + wz * axisZ;
-        double slope = axisX * ray.dx + axisY * ray.dy + axisZ * ray.dz;
+        double alongStart = alongAxis(wx, wy, wz);
+        double slope = alongAxis(ray.dx, ray.dy, ray.dz);
         if (caps && cap(ray, START_CAP, wx, wy, wz, -alongStart / slope) == distance) {
             return capHit(ray, distance, START_CAP, -1 / length);
         }

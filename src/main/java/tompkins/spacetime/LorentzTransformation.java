@@ -59,7 +59,7 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
 
     @Override
     public Event transform(Event event) {
-        double along = ux * event.x() + uy * event.y() + uz * event.z();
+        double along = alongProper(event.x(), event.y(), event.z());
         double factor = along * shrink + event.time();
         return new Event(
                 event.x() + ux * factor,
@@ -70,26 +70,35 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
 
     @Override
     public Ray transform(Ray ray) {
-        double side = ray.dx * nx + ray.dy * ny + ray.dz * nz > 0 ? 1 : -1;
+        double side = alongDirection(ray.dx, ray.dy, ray.dz) > 0 ? 1 : -1;
         double wx = ray.dx - side * nx;
         double wy = ray.dy - side * ny;
         double wz = ray.dz - side * nz;
         double half = (wx * wx + wy * wy + wz * wz) / 2;
         // w's part along n is -h for a unit vector d; gamma would magnify what the rounding of d leaves there
-        double along = (side > 0 ? forward - gamma * half : gamma * half - backward) - (wx * nx + wy * ny + wz * nz);
+        double along = (side > 0 ? forward - gamma * half : gamma * half - backward) - alongDirection(wx, wy, wz);
         double length = side > 0 ? forward + properSpeed * half : backward - properSpeed * half;
-        double event = ux * ray.x + uy * ray.y + uz * ray.z;
+        double scale = 1 / length;
+        double event = alongProper(ray.x, ray.y, ray.z);
         double factor = event * shrink + ray.time;
         return ray.inFrame(
                 ray.x + ux * factor,
                 ray.y + uy * factor,
                 ray.z + uz * factor,
-                (wx + nx * along) / length,
-                (wy + ny * along) / length,
-                (wz + nz * along) / length,
+                (wx + nx * along) * scale,
+                (wy + ny * along) * scale,
+                (wz + nz * along) * scale,
                 gamma * ray.time + event,
                 1,
                 length);
+    }
+
+    private double alongDirection(double x, double y, double z) {
+        return x * nx + y * ny + z * nz;
+    }
+
+    private double alongProper(double x, double y, double z) {
+        return ux * x + uy * y + uz * z;
     }
 
     /**
@@ -108,7 +117,7 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
     /** {@code t = -(u.x)/(gamma + 1)}: the paper's (1 - gamma)(beta.x)/(gamma beta^2), without its 0/0 at rest. */
     @Override
     public double fixedPointTime(Vector3dc position) {
-        return -(ux * position.x() + uy * position.y() + uz * position.z()) * shrink;
+        return -alongProper(position.x(), position.y(), position.z()) * shrink;
     }
 
     @Override

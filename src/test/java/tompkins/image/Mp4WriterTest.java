@@ -1,6 +1,7 @@
 package tompkins.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.File;
@@ -91,6 +92,9 @@ class Mp4WriterTest {
                     })
                     .isInstanceOf(PictureException.class)
                     .hasMessage(film + ": cannot be written: " + message);
+            assertThat(Samples.names(folder)).as("before it is closed").containsExactly("film.mp4");
+            assertThatIllegalStateException()
+                    .isThrownBy(() -> animation.add(Samples.random(200, 200, 1), PhotographInfo.NONE));
         }
         assertThat(film).hasContent("old");
         assertThat(Samples.names(folder)).containsExactly("film.mp4");

@@ -143,6 +143,9 @@ class PhotographFileTest {
         TIFFDirectory tags =
                 TIFFDirectory.createFromMetadata(Samples.jdkReader("tiff", tiff).getImageMetadata(0));
 
+        assertThat(tags.getTIFFField(BaselineTIFFTagSet.TAG_COMPRESSION).getAsInt(0))
+                .as("8 is Deflate, which all readers know")
+                .isEqualTo(8);
         assertThat(tags.getTIFFField(BaselineTIFFTagSet.TAG_IMAGE_DESCRIPTION).getAsString(0))
                 .startsWith("{\n\t\"title\": \"\\u03b2\\u03b3 at \\u00bd c, \\\\u03b2 \\ud835\\udefd")
                 .matches("\\p{ASCII}*");
