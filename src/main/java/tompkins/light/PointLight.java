@@ -55,16 +55,19 @@ public record PointLight(
             return Colour.BLACK;
         }
         Colour dull = diffuse.times(colour).times(Math.abs(lightAlongNormal) / distance);
-        // the light mirrored at the surface, pointing into it as the ray does
+        double cosine = mirroredCosine(ray, hit, lx, ly, lz, lightAlongNormal);
+        return cosine > 0
+                ? dull.plus(specular.times(highlightColour).times(Math.pow(cosine, highlightExponent)))
+                : dull;
+    }
+
+    /** Cosine between the ray and the light that the surface mirrors; both point into the surface. */
+    private static double mirroredCosine(Ray ray, Hit hit, double lx, double ly, double lz, double lightAlongNormal) {
         double mx = lx - 2 * lightAlongNormal * hit.normalX;
         double my = ly - 2 * lightAlongNormal * hit.normalY;
         double mz = lz - 2 * lightAlongNormal * hit.normalZ;
-        double mirrored = mx * ray.dx + my * ray.dy + mz * ray.dz;
-        if (mirrored <= 0) {
-            return dull;
-        }
-        double cosine = Math.min(1, mirrored / Math.sqrt(mx * mx + my * my + mz * mz));
-        return dull.plus(specular.times(highlightColour).times(Math.pow(cosine, highlightExponent)));
+        double along = mx * ray.dx + my * ray.dy + mz * ray.dz;
+        return along > 0 ? Math.min(1, along / Math.sqrt(mx * mx + my * my + mz * mz)) : 0;
     }
 
     @Override

@@ -61,18 +61,13 @@ final class CylinderPrimitive extends Primitive {
         }
         double alongStart = alongAxis(wx, wy, wz);
         double slope = alongAxis(ray.dx, ray.dy, ray.dz);
-        double nearest = NO_HIT;
-        if (squaredCross > 0) {
-            nearest =
-                    mantle(ray, wx, wy, wz, crossX, crossY, crossZ, squaredCross, Math.abs(offset), alongStart, slope);
-        }
-        if (caps) {
-            nearest = Math.min(nearest, cap(ray, START_CAP, wx, wy, wz, -alongStart / slope));
-            nearest = Math.min(nearest, cap(ray, END_CAP, wx, wy, wz, (squaredLength - alongStart) / slope));
-        }
+        double nearest = squaredCross > 0
+                ? mantle(ray, wx, wy, wz, crossX, crossY, crossZ, squaredCross, Math.abs(offset), alongStart, slope)
+                : nearestCap(ray, wx, wy, wz, alongStart, slope);
         return nearest <= limit ? nearest : NO_HIT;
     }
 
+    /** The nearest hit of a ray that is not parallel to the axis: on the mantle, or on a cap. */
     private double mantle(
             Ray ray,
             double wx,
@@ -90,7 +85,8 @@ final class CylinderPrimitive extends Primitive {
         double sideZ = Precise.differenceOfProducts(axisX, wy, axisY, wx);
         double middle = -(sideX * crossX + sideY * crossY + sideZ * crossZ) / squaredCross;
         if (ray.boundary == this && ray.part == MANTLE) {
-            return within(2 * middle, alongStart, slope);
+            double other = within(2 * middle, alongStart, slope);
+            return other < NO_HIT ? other : nearestCap(ray, wx, wy, wz, alongStart, slope);
         }
         double reach = radius * Math.sqrt(squaredCross);
         // rounding may put a grazing ray beyond the reach
@@ -100,7 +96,20 @@ final class CylinderPrimitive extends Primitive {
         double outer = middle + (middle > 0 ? halfChord : -halfChord);
         double inner = outer == 0 ? 0 : product / outer;
         double near = within(Math.min(inner, outer), alongStart, slope);
-        return near < NO_HIT ? near : within(Math.max(inner, outer), alongStart, slope);
+        // a ray that comes in through the mantle meets no cap before
+        return near < NO_HIT
+                ? near
+                : Math.min(
+                        within(Math.max(inner, outer), alongStart, slope),
+                        nearestCap(ray, wx, wy, wz, alongStart, slope));
+    }
+
+    private double nearestCap(Ray ray, double wx, double wy, double wz, double alongStart, double slope) {
+        return caps
+                ? Math.min(
+                        cap(ray, START_CAP, wx, wy, wz, -alongStart / slope),
+                        cap(ray, END_CAP, wx, wy, wz, (squaredLength - alongStart) / slope))
+                : NO_HIT;
     }
 
     private double alongAxis(double x, double y, double z) {

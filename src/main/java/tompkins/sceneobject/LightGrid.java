@@ -35,6 +35,20 @@ public final class LightGrid {
     private final double leastV;
     private final double cellU;
     private final double cellV;
+    private final double cellsPerU;
+    private final double cellsPerV;
+
+    // the axes as plain numbers, for every shadow ray asks for them
+    private final double rightX;
+    private final double rightY;
+    private final double rightZ;
+    private final double upX;
+    private final double upY;
+    private final double upZ;
+    private final double forwardX;
+    private final double forwardY;
+    private final double forwardZ;
+
     private final Primitive[] everywhere;
     private final Primitive[][] cells = new Primitive[SIDE * SIDE][];
 
@@ -49,6 +63,17 @@ public final class LightGrid {
         leastV = extent[2];
         cellU = (extent[1] - extent[0]) / SIDE;
         cellV = (extent[3] - extent[2]) / SIDE;
+        cellsPerU = 1 / cellU;
+        cellsPerV = 1 / cellV;
+        rightX = right.x();
+        rightY = right.y();
+        rightZ = right.z();
+        upX = up.x();
+        upY = up.y();
+        upZ = up.z();
+        forwardX = forward.x();
+        forwardY = forward.y();
+        forwardZ = forward.z();
         everywhere = objects.unbounded().toArray(Primitive[]::new);
         fill(0, 0, DEPTH, objects.bounded());
     }
@@ -166,16 +191,19 @@ public final class LightGrid {
     }
 
     private Primitive[] cell(Ray ray) {
-        double ahead = -(ray.dx * forward.x() + ray.dy * forward.y() + ray.dz * forward.z());
+        double ahead = -(ray.dx * forwardX + ray.dy * forwardY + ray.dz * forwardZ);
         if (!(ahead > 0)) {
             return NONE;
         }
-        double u = (-(ray.dx * right.x() + ray.dy * right.y() + ray.dz * right.z()) / ahead - leastU) / cellU;
-        double v = (-(ray.dx * up.x() + ray.dy * up.y() + ray.dz * up.z()) / ahead - leastV) / cellV;
-        if (!(u >= 0 && v >= 0 && u < SIDE && v < SIDE)) {
+        double scale = 1 / ahead;
+        double u = -(ray.dx * rightX + ray.dy * rightY + ray.dz * rightZ) * scale - leastU;
+        double v = -(ray.dx * upX + ray.dy * upY + ray.dz * upZ) * scale - leastV;
+        double column = u * cellsPerU;
+        double row = v * cellsPerV;
+        if (!(column >= 0 && row >= 0 && column < SIDE && row < SIDE)) {
             return NONE;
         }
-        Primitive[] seen = cells[((int) v) * SIDE + (int) u];
+        Primitive[] seen = cells[((int) row) * SIDE + (int) column];
         return seen == null ? NONE : seen;
     }
 }
