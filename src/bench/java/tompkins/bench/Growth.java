@@ -1,0 +1,144 @@
+package tompkins.bench;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.function.IntFunction;
+import org.joml.Vector3d;
+import org.joml.Vector3i;
+import tompkins.ray.MeshData;
+import tompkins.render.RenderReport;
+import tompkins.render.Renderer;
+import tompkins.sceneobject.CylinderLattice;
+import tompkins.sceneobject.Group;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.sceneobject.TriangleMesh;
+import tompkins.studio.PaperStudios;
+import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
+import tompkins.trace.RenderPlan;
+
+/** How time and memory grow with the number of objects: fields of spheres, lattices of rods, meshes of triangles. */
+final class Growth {
+
+    private static final int[] SIZES = {100, 1_000, 10_000, 100_000, 1_000_000};
+
+    private final StringBuilder table = new StringBuilder(
+            "| scene | objects | ns per ray | plan and tree, ms | bytes per object |\n| --- | --- | --- | --- | --- |\n");
+
+    /** Measures all, and adds what has a target. */
+    void measure(List<Measure> measures) throws InterruptedException {
+        measure("spheres", Growth::spheres, measures);
+        measure("rods", Growth::rods, measures);
+        measure("triangles", Growth::triangles, measures);
+    }
+
+    private void measure(String name, IntFunction<SceneObject> scene, List<Measure> measures)
+            throws InterruptedException {
+        double first = 0;
+        for (int size : SIZES) {
+            Studio studio = PaperStudios.fig1a().withScene(List.of(scene.apply(size)));
+            long before = usedMemory();
+            double build = Double.POSITIVE_INFINITY;
+            RenderPlan plan = null;
+            for (int attempt = 0; attempt < 3; attempt++) {
+                plan = null;
+                long start = System.nanoTime();
+                plan = RenderPlan.of(studio);
+                build = Math.min(build, (System.nanoTime() - start) / 1e6);
+            }
+            double bytes = (double) (usedMemory() - before) / size;
+            double nanoseconds = nanosecondsPerRay(plan);
+            table.append("| " + name + " | " + size + " | " + Measure.number(nanoseconds) + " | "
+                    + Measure.number(build) + " | " + Measure.number(bytes) + " |\n");
+            if (size == SIZES[0]) {
+                first = nanoseconds;
+            } else if (size == SIZES[SIZES.length - 1]) {
+                measures.add(
+                        Measure.atMost(name + ": time per ray at 1e6 to that at 1e2", 4, "x", nanoseconds / first));
+                measures.add(Measure.atMost(name + ": tree for 1e6", 3000, "ms", build));
+                measures.add(Measure.atMost(name + ": memory at 1e6", 500, "bytes an object", bytes));
+            }
+        }
+    }
+
+    private static double nanosecondsPerRay(RenderPlan plan) throws InterruptedException {
+        try (Renderer renderer = new Renderer()) {
+            double best = Double.POSITIVE_INFINITY;
+            for (int i = 0; i < 8; i++) {
+                RenderReport report = renderer.render(plan).report();
+                best = Math.min(best, report.time().toNanos() / (double) (report.rays() + report.shadowRays()));
+            }
+            return best;
+        }
+    }
+
+    private static long usedMemory() {
+        for (int i = 0; i < 3; i++) {
+            System.gc();
+        }
+        return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
+    }
+
+    /** Spheres at random, smaller where there are more, so that about the same part of the picture is covered. */
+    private static SceneObject spheres(int count) {
+        Random random = new Random(count);
+        List<SceneObject> spheres = new ArrayList<>();
+        double radius = 1.2 / Math.sqrt(count);
+        for (int i = 0; i < count; i++) {
+            Vector3d centre =
+                    new Vector3d(random.nextDouble(-2, 2), random.nextDouble(-1.5, 1.5), random.nextDouble(8, 12));
+            spheres.add(new Sphere("sphere", centre, radius, ColouredSurface.DEFAULT));
+        }
+        return new Group("field", spheres);
+    }
+
+    /** Three equal families of rods, thinner where there are more. */
+    private static SceneObject rods(int count) {
+        int side = (int) Math.round(Math.sqrt(count / 3.0));
+        CylinderLattice usual = CylinderLattice.DEFAULT;
+        return new CylinderLattice(
+                "lattice",
+                usual.from(),
+                usual.to(),
+                new Vector3i(side),
+                0.1 / side,
+                usual.surfaceAlongX(),
+                usual.surfaceAlongY(),
+                usual.surfaceAlongZ());
+    }
+
+    /** A sphere of triangles. */
+    private static SceneObject triangles(int count) {
+        int rings = (int) Math.round(Math.sqrt(count / 4.0));
+        int columns = 2 * rings;
+        double[] coordinates = new double[3 * (rings + 1) * columns];
+        int[] corners = new int[6 * rings * columns];
+        int next = 0;
+        for (int ring = 0; ring <= rings; ring++) {
+            double latitude = Math.PI * ring / rings;
+            for (int column = 0; column < columns; column++) {
+                double longitude = 2 * Math.PI * column / columns;
+                int vertex = ring * columns + column;
+                coordinates[3 * vertex] = Math.sin(latitude) * Math.cos(longitude);
+                coordinates[3 * vertex + 1] = Math.cos(latitude);
+                coordinates[3 * vertex + 2] = 10 + Math.sin(latitude) * Math.sin(longitude);
+                if (ring < rings) {
+                    int right = ring * columns + (column + 1) % columns;
+                    for (int corner :
+                            new int[] {vertex, right, vertex + columns, right, right + columns, vertex + columns}) {
+                        corners[next++] = corner;
+                    }
+                }
+            }
+        }
+        return new TriangleMesh(
+                "sphere", new MeshData("sphere.obj", coordinates, corners, new byte[0]), ColouredSurface.DEFAULT);
+    }
+
+    /** The whole table as Markdown. */
+    String table() {
+        return table.toString();
+    }
+}

@@ -1,0 +1,164 @@
+package tompkins.bench;
+
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
+import org.joml.Vector3d;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OperationsPerInvocation;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+import org.openjdk.jmh.infra.Blackhole;
+import tompkins.camera.PixelSampler;
+import tompkins.light.AmbientLight;
+import tompkins.light.LightSource;
+import tompkins.light.PointLight;
+import tompkins.ray.Colour;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Cone;
+import tompkins.sceneobject.Cylinder;
+import tompkins.sceneobject.Disc;
+import tompkins.sceneobject.Parallelogram;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.Primitive;
+import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.sceneobject.Triangle;
+import tompkins.spacetime.SpaceTimeTransformation;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.studio.PaperStudios;
+import tompkins.surface.ColouredSurface;
+import tompkins.surface.Response;
+import tompkins.surface.Tracer;
+
+/** What every ray goes through: nanoseconds for one call. */
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.NANOSECONDS)
+@Warmup(iterations = 3, time = 1)
+@Measurement(iterations = 5, time = 1)
+@Fork(1)
+@State(Scope.Benchmark)
+public class HotMethodsBenchmark {
+
+    private static final int RAYS = 1024;
+
+    /** Rays around the middle of the picture, of which about half meet an object there. */
+    @State(Scope.Benchmark)
+    public static class Rays {
+
+        private final Ray[] rays = new Ray[RAYS];
+
+        @Setup
+        public void make() {
+            Random random = new Random(1);
+            for (int i = 0; i < RAYS; i++) {
+                Vector3d to = new Vector3d(random.nextDouble(-1.4, 1.4), random.nextDouble(-1.4, 1.4), 10).normalize();
+                rays[i] = Ray.fromCamera(0, 0, 0, to.x, to.y, to.z, 0, 1e-3);
+            }
+        }
+    }
+
+    /** One object of each kind, in its usual place in front of the camera. */
+    @State(Scope.Benchmark)
+    public static class Shape {
+
+        @Param({"Sphere", "Plane", "Cylinder", "Cone", "Box", "Disc", "Parallelogram", "Triangle"})
+        public String shape;
+
+        private Primitive primitive;
+
+        @Setup
+        public void make() {
+            SceneObject object = List.<SceneObject>of(
+                            Sphere.DEFAULT,
+                            Plane.DEFAULT,
+                            Cylinder.DEFAULT,
+                            Cone.DEFAULT,
+                            Box.DEFAULT,
+                            Disc.DEFAULT,
+                            Parallelogram.DEFAULT,
+                            Triangle.DEFAULT)
+                    .stream()
+                    .filter(each -> each.getClass().getSimpleName().equals(shape))
+                    .findFirst()
+                    .orElseThrow();
+            primitive = PrimitiveCollector.primitivesOf(object).get(0);
+        }
+    }
+
+    /** A hit on a sphere, and a world with two lights and no shadows. */
+    @State(Scope.Benchmark)
+    public static class Lit implements Tracer {
+
+        private final List<LightSource> lights = List.of(AmbientLight.DEFAULT, PointLight.DEFAULT);
+        private final ColouredSurface surface = new ColouredSurface(new Colour(1, 0, 0), Colour.WHITE);
+        private final Ray ray = Ray.fromCamera(0, 0, 0, 0, 0, 1, 0);
+        private final Hit hit =
+                PrimitiveCollector.primitivesOf(Sphere.DEFAULT).get(0).hit(ray, 9);
+
+        @Override
+        public Colour colour(Ray next) {
+            return Colour.BLACK;
+        }
+
+        @Override
+        public boolean isClear(Hit from, double x, double y, double z) {
+            return true;
+        }
+
+        @Override
+        public List<LightSource> lights() {
+            return lights;
+        }
+    }
+
+    private final SpaceTimeTransformation sceneFromCamera =
+            TransformationLaw.LORENTZ.sceneFromCamera(PaperStudios.VELOCITY);
+    private final PixelSampler sampler = new PixelSampler(1, 64);
+
+    @Benchmark
+    @OperationsPerInvocation(RAYS)
+    public void transformation(Rays rays, Blackhole sink) {
+        for (Ray ray : rays.rays) {
+            sink.consume(sceneFromCamera.transform(ray));
+        }
+    }
+
+    @Benchmark
+    @OperationsPerInvocation(RAYS)
+    public double intersection(Rays rays, Shape shape) {
+        double sum = 0;
+        for (Ray ray : rays.rays) {
+            double distance = shape.primitive.distance(ray, Primitive.NO_HIT);
+            sum += distance < Primitive.NO_HIT ? distance : 0;
+        }
+        return sum;
+    }
+
+    @Benchmark
+    public Response shading(Lit lit) {
+        return lit.surface.respond(lit.ray, lit.hit, lit);
+    }
+
+    @Benchmark
+    @OperationsPerInvocation(RAYS)
+    public double sampler() {
+        double sum = 0;
+        for (int i = 0; i < RAYS; i++) {
+            sampler.start(i, 3, i % 64);
+            sum += sampler.x() + sampler.y() + sampler.lensX() + sampler.lensY();
+        }
+        return sum;
+    }
+}

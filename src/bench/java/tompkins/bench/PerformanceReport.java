@@ -1,0 +1,230 @@
+package tompkins.bench;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.List;
+import java.util.Locale;
+import org.junit.jupiter.api.Named;
+import org.openjdk.jmh.results.Result;
+import org.openjdk.jmh.results.RunResult;
+import org.openjdk.jmh.results.format.ResultFormatType;
+import org.openjdk.jmh.runner.Runner;
+import org.openjdk.jmh.runner.RunnerException;
+import org.openjdk.jmh.runner.options.OptionsBuilder;
+import org.openjdk.jmh.runner.options.TimeValue;
+import tompkins.render.RenderReport;
+import tompkins.studio.PaperStudios;
+import tompkins.studio.SceneFiles;
+import tompkins.studio.Studio;
+
+/**
+ * Measures everything, prints the table of targets, and writes {@code docs/performance.md}. With the argument {@code quick} it
+ * takes a minute or two to see that all works, and writes to {@code target/performance.md} instead.
+ */
+final class PerformanceReport {
+
+    private static final double DR_TIM_REST = 4100;
+    private static final double DR_TIM_MOVING = 2100;
+    private static final double TREE_REST = 50;
+    private static final double TREE_MOVING = 18;
+    private static final double EMBREE_REST = 60;
+    private static final double EMBREE_MOVING = 24;
+    private static final double PACKETS_REST = 4.3;
+    private static final double PACKETS_MOVING = 1.4;
+
+    private final boolean quick;
+    private final List<Measure> measures = new ArrayList<>();
+    private final StringBuilder details = new StringBuilder();
+
+    private PerformanceReport(boolean quick) {
+        this.quick = quick;
+    }
+
+    /** Measures; the argument is {@code quick} or {@code full}. */
+    public static void main(String[] arguments) throws IOException, InterruptedException, RunnerException {
+        PerformanceReport report = new PerformanceReport(arguments[0].equals("quick"));
+        report.figures();
+        report.lens();
+        report.growth();
+        Drag.measure(report.quick ? 3 : 60, report.measures);
+        report.processes();
+        report.scenes();
+        report.hotMethods();
+        report.write();
+    }
+
+    /** The paper's two figures, alternating with one thread, two threads and POV-Ray. */
+    private void figures() throws InterruptedException {
+        int rounds = quick ? 10 : 60;
+        double[] povRest = new double[rounds];
+        double[] povMoving = new double[rounds];
+        try (Picture rest = new Picture(PaperStudios.fig1a(), 2, rounds);
+                Picture restAlone = new Picture(PaperStudios.fig1a(), 1, rounds);
+                Picture moving = new Picture(PaperStudios.fig1b(), 2, rounds);
+                Picture movingAlone = new Picture(PaperStudios.fig1b(), 1, rounds)) {
+            for (int round = 0; round < rounds; round++) {
+                rest.take();
+                moving.take();
+                restAlone.take();
+                movingAlone.take();
+                povRest[round] = PovRay.milliseconds(false);
+                povMoving[round] = PovRay.milliseconds(true);
+            }
+            against(rest.median(), 30, "fig1a", DR_TIM_REST, 130, povRest, TREE_REST, EMBREE_REST, PACKETS_REST);
+            against(
+                    moving.median(),
+                    15,
+                    "fig1b",
+                    DR_TIM_MOVING,
+                    140,
+                    povMoving,
+                    TREE_MOVING,
+                    EMBREE_MOVING,
+                    PACKETS_MOVING);
+            measures.add(
+                    Measure.atLeast("fig1a, two threads against one", 1.85, "x", restAlone.median() / rest.median()));
+            measures.add(Measure.atMost("fig1b: allocation per sample", 1000, "bytes", moving.bytesPerSample()));
+        }
+    }
+
+    private void against(
+            double time,
+            double most,
+            String name,
+            double drTim,
+            double drTimFactor,
+            double[] povRay,
+            double tree,
+            double embree,
+            double packets) {
+        measures.add(Measure.atMost(name + ", 640 x 480, one sample, 2 threads", most, "ms", time));
+        measures.add(Measure.atLeast(
+                name + " against Dr TIM, " + Measure.number(drTim) + " ms", drTimFactor, "x", drTim / time));
+        Arrays.sort(povRay);
+        double pov = povRay[povRay.length / 2];
+        String what = name + " against POV-Ray 3.7 in this run";
+        measures.add(
+                Double.isNaN(pov)
+                        ? Measure.missing(what, "POV-Ray is not installed (apt-get install povray)")
+                        : Measure.atLeast(what + ", " + Measure.number(pov) + " ms", 5, "x", pov / time));
+        measures.add(Measure.atMost(name + " against a native scalar tree tracer", tree, "ms", time));
+        measures.add(Measure.atMost(name + " against Embree, single rays", embree, "ms", time));
+        measures.add(
+                Measure.atMost(name + " against native 16-wide packets, " + packets + " ms", 6, "x", time / packets));
+    }
+
+    private void lens() {
+        double gain = new Convergence(quick ? 512 : 16384).gain();
+        measures.add(Measure.atLeast("fig3a to RMSE 0.002: fewer rays than random points", 20, "x", gain));
+    }
+
+    private void growth() throws InterruptedException {
+        Growth growth = new Growth();
+        growth.measure(measures);
+        details.append(
+                "\n## Growth\n\nTime of a whole 640 x 480 picture with shadows on two threads, per ray; spheres and rods get thinner"
+                        + " where there are more.\n\n");
+        details.append(growth.table());
+    }
+
+    private void processes() throws IOException, InterruptedException {
+        double cold = ColdStart.milliseconds(quick ? 3 : 21);
+        measures.add(
+                Double.isNaN(cold)
+                        ? Measure.missing("cold start to a 640 x 480 file", "there is no target/tompkins.jar")
+                        : Measure.atMost("cold start to a 640 x 480 file, fig1b", 900, "ms", cold));
+        LargePicture.measure(quick ? 2000 : 20_000, measures);
+    }
+
+    /** All scenes, one after the other with one and two threads, round by round. */
+    private void scenes() throws InterruptedException {
+        int rounds = quick ? 2 : 12;
+        details.append("\n## Scenes\n\nAs they are, warm; millions of rays per second with 1 and 2 threads.\n\n"
+                + "| scene | ms, 2 threads | rays, 1 | rays, 2 | shadow rays, 1 | shadow rays, 2 | bytes per ray | nodes per ray | tests per ray |\n"
+                + "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+        for (Named<Studio> scene : SceneFiles.all().toList()) {
+            try (Picture alone = new Picture(scene.getPayload(), 1, rounds);
+                    Picture both = new Picture(scene.getPayload(), 2, rounds)) {
+                for (int round = 0; round < rounds; round++) {
+                    alone.take();
+                    both.take();
+                }
+                details.append(row(scene.getName(), alone.median(), both));
+            }
+        }
+    }
+
+    private static String row(String name, double alone, Picture both) {
+        RenderReport report = both.report();
+        double rays = report.rays() + report.shadowRays();
+        return String.format(
+                Locale.ROOT,
+                "| %s | %.1f | %.2f | %.2f | %.2f | %.2f | %.0f | %.2f | %.2f |%n",
+                name,
+                both.median(),
+                report.rays() / alone / 1000,
+                report.rays() / both.median() / 1000,
+                report.shadowRays() / alone / 1000,
+                report.shadowRays() / both.median() / 1000,
+                both.bytesPerSample() * report.samples() / rays,
+                report.nodes() / rays,
+                report.tests() / rays);
+    }
+
+    private void hotMethods() throws RunnerException, IOException {
+        Files.createDirectories(Path.of("target"));
+        OptionsBuilder options = new OptionsBuilder();
+        options.include(HotMethodsBenchmark.class.getName())
+                .resultFormat(ResultFormatType.JSON)
+                .result("target/jmh.json");
+        if (quick) {
+            options.warmupIterations(1)
+                    .measurementIterations(1)
+                    .measurementTime(TimeValue.milliseconds(200))
+                    .warmupTime(TimeValue.milliseconds(200));
+        }
+        Collection<RunResult> results = new Runner(options.build()).run();
+        details.append("\n## Hot methods\n\n| method | ns | error |\n| --- | --- | --- |\n");
+        for (RunResult result : results) {
+            String shape = result.getParams().getParam("shape");
+            Result<?> time = result.getPrimaryResult();
+            details.append(String.format(
+                    Locale.ROOT,
+                    "| %s%s | %.1f | %.1f |%n",
+                    time.getLabel(),
+                    shape == null ? "" : ", " + shape,
+                    time.getScore(),
+                    time.getScoreError()));
+        }
+    }
+
+    private void write() throws IOException {
+        StringBuilder text = new StringBuilder("# Performance\n\nMeasured on " + LocalDate.now() + ", "
+                + processor() + ", " + Runtime.getRuntime().availableProcessors() + " cores, Java "
+                + System.getProperty("java.version") + ", by\n\n    mvn -Pbench -DskipTests verify\n\n"
+                + "which writes this file. All times are medians of one run in which everything takes turns; `-Dbench.mode=quick`"
+                + " tries the same in two minutes.\nDr TIM, the native tracers and Embree were measured on the same kind of machine"
+                + " with the same scene; POV-Ray runs in turns with the program.\n\n"
+                + "| measure | target | measured | met |\n| --- | --- | --- | --- |\n");
+        measures.forEach(measure -> text.append(measure.line()));
+        text.append(details);
+        System.out.println(text);
+        Files.writeString(Path.of(quick ? "target/performance.md" : "docs/performance.md"), text);
+    }
+
+    private static String processor() throws IOException {
+        Path file = Path.of("/proc/cpuinfo");
+        return !Files.exists(file)
+                ? System.getProperty("os.arch")
+                : Files.readAllLines(file).stream()
+                        .filter(line -> line.startsWith("model name"))
+                        .map(line -> line.replaceAll(".*:\\s*", ""))
+                        .findFirst()
+                        .orElse(System.getProperty("os.arch"));
+    }
+}

@@ -1,0 +1,70 @@
+package tompkins.bench;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadInfo;
+import java.util.Arrays;
+import java.util.stream.LongStream;
+import tompkins.render.RenderReport;
+import tompkins.render.Renderer;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+
+/** One picture that is taken again and again by a number of threads. */
+final class Picture implements AutoCloseable {
+
+    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+    private final Studio studio;
+    private final Renderer renderer;
+    private final double[] milliseconds;
+    private int taken;
+    private RenderReport report;
+    private double bytesPerSample;
+
+    Picture(Studio studio, int threads, int most) {
+        this.studio = studio;
+        renderer = new Renderer(threads);
+        milliseconds = new double[most];
+    }
+
+    /** Takes the picture once, from the studio to the last pixel. */
+    void take() throws InterruptedException {
+        long bytes = allocated();
+        long start = System.nanoTime();
+        report = renderer.render(RenderPlan.of(studio)).report();
+        milliseconds[taken++] = (System.nanoTime() - start) / 1e6;
+        bytesPerSample = (double) (allocated() - bytes) / report.samples();
+    }
+
+    /** Bytes that the rendering threads of this process allocated so far. */
+    private static long allocated() {
+        long[] ids = Arrays.stream(THREADS.getThreadInfo(THREADS.getAllThreadIds()))
+                .filter(thread -> thread != null && thread.getThreadName().equals("tompkins-render"))
+                .mapToLong(ThreadInfo::getThreadId)
+                .toArray();
+        return LongStream.of(THREADS.getThreadAllocatedBytes(ids))
+                .filter(bytes -> bytes > 0)
+                .sum();
+    }
+
+    /** The median time, of the second half of the pictures: the compiler has settled then. */
+    double median() {
+        double[] settled = Arrays.copyOfRange(milliseconds, taken / 2, taken);
+        Arrays.sort(settled);
+        return settled[settled.length / 2];
+    }
+
+    RenderReport report() {
+        return report;
+    }
+
+    double bytesPerSample() {
+        return bytesPerSample;
+    }
+
+    @Override
+    public void close() {
+        renderer.close();
+    }
+}
