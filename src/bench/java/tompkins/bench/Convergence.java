@@ -23,8 +23,8 @@ final class Convergence {
         reference = sampled(referenceSamples, 99);
     }
 
-    /** Random samples that the goal needs, divided by those of the sampler. */
-    double gain() {
+    /** Compares the numbers of samples that the goal needs. */
+    Measure measure() {
         int samples = 16;
         double before = Double.NaN;
         double error = error(sampled(samples, 1));
@@ -33,13 +33,18 @@ final class Convergence {
             before = error;
             error = error(sampled(samples, 1));
         }
+        if (error > GOAL) {
+            return Measure.missing("fig3a to RMSE " + GOAL, "the reference is too rough to tell");
+        }
         // between two powers of two, along a straight line of the logarithms
         double share = Math.log(before / GOAL) / Math.log(before / error);
         double needed = samples / 2.0 * Math.pow(2, share);
         int tried = 256;
         double randomError = error(random(tried));
         double randomNeeded = tried * Math.pow(randomError / GOAL, 2);
-        return randomNeeded / needed;
+        String what = "fig3a to RMSE " + GOAL + ": " + Measure.number(needed) + " samples a pixel; random "
+                + Measure.number(randomNeeded);
+        return Measure.atLeast(what, 20, "x fewer", randomNeeded / needed);
     }
 
     private static double[] sampled(int samples, long seed) {

@@ -81,11 +81,11 @@ final class Growth {
         return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
     }
 
-    /** Spheres at random, smaller where there are more, so that about the same part of the picture is covered. */
+    /** Spheres at random, smaller where there are more, so that they fill the same part of space. */
     private static SceneObject spheres(int count) {
         Random random = new Random(count);
         List<SceneObject> spheres = new ArrayList<>();
-        double radius = 1.2 / Math.sqrt(count);
+        double radius = 1 / Math.cbrt(count);
         for (int i = 0; i < count; i++) {
             Vector3d centre =
                     new Vector3d(random.nextDouble(-2, 2), random.nextDouble(-1.5, 1.5), random.nextDouble(8, 12));

@@ -67,8 +67,7 @@ final class LargePicture {
     static void measure(long milliseconds, List<Measure> measures) throws IOException, InterruptedException {
         Process process = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-XX:+UseSerialGC",
-                        "-Xmx320m",
+                        "-Xmx300m",
                         "-cp",
                         System.getProperty("java.class.path"),
                         LargePicture.class.getName(),

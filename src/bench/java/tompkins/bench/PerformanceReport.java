@@ -119,8 +119,7 @@ final class PerformanceReport {
     }
 
     private void lens() {
-        double gain = new Convergence(quick ? 512 : 16384).gain();
-        measures.add(Measure.atLeast("fig3a to RMSE 0.002: fewer rays than random points", 20, "x", gain));
+        measures.add(new Convergence(quick ? 4096 : 16384).measure());
     }
 
     private void growth() throws InterruptedException {
