@@ -125,7 +125,7 @@ public class HotMethodsBenchmark {
 
     private final SpaceTimeTransformation sceneFromCamera =
             TransformationLaw.LORENTZ.sceneFromCamera(PaperStudios.VELOCITY);
-    private final PixelSampler sampler = new PixelSampler(1, 64);
+    private final PixelSampler sampler = new PixelSampler(1, true);
 
     @Benchmark
     @OperationsPerInvocation(RAYS)

@@ -67,7 +67,7 @@ final class LargePicture {
     static void measure(long milliseconds, List<Measure> measures) throws IOException, InterruptedException {
         Process process = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-Xmx300m",
+                        "-Xmx500m",
                         "-cp",
                         System.getProperty("java.class.path"),
                         LargePicture.class.getName(),
