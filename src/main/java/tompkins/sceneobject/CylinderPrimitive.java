@@ -149,10 +149,15 @@ final class CylinderPrimitive extends Primitive {
         }
         double along = (alongStart + distance * slope) / squaredLength;
         Vector3d normal = new Vector3d(
-                        wx + distance * ray.dx - along * axisX,
-                        wy + distance * ray.dy - along * axisY,
-                        wz + distance * ray.dz - along * axisZ)
-                .normalize();
+                wx + distance * ray.dx - along * axisX,
+                wy + distance * ray.dy - along * axisY,
+                wz + distance * ray.dz - along * axisZ);
+        if (normal.lengthSquared() > 0) {
+            normal.normalize();
+        } else {
+            // too thin to be told from its axis at this distance: facing the ray
+            normal.set(-ray.dx, -ray.dy, -ray.dz);
+        }
         return new Hit(
                 ray,
                 distance,

@@ -66,9 +66,10 @@ final class SpherePrimitive extends Primitive {
         double ny = ray.y - y + distance * ray.dy;
         double nz = ray.z - z + distance * ray.dz;
         double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-        nx /= length;
-        ny /= length;
-        nz /= length;
+        // too small to be told from its centre at this distance: facing the ray
+        nx = length > 0 ? nx / length : -ray.dx;
+        ny = length > 0 ? ny / length : -ray.dy;
+        nz = length > 0 ? nz / length : -ray.dz;
         SurfaceCoordinates coordinates = surface().usesCoordinates() ? coordinates(new Vector3d(nx, ny, nz)) : null;
         return new Hit(
                 ray, distance, x + radius * nx, y + radius * ny, z + radius * nz, nx, ny, nz, this, 0, coordinates);
