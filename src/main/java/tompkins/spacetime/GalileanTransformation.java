@@ -27,6 +27,16 @@ public final class GalileanTransformation implements SpaceTimeTransformation {
         return new Event(event.x() + beta.x() * time, event.y() + beta.y() * time, event.z() + beta.z() * time, time);
     }
 
+    /** A fused multiplication and addition rounds once, and what it leaves is small. */
+    @Override
+    public Vector3d placeFrom(Vector3dc near, Event event) {
+        double time = event.time();
+        return new Vector3d(
+                Math.fma(beta.x(), time, -near.x()) + event.x(),
+                Math.fma(beta.y(), time, -near.y()) + event.y(),
+                Math.fma(beta.z(), time, -near.z()) + event.z());
+    }
+
     /**
      * The tangent (d, dt) of the ray becomes (d + beta dt, dt). Its spatial part is no longer of length |dt|: the ray keeps
      * both, as a unit direction and a slowness.

@@ -1,5 +1,6 @@
 package tompkins.spacetime;
 
+import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
 
@@ -9,6 +10,11 @@ public record IdentityTransformation() implements SpaceTimeTransformation {
     @Override
     public Event transform(Event event) {
         return event;
+    }
+
+    @Override
+    public Vector3d placeFrom(Vector3dc near, Event event) {
+        return event.position().sub(near);
     }
 
     @Override

@@ -69,6 +69,11 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
     }
 
     @Override
+    public Vector3d placeFrom(Vector3dc near, Event event) {
+        return new PreciseTransformation(velocity, sign).placeFrom(near, event);
+    }
+
+    @Override
     public Ray transform(Ray ray) {
         double side = alongDirection(ray.dx, ray.dy, ray.dz) > 0 ? 1 : -1;
         double wx = ray.dx - side * nx;

@@ -1,5 +1,6 @@
 package tompkins.spacetime;
 
+import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
 
@@ -9,6 +10,12 @@ public sealed interface SpaceTimeTransformation
 
     /** The same event in the other frame. */
     Event transform(Event event);
+
+    /**
+     * The place of an event in the other frame, as seen from a place near it there: with all digits, however far from the
+     * origin both are. Slower than {@link #transform(Event)}.
+     */
+    Vector3d placeFrom(Vector3dc near, Event event);
 
     /** The same light ray in the other frame, starting at the same event. */
     Ray transform(Ray ray);

@@ -1,6 +1,5 @@
 package tompkins.trace;
 
-import java.math.BigDecimal;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
@@ -13,7 +12,7 @@ import tompkins.spacetime.SpaceTimeTransformation;
  * <p>A camera that has been on its way for a long time is far from the origin of the scene frame, and so is everything that
  * it sees: with coordinates of order 1e7 a double has no digits left for rods of radius 0.02. Then the scene is described
  * from an origin of its own near the camera (a vector of doubles, subtracted exactly from the objects), rays are transformed
- * relative to the lens, and the rest between the lens and that origin is added, worked out once in high precision.
+ * relative to the lens, and the rest between the lens and that origin is added, worked out once with sixty digits.
  */
 final class FrameCrossing {
 
@@ -44,27 +43,8 @@ final class FrameCrossing {
         }
         origin = place;
         base = lens;
-        rest = exactRest(lens, place);
+        rest = sceneFromCamera.placeFrom(place, lens);
         timeOfOrigin = inScene.time();
-    }
-
-    /** The transformed place of an event minus its rounded value. The map is linear, so its columns tell it all. */
-    private Vector3d exactRest(Event event, Vector3dc rounded) {
-        double[] coordinates = {event.x(), event.y(), event.z(), event.time()};
-        BigDecimal[] sum = {exact(-rounded.x()), exact(-rounded.y()), exact(-rounded.z())};
-        for (int axis = 0; axis < coordinates.length; axis++) {
-            Event column = sceneFromCamera.transform(
-                    new Event(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0, axis == 3 ? 1 : 0));
-            BigDecimal factor = exact(coordinates[axis]);
-            sum[0] = sum[0].add(factor.multiply(exact(column.x())));
-            sum[1] = sum[1].add(factor.multiply(exact(column.y())));
-            sum[2] = sum[2].add(factor.multiply(exact(column.z())));
-        }
-        return new Vector3d(sum[0].doubleValue(), sum[1].doubleValue(), sum[2].doubleValue());
-    }
-
-    private static BigDecimal exact(double value) {
-        return new BigDecimal(value);
     }
 
     /** The ray in the scene frame, in coordinates relative to {@link #origin()}. */
