@@ -3,7 +3,6 @@ package tompkins.fuzz;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import java.util.function.Function;
 import java.util.function.Supplier;
 import org.joml.Vector2i;
 import org.joml.Vector3d;
@@ -75,9 +74,19 @@ public final class RandomStudio {
     /** The exponents of ten of lengths and times go from minus to plus this. */
     private final double decades;
 
+    /** What all objects look like, or null for all kinds of surfaces. */
+    private final Surface uniform;
+
     private RandomStudio(long seed) {
         random = new SplittableRandom(seed);
         decades = pick(1.5, 1.5, 1.5, 6.0, 6.0, 12.0, 40.0);
+        uniform = null;
+    }
+
+    private RandomStudio(long seed, double decades, Surface uniform) {
+        random = new SplittableRandom(seed);
+        this.decades = decades;
+        this.uniform = uniform;
     }
 
     /** The studio with a number. */
@@ -85,18 +94,22 @@ public final class RandomStudio {
         return new RandomStudio(seed).studio();
     }
 
-    /** Objects of one type, by the order of the permitted types. */
-    public static SceneObject object(long seed, Class<?> type) {
-        return new RandomStudio(seed).valid(maker -> maker.object(type, 1));
+    /** An object of one type, of a size between 1/2 and 20, with the given surface. */
+    public static SceneObject object(long seed, Class<?> type, Surface surface) {
+        RandomStudio maker = new RandomStudio(seed, 0.8, surface);
+        return maker.valid(() -> maker.object(type, 1));
     }
 
     /** A surface of one type. */
     public static Surface surface(long seed, Class<?> type) {
-        return new RandomStudio(seed).valid(maker -> maker.surface(type, 1));
+        RandomStudio maker = new RandomStudio(seed, 0.8, null);
+        return maker.valid(() -> maker.surface(type, 1));
     }
 
-    private <T> T valid(Function<RandomStudio, T> making) {
-        return valid(() -> making.apply(this));
+    /** A camera with a shutter, of sizes between 1/2 and 20. */
+    public static Camera camera(long seed) {
+        RandomStudio maker = new RandomStudio(seed, 0.8, null);
+        return maker.valid(maker::camera);
     }
 
     /** Tries until the checks of the descriptions accept something. */
@@ -173,11 +186,13 @@ public final class RandomStudio {
     }
 
     private SceneObject objectWithin(int depth) {
-        return depth == 0 ? Sphere.DEFAULT : object(pick(SceneObject.class.getPermittedSubclasses()), depth - 1);
+        return depth == 0
+                ? new Sphere("ball", new Vector3d(), 1, surface())
+                : object(pick(SceneObject.class.getPermittedSubclasses()), depth - 1);
     }
 
     private Surface surface() {
-        return surface(pick(Surface.class.getPermittedSubclasses()), 2);
+        return uniform == null ? surface(pick(Surface.class.getPermittedSubclasses()), 2) : uniform;
     }
 
     private Surface surface(Class<?> type, int depth) {

@@ -1,0 +1,278 @@
+package tompkins.sceneobject;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.fuzz.RandomStudio;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.surface.Surface;
+import tompkins.surface.Tiling;
+
+/** What every primitive of every object promises to rays. */
+class PrimitiveContractTest {
+
+    private static final Surface TILED = Tiling.DEFAULT;
+    private static final int OBJECTS = 12;
+    private static final int RAYS = 150;
+
+    private final SplittableRandom random = new SplittableRandom(7);
+
+    static Stream<Class<?>> types() {
+        return Arrays.stream(SceneObject.class.getPermittedSubclasses());
+    }
+
+    private static List<Primitive> primitives(Class<?> type) {
+        List<Primitive> primitives = new ArrayList<>();
+        for (int seed = 0; seed < OBJECTS; seed++) {
+            List<Primitive> all = PrimitiveCollector.primitivesOf(RandomStudio.object(seed, type, TILED));
+            primitives.addAll(all.subList(0, Math.min(4, all.size())));
+        }
+        return primitives;
+    }
+
+    @ParameterizedTest
+    @MethodSource("types")
+    void hitsKeepTheirPromises(Class<?> type) {
+        int hits = 0;
+        List<Primitive> primitives = primitives(type);
+        for (Primitive primitive : primitives) {
+            for (int i = 0; i < RAYS; i++) {
+                Ray ray = aimed(primitive);
+                double distance = primitive.distance(ray, Primitive.NO_HIT);
+                if (distance == Primitive.NO_HIT) {
+                    continue;
+                }
+                hits++;
+                Hit hit = primitive.hit(ray, distance);
+                liesOnTheRay(ray, distance, hit);
+                respectsTheLimit(primitive, ray, distance);
+                liesWithinTheBounds(primitive, hit);
+                gradientsAreThoseOfTheCoordinates(primitive, ray, hit);
+                otherRootFollows(primitive, ray, hit);
+            }
+        }
+        assertThat(hits).isGreaterThanOrEqualTo(primitives.isEmpty() ? 0 : RAYS);
+    }
+
+    private Ray aimed(Primitive primitive) {
+        Bounds bounds = primitive.bounds();
+        Vector3d target = bounds == null
+                ? vector(10)
+                : new Vector3d(
+                        mix(bounds.minX(), bounds.maxX()),
+                        mix(bounds.minY(), bounds.maxY()),
+                        mix(bounds.minZ(), bounds.maxZ()));
+        Vector3d origin = vector(40);
+        return ray(origin, target.sub(origin, new Vector3d()));
+    }
+
+    private static Ray ray(Vector3dc origin, Vector3dc direction) {
+        Vector3d d = direction.normalize(new Vector3d());
+        return Ray.fromCamera(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 5, 1e-3);
+    }
+
+    private Vector3d vector(double reach) {
+        return new Vector3d(mix(-reach, reach), mix(-reach, reach), mix(-reach, reach));
+    }
+
+    private double mix(double low, double high) {
+        return low + (high - low) * random.nextDouble();
+    }
+
+    private static void liesOnTheRay(Ray ray, double distance, Hit hit) {
+        assertThat(distance).isPositive();
+        assertThat(place(hit).distance(at(ray, distance))).isLessThan(1e-9);
+        assertThat(hit.time).isCloseTo(5 - distance, within(1e-12));
+        assertThat(normal(hit).length()).isCloseTo(1, within(1e-12));
+    }
+
+    private static void respectsTheLimit(Primitive primitive, Ray ray, double distance) {
+        assertThat(primitive.distance(ray, distance)).isEqualTo(distance);
+        assertThat(primitive.distance(ray, distance * (1 - 1e-12))).isEqualTo(Primitive.NO_HIT);
+    }
+
+    private void liesWithinTheBounds(Primitive primitive, Hit hit) {
+        Bounds bounds = primitive.bounds();
+        if (bounds != null) {
+            Bounds wide = bounds.widened();
+            assertThat(hit.x).isBetween(wide.minX() - 1e-12, wide.maxX() + 1e-12);
+            assertThat(hit.y).isBetween(wide.minY() - 1e-12, wide.maxY() + 1e-12);
+            assertThat(hit.z).isBetween(wide.minZ() - 1e-12, wide.maxZ() + 1e-12);
+        }
+        Vector3d n = vector(1);
+        assertThat(primitive.least(n.x, n.y, n.z)).isLessThanOrEqualTo(n.dot(place(hit)) + 1e-9);
+        assertThat(primitive.isBeyond(n.x, n.y, n.z, n.dot(place(hit)))).isFalse();
+    }
+
+    private static void gradientsAreThoseOfTheCoordinates(Primitive primitive, Ray ray, Hit hit) {
+        Ray beside = ray(new Vector3d(ray.x, ray.y, ray.z), direction(ray).add(2e-7, -1e-7, 1.5e-7));
+        double distance = primitive.distance(beside, Primitive.NO_HIT);
+        if (distance == Primitive.NO_HIT || Math.abs(hit.cosine(ray)) < 0.1) {
+            return;
+        }
+        Hit other = primitive.hit(beside, distance);
+        double du = other.coordinates.u() - hit.coordinates.u();
+        double dv = other.coordinates.v() - hit.coordinates.v();
+        if (other.part != hit.part || Math.abs(du) > 0.5) {
+            return;
+        }
+        Vector3d step = place(other).sub(place(hit));
+        Vector3d gradientU = new Vector3d(hit.coordinates.uX(), hit.coordinates.uY(), hit.coordinates.uZ());
+        Vector3d gradientV = new Vector3d(hit.coordinates.vX(), hit.coordinates.vY(), hit.coordinates.vZ());
+        double expectedU = gradientU.dot(step);
+        double expectedV = gradientV.dot(step);
+        assertThat(du).isCloseTo(expectedU, within(1e-3 * gradientU.length() * step.length() + 1e-12));
+        assertThat(dv).isCloseTo(expectedV, within(1e-3 * gradientV.length() * step.length() + 1e-12));
+    }
+
+    /** A ray that goes on from a hit meets what a ray meets that starts a little beyond. */
+    private static void otherRootFollows(Primitive primitive, Ray ray, Hit hit) {
+        double step = 1e-5;
+        Ray on = ray.straightOn(hit, 1);
+        double next = primitive.distance(on, Primitive.NO_HIT);
+        assertThat(next).isPositive();
+        double beyond = primitive.distance(ray(at(ray, hit.distance + step), direction(ray)), Primitive.NO_HIT) + step;
+        boolean both = next < Primitive.NO_HIT && beyond < Primitive.NO_HIT;
+        if (both) {
+            assertThat(next).isCloseTo(beyond, within(1e-6));
+        } else if (next != beyond) {
+            // only where the step jumps over the other root
+            assertThat(next).isLessThan(2e-5);
+        }
+        double back = primitive.distance(ray.bent(hit, -ray.dx, -ray.dy, -ray.dz, 1), Primitive.NO_HIT);
+        assertThat(back > hit.distance * (1 - 1e-9))
+                .as("nothing before the first hit")
+                .isTrue();
+    }
+
+    private static Vector3d place(Hit hit) {
+        return new Vector3d(hit.x, hit.y, hit.z);
+    }
+
+    private static Vector3d normal(Hit hit) {
+        return new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
+    }
+
+    private static Vector3d direction(Ray ray) {
+        return new Vector3d(ray.dx, ray.dy, ray.dz);
+    }
+
+    private static Vector3d at(Ray ray, double distance) {
+        return direction(ray).mul(distance).add(ray.x, ray.y, ray.z);
+    }
+
+    /** Closed objects against their inside, walked through in small steps: another way to find the first hit. */
+    @Test
+    void closedObjectsAreHitWhereTheInsideBegins() {
+        Vector3d start = new Vector3d(1, -2, 3);
+        Vector3d end = new Vector3d(-2, 1, 7);
+        Vector3d axis = new Vector3d(end).sub(start);
+        walkThrough(new Sphere("", start, 2.5, TILED), place -> place.distance(start) < 2.5);
+        walkThrough(
+                new Box("", new Vector3d(-1, 0, 2), new Vector3d(2, 1.5, 6), TILED),
+                place -> place.x > -1 && place.x < 2 && place.y > 0 && place.y < 1.5 && place.z > 2 && place.z < 6);
+        walkThrough(new Cylinder("", start, end, 1.5, true, TILED), place -> {
+            double along = new Vector3d(place).sub(start).dot(axis) / axis.lengthSquared();
+            return along > 0 && along < 1 && distanceFromLine(place, start, axis) < 1.5;
+        });
+        walkThrough(new Cone("", start, end, 2, true, TILED), place -> {
+            double along = new Vector3d(place).sub(start).dot(axis) / axis.lengthSquared();
+            return along > 0 && along < 1 && distanceFromLine(place, start, axis) < 2 * along;
+        });
+    }
+
+    private static double distanceFromLine(Vector3dc place, Vector3dc start, Vector3dc axis) {
+        return place.sub(start, new Vector3d()).cross(axis).length() / axis.length();
+    }
+
+    private void walkThrough(SceneObject object, Predicate<Vector3d> inside) {
+        List<Primitive> primitives = PrimitiveCollector.primitivesOf(object);
+        double step = 0.005;
+        for (int i = 0; i < 300; i++) {
+            Vector3d origin = vector(10);
+            Ray ray = ray(origin, vector(3).add(0, 0, 4).sub(origin));
+            Primitive nearest = null;
+            double distance = Primitive.NO_HIT;
+            for (Primitive primitive : primitives) {
+                double candidate = primitive.distance(ray, distance);
+                if (candidate < distance) {
+                    nearest = primitive;
+                    distance = candidate;
+                }
+            }
+            boolean startsInside = inside.test(origin);
+            double change = step;
+            while (change < 40 && inside.test(at(ray, change)) == startsInside) {
+                change += step;
+            }
+            if (distance < change - step) {
+                // something thinner than a step, at an edge
+                boolean near = inside.test(at(ray, distance + 1e-7)) != startsInside;
+                assertThat(near).isTrue();
+            } else {
+                assertThat(distance).isBetween(change - step, change < 40 ? change : Primitive.NO_HIT);
+            }
+            if (nearest != null) {
+                Hit hit = nearest.hit(ray, distance);
+                assertThat(inside.test(normal(hit).mul(-1e-7).add(place(hit))))
+                        .as("inwards")
+                        .isTrue();
+                assertThat(inside.test(normal(hit).mul(1e-7).add(place(hit))))
+                        .as("outwards")
+                        .isFalse();
+            }
+        }
+    }
+
+    /** Also where only rounding decides: far starts, and aims at the very edges of the boxes. */
+    @Test
+    void treeFindsWhatTheListFinds() {
+        List<SceneObject> objects = new ArrayList<>();
+        for (int seed = 0; seed < 300; seed++) {
+            Class<?>[] types = {Sphere.class, Cylinder.class, Box.class, Disc.class, Triangle.class, Cone.class};
+            Vector3d place = vector(60);
+            objects.add(new Placed(
+                    "", RandomStudio.object(seed, types[seed % types.length], TILED), 0.1, place, 30, place));
+        }
+        List<Primitive> primitives = PrimitiveCollector.primitivesOf(new Group("", objects));
+        ObjectTree tree = new ObjectTree(primitives, 1);
+        ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
+        assertThat(tree.hasTree()).isTrue();
+        assertThat(list.hasTree()).isFalse();
+        NearestHit fromTree = new NearestHit();
+        NearestHit fromList = new NearestHit();
+        int hits = 0;
+        for (int i = 0; i < 100_000; i++) {
+            Bounds bounds = primitives.get(random.nextInt(primitives.size())).bounds();
+            boolean edge = i % 2 == 0;
+            Vector3d target = new Vector3d(
+                    edge ? (bounds.minX() + bounds.maxX()) / 2 : mix(bounds.minX(), bounds.maxX()),
+                    edge ? bounds.maxY() : mix(bounds.minY(), bounds.maxY()),
+                    edge ? (bounds.minZ() + bounds.maxZ()) / 2 : mix(bounds.minZ(), bounds.maxZ()));
+            Vector3d origin = i % 4 == 0
+                    ? new Vector3d(target).add(1e6 * (random.nextDouble() - 0.5), 0, 1e6 * random.nextDouble())
+                    : vector(i % 4 == 1 ? 1e6 : 100);
+            Ray ray = ray(origin, target.sub(origin, new Vector3d()));
+            boolean found = tree.nearest(ray, fromTree);
+            assertThat(found).isEqualTo(list.nearest(ray, fromList));
+            if (found) {
+                hits++;
+                assertThat(fromTree.primitive()).isSameAs(fromList.primitive());
+                assertThat(fromTree.distance()).isEqualTo(fromList.distance());
+            }
+        }
+        assertThat(hits).isGreaterThan(20_000);
+    }
+}
