@@ -91,7 +91,7 @@ public final class Velocity {
             }
             case GAMMA -> {
                 gamma = value;
-                properSpeed = Math.sqrt((value - 1) * (value + 1));
+                properSpeed = Math.sqrt(value - 1) * Math.sqrt(value + 1);
             }
             case RAPIDITY -> {
                 gamma = Math.cosh(value);

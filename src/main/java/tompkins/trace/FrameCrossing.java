@@ -4,6 +4,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
 import tompkins.spacetime.Event;
+import tompkins.spacetime.IdentityTransformation;
 import tompkins.spacetime.SpaceTimeTransformation;
 
 /**
@@ -34,7 +35,9 @@ final class FrameCrossing {
         this.sceneFromCamera = sceneFromCamera;
         Event inScene = sceneFromCamera.transform(lens);
         Vector3d place = inScene.position();
-        if (!place.isFinite() || place.length() < FAR) {
+        // rays of a camera at rest do not cross, so nothing would undo the shift
+        boolean atRest = sceneFromCamera instanceof IdentityTransformation;
+        if (atRest || !place.isFinite() || place.length() < FAR) {
             origin = new Vector3d();
             base = null;
             rest = new Vector3d();
