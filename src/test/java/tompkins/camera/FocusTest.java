@@ -1,0 +1,173 @@
+package tompkins.camera;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.property.InvalidPropertyException;
+import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
+import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Disc;
+import tompkins.sceneobject.Group;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.shutter.AperturePlaneShutter;
+import tompkins.shutter.ArbitraryPlaneShutter;
+import tompkins.shutter.DetectorPlaneShutter;
+import tompkins.shutter.FixedPointSurfaceShutter;
+import tompkins.shutter.FocusSurfaceShutter;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.IdentityTransformation;
+import tompkins.surface.ColouredSurface;
+
+/** Focus and shutters where an image point is far, nowhere, behind the lens or in it. */
+class FocusTest {
+
+    private static final double RADIUS = 0.1;
+
+    private static CameraRays rays(SceneObject focus, Shutter shutter) {
+        ThinLensCamera camera = new ThinLensCamera(
+                new Vector3d(), new Vector3d(0, 0, 1), new Vector3d(0, 1, 0), 40, 0, RADIUS, focus, 0, shutter);
+        return camera.rays(100, 100, new IdentityTransformation());
+    }
+
+    private static Plane plane(Vector3dc point, Vector3dc normal) {
+        return new Plane("focus", point, normal, ColouredSurface.DEFAULT);
+    }
+
+    private static Ray ray(CameraRays rays, double x, double y, double lensX, double lensY) {
+        RayCounts counts = new RayCounts();
+        Ray ray = rays.ray(x, y, lensX, lensY, counts);
+        assertThat(counts.withoutFocus + counts.withoutShutter).isZero();
+        return ray;
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-3, 1, 10, 1e6, 1e15, 1e300, -1, -10, -1e6, -1e15})
+    void raysOfOnePixelMeetInThePointInFocus(double distance) {
+        CameraRays rays =
+                rays(plane(new Vector3d(0, 0, distance), new Vector3d(0, 0, 1)), AperturePlaneShutter.DEFAULT);
+        Vector3dc chief = rays.chiefDirection(30, 80);
+        // slopes: (x - lens)/distance = chief slope - lens/distance, wherever the plane is
+        for (double lensX : new double[] {-1, 0.3, 1}) {
+            Ray ray = ray(rays, 30, 80, lensX, 0);
+            assertThat(ray.dz).isPositive();
+            double expectedX = chief.x() / chief.z() - lensX * RADIUS / distance;
+            assertThat(ray.dx / ray.dz).isCloseTo(expectedX, within(1e-15 * (1 + 1 / Math.abs(distance))));
+            assertThat(ray.dy / ray.dz).isCloseTo(chief.y() / chief.z(), within(1e-15));
+        }
+    }
+
+    @Test
+    void focusAtInfinityMakesParallelRays() {
+        // a floor, seen along its horizon
+        CameraRays rays = rays(plane(new Vector3d(0, -1, 0), new Vector3d(0, 1, 0)), AperturePlaneShutter.DEFAULT);
+        Ray left = ray(rays, 50, 50, -1, 0);
+        Ray right = ray(rays, 50, 50, 1, 0.5);
+        assertThat(left.dx).isEqualTo(right.dx).isZero();
+        assertThat(left.dy).isEqualTo(right.dy).isZero();
+        // the image point, as a point, does not exist
+        double height = -1;
+        double naive = height / rays.chiefDirection(50, 50).y();
+        assertThat(Double.isInfinite(naive)).isTrue();
+        assertThat(new Vector3d(rays.chiefDirection(50, 50)).mul(naive).isFinite())
+                .isFalse();
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {49.999999, 50, 50.000001})
+    void delayOfTheDetectorPlaneIsContinuousThroughInfinity(double row) {
+        CameraRays rays = rays(plane(new Vector3d(0, -1, 0), new Vector3d(0, 1, 0)), new DetectorPlaneShutter(1, 1));
+        Ray ray = ray(rays, 40, row, 0.4, -0.7);
+        Ray atInfinity = ray(rays, 40, 50, 0.4, -0.7);
+        assertThat(ray.time).isCloseTo(atInfinity.time, within(1e-8));
+    }
+
+    @Test
+    void missedFocusIsCountedAndAtInfinity() {
+        Disc small = new Disc("focus", new Vector3d(0, 0, 10), new Vector3d(0, 0, 1), 0.1, ColouredSurface.DEFAULT);
+        CameraRays rays = rays(small, new DetectorPlaneShutter(1, 1));
+        RayCounts counts = new RayCounts();
+        Ray hit = rays.ray(50, 50, 0.5, 0.5, counts);
+        assertThat(counts.withoutFocus).isZero();
+        assertThat(hit.dx).isNegative();
+        Ray one = rays.ray(5, 5, -1, 0, counts);
+        Ray other = rays.ray(5, 5, 1, 0, counts);
+        assertThat(counts.withoutFocus).isEqualTo(2);
+        assertThat(one.dx).isEqualTo(other.dx);
+        assertThat(Double.isFinite(one.time + other.time)).isTrue();
+    }
+
+    @Test
+    void nothingInFocusIsCounted() {
+        RayCounts counts = new RayCounts();
+        assertThat(rays(new Group("", List.of()), AperturePlaneShutter.DEFAULT).ray(1, 2, 0.1, 0.2, counts))
+                .isNotNull();
+        assertThat(counts.withoutFocus).isEqualTo(1);
+    }
+
+    @Test
+    void planeThroughTheLensIsRefused() {
+        assertThatThrownBy(
+                        () -> rays(plane(new Vector3d(1, 0, 0), new Vector3d(0, 1, 0)), AperturePlaneShutter.DEFAULT))
+                .isInstanceOf(InvalidPropertyException.class)
+                .hasMessageContaining("focus")
+                .hasMessageContaining("lens centre");
+    }
+
+    @Test
+    void solidsThatTouchTheLensGiveFiniteRays() {
+        List<SceneObject> touching = List.of(
+                new Sphere("", new Vector3d(0, 0, 3), 3, ColouredSurface.DEFAULT),
+                new Sphere("", new Vector3d(0, 1, 0), 1, ColouredSurface.DEFAULT),
+                new Box("", new Vector3d(-1, -1, 0), new Vector3d(1, 1, 2), ColouredSurface.DEFAULT),
+                new Box("", new Vector3d(-1, -1, -1), new Vector3d(1, 1, 0), ColouredSurface.DEFAULT));
+        for (SceneObject focus : touching) {
+            for (Shutter shutter : List.of(new DetectorPlaneShutter(1, 1), new FocusSurfaceShutter(0))) {
+                RayCounts counts = new RayCounts();
+                Ray ray = rays(focus, shutter).ray(50, 50, 0.3, 0.4, counts);
+                if (ray == null) {
+                    assertThat(counts.withoutShutter).isEqualTo(1);
+                } else {
+                    assertThat(Double.isFinite(ray.dx + ray.dy + ray.dz + ray.time))
+                            .isTrue();
+                }
+            }
+        }
+    }
+
+    @Test
+    void focusAtInfinityHasNoTimeForShuttersThatNeedAPoint() {
+        for (Shutter shutter : List.of(new FocusSurfaceShutter(0), FixedPointSurfaceShutter.DEFAULT)) {
+            CameraRays rays = rays(plane(new Vector3d(0, -1, 0), new Vector3d(0, 1, 0)), shutter);
+            RayCounts counts = new RayCounts();
+            assertThat(rays.ray(50, 50, 0.5, 0, counts)).isNull();
+            assertThat(counts.withoutShutter).isEqualTo(1);
+            assertThat(rays.ray(50, 51, 0.5, 0, counts)).isNotNull();
+        }
+    }
+
+    @Test
+    void shutterPlaneParallelToTheRayIsNeverCrossed() {
+        Plane focus = plane(new Vector3d(0, 0, 10), new Vector3d(0, 0, 1));
+        for (double height : new double[] {0, 1}) {
+            CameraRays rays =
+                    rays(focus, new ArbitraryPlaneShutter(0, new Vector3d(0, height, 0), new Vector3d(0, 1, 0)));
+            RayCounts counts = new RayCounts();
+            assertThat(rays.ray(50, 50, 0, 0, counts)).isNull();
+            assertThat(counts.withoutShutter).isEqualTo(1);
+            // naive: 0/0 or a division by zero
+            assertThat(Double.isFinite(height / rays.chiefDirection(50, 50).y()))
+                    .isFalse();
+            assertThat(rays.ray(50, 49, 0, 0, counts).time).isFinite();
+        }
+    }
+}

@@ -1,0 +1,129 @@
+package tompkins.physics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.fuzz.RandomStudio;
+import tompkins.ray.Colour;
+import tompkins.render.RenderReport;
+import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Cone;
+import tompkins.sceneobject.Cylinder;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.studio.UniformBackground;
+import tompkins.surface.Clear;
+import tompkins.surface.ColourFilter;
+import tompkins.surface.LorentzWindow;
+import tompkins.surface.Mirror;
+import tompkins.surface.Refractive;
+import tompkins.surface.Shadow;
+import tompkins.surface.Surface;
+import tompkins.surface.Tiling;
+import tompkins.surface.WindowAxes;
+
+/** A furnace: in a uniform glow nothing that neither lights nor absorbs can be seen. */
+class EnergyTest {
+
+    private static final Colour GLOW = new Colour(0.25, 0.5, 1);
+
+    static Stream<Arguments> invisible() {
+        List<Surface> surfaces = List.of(
+                Clear.DEFAULT,
+                ColourFilter.DEFAULT,
+                new Mirror(1),
+                new Refractive(1.5),
+                new Refractive(1 / 1.5),
+                new Refractive(2.4),
+                new Refractive(1 + 1e-9),
+                new LorentzWindow(Velocity.of(0.3, 0.2, -0.6), WindowAxes.FRAME, 1),
+                new Tiling(new Mirror(1), new Refractive(1.5), 0.1, 0.1, true),
+                new Tiling(new Refractive(1.5), new Mirror(1), 0.01, 0.01, true),
+                new Tiling(Clear.DEFAULT, new Tiling(new Mirror(1), new Refractive(2), 0.1, 0.1, true), 1, 1, true));
+        return surfaces.stream().flatMap(surface -> solids(surface).map(solid -> Arguments.of(solid, surface)));
+    }
+
+    private static Stream<SceneObject> solids(Surface surface) {
+        Vector3d low = new Vector3d(-0.7, -1, 8);
+        Vector3d high = new Vector3d(0.6, 1, 9);
+        return Stream.of(
+                new Sphere("sphere", new Vector3d(0.1, 0, 9), 1, surface),
+                new Box("box", low, new Vector3d(0.8, 0.7, 10), surface),
+                new Cylinder("cylinder", low, high, 0.7, true, surface),
+                new Cone("cone", high, low, 0.8, true, surface));
+    }
+
+    @ParameterizedTest
+    @MethodSource("invisible")
+    void nothingIsLostOrInvented(SceneObject solid, Surface surface) {
+        Photograph photograph = glowing(List.of(solid), Velocity.of(0, 0, 0.1), 24);
+        RenderReport report = photograph.job().report();
+        float[] rgb = photograph.image().rgb();
+        int dark = 0;
+        for (int i = 0; i < rgb.length; i++) {
+            double expected = i % 3 == 0 ? GLOW.red() : i % 3 == 1 ? GLOW.green() : GLOW.blue();
+            assertThat(rgb[i]).as("%s of %s", solid, surface).isLessThan((float) (expected * (1 + 1e-6)));
+            dark += rgb[i] < expected * (1 - 1e-6) ? 1 : 0;
+        }
+        assertThat(dark).as("dark values of %s", solid).isZero();
+        assertThat(report.tooFaint() + report.tooDeep()).isZero();
+    }
+
+    static Stream<Class<?>> surfaces() {
+        return Arrays.stream(Surface.class.getPermittedSubclasses());
+    }
+
+    /** Without lamps of their own, no kinds of surfaces make more light than there is. */
+    @ParameterizedTest
+    @MethodSource("surfaces")
+    void noSurfaceInventsLight(Class<?> type) {
+        for (int seed = 0; seed < 10; seed++) {
+            Surface surface = RandomStudio.surface(seed, type);
+            if (surface.toString().contains("Luminous") || surface.toString().contains("PictureSurface")) {
+                continue;
+            }
+            List<SceneObject> solids = solids(surface).limit(2).toList();
+            Photograph photograph = glowing(solids, Velocity.REST, 12);
+            for (int i = 0; i < photograph.image().rgb().length; i++) {
+                double most = i % 3 == 0 ? GLOW.red() : i % 3 == 1 ? GLOW.green() : GLOW.blue();
+                assertThat((double) photograph.image().rgb()[i]).isBetween(0.0, most * (1 + 1e-6));
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("surfaces")
+    void shadowsAgreeWithTheirKind(Class<?> type) {
+        for (int seed = 0; seed < 10; seed++) {
+            Surface surface = RandomStudio.surface(seed, type);
+            boolean byPoint = surface.shadow() == Shadow.BY_POINT;
+            assertThat(byPoint && !surface.usesCoordinates())
+                    .as("asks for a point without coordinates")
+                    .isFalse();
+        }
+    }
+
+    private static Photograph glowing(List<SceneObject> scene, Velocity velocity, int size) {
+        return new Photograph(new Studio(
+                "",
+                "",
+                "",
+                scene,
+                List.of(),
+                List.of(),
+                new UniformBackground(GLOW),
+                Photograph.pinhole(new Vector3d(0, 0, 1), 20, 0),
+                velocity,
+                TransformationLaw.LORENTZ,
+                Studio.DEFAULT.settings().withSize(size, size)));
+    }
+}

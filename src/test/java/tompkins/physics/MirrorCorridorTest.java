@@ -1,0 +1,132 @@
+package tompkins.physics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.camera.ThinLensCamera;
+import tompkins.ray.Colour;
+import tompkins.render.RenderReport;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.SceneObject;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.RenderSettings;
+import tompkins.studio.Studio;
+import tompkins.studio.UniformBackground;
+import tompkins.surface.LuminousSurface;
+import tompkins.surface.Mirror;
+import tompkins.surface.Surface;
+import tompkins.surface.Tiling;
+
+/** Corridors of two mirrors: the light that is left is known, however often the ray goes to and fro. */
+class MirrorCorridorTest {
+
+    private static final Surface LAMP = new LuminousSurface(Colour.WHITE, false);
+
+    /** One pixel that looks along x with a slope, between mirrors at x = -1 and x = 1, with a lamp at z = bounces. */
+    private static Photograph corridor(Surface walls, int bounces, int depth) {
+        List<SceneObject> scene = List.of(
+                new Plane("left", new Vector3d(-1, 0, 0), new Vector3d(1, 0, 0), walls),
+                new Plane("right", new Vector3d(1, 0, 0), new Vector3d(1, 0, 0), walls),
+                new Plane("lamp", new Vector3d(0, 0, 2 * bounces), new Vector3d(0, 0, 1), LAMP));
+        ThinLensCamera camera = Photograph.pinhole(new Vector3d(1, 0, 1), 1, 0);
+        RenderSettings settings =
+                new RenderSettings(1, 1, 1, 1, depth, Studio.DEFAULT.settings().toneCurve());
+        return new Photograph(new Studio(
+                "",
+                "",
+                "",
+                scene,
+                List.of(),
+                List.of(),
+                new UniformBackground(Colour.BLACK),
+                camera,
+                Velocity.REST,
+                TransformationLaw.LORENTZ,
+                settings));
+    }
+
+    private static double light(Photograph photograph) {
+        return photograph.image().value(0, 0, 0);
+    }
+
+    /** The ray meets a wall after 1, 3, 5, ... units of z: as often as there are odd numbers below 2 n. */
+    @ParameterizedTest
+    @CsvSource({"0.5, 9", "0.9, 60", "0.96, 150", "0.99, 600", "1, 900"})
+    void lightFallsByThePowerOfTheReflectance(double reflectance, int bounces) {
+        Photograph photograph = corridor(new Mirror(reflectance), bounces, 1000);
+        assertThat(light(photograph)).isCloseTo(Math.pow(reflectance, bounces), within(1e-6));
+        assertThat(photograph.job().report().tooFaint()).isZero();
+        assertThat(photograph.job().report().warnings()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.9, 66", "0.96, 170", "0.99, 690"})
+    void faintLightIsGivenUpAndCounted(double reflectance, int bounces) {
+        Photograph photograph = corridor(new Mirror(reflectance), bounces, 1000);
+        assertThat(light(photograph)).isZero();
+        assertThat(Math.pow(reflectance, bounces)).as("what is missing").isLessThan(1.0 / 1024);
+        assertThat(photograph.job().report().tooFaint()).isEqualTo(1);
+    }
+
+    @Test
+    void perfectMirrorsEndAtTheDepthWithAWarning() {
+        Photograph photograph = corridor(new Mirror(1), 1200, 1000);
+        RenderReport report = photograph.job().report();
+        assertThat(light(photograph)).isZero();
+        assertThat(report.tooDeep()).isEqualTo(1);
+        assertThat(report.warnings()).singleElement().asString().contains("maximumDepth");
+    }
+
+    /** A recursion would need some hundred bytes of stack for each bounce. */
+    @Test
+    void halfAMillionBouncesNeedNoStack() {
+        Photograph photograph = corridor(new Mirror(1), 500_000, 1_000_000);
+        assertThat(light(photograph)).isEqualTo(1);
+        assertThat(photograph.job().report().rays()).isEqualTo(500_001);
+    }
+
+    @Test
+    void recursionOverflowsTheStack() {
+        int[] deepest = {0};
+        Thread small = new Thread(null, () -> naiveBounce(1, deepest), "naive", 1 << 18);
+        small.setUncaughtExceptionHandler((thread, error) -> assertThat(error).isInstanceOf(StackOverflowError.class));
+        small.start();
+        try {
+            small.join();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        assertThat(deepest[0]).isBetween(100, 500_000);
+    }
+
+    private static double naiveBounce(double light, int[] deepest) {
+        deepest[0]++;
+        return deepest[0] == 500_000 ? light : 1 * naiveBounce(light, deepest);
+    }
+
+    /** Walls whose tiles, far smaller than a pixel, are half lamp and half mirror: a geometric sum. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.5, 0.9, 0.99, 1})
+    void tilesOfLampsAndMirrorsGiveTheGeometricSum(double reflectance) {
+        Tiling tiles = new Tiling(LAMP, new Mirror(reflectance), 1e-9, 1e-9, true);
+        Photograph photograph = corridor(tiles, 900, 1000);
+        double sum = 0.5 / (1 - 0.5 * reflectance);
+        assertThat(light(photograph)).isCloseTo(sum, within(2.0 / 1024));
+    }
+
+    /** Two branches at every bounce: the work must not double each time. */
+    @Test
+    void tilesOfTwoMirrorsLoseNothingAndEndSoon() {
+        Tiling tiles = new Tiling(new Mirror(1), new Mirror(1), 1e-9, 1e-9, true);
+        Photograph photograph = corridor(tiles, 100, 1000);
+        assertThat(light(photograph)).isCloseTo(1, within(1e-6));
+        assertThat(photograph.job().report().rays()).isLessThan(200_000);
+    }
+}

@@ -1,0 +1,109 @@
+package tompkins.spacetime;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.property.InvalidPropertyException;
+import tompkins.ray.Ray;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+
+/** Cameras at rest, hardly moving, and next to the speed of light. */
+class ExtremeVelocitiesTest {
+
+    private static final double U = 0x1p-53;
+
+    @Test
+    void restNeedsNoSpecialCase() {
+        LorentzTransformation rest = new LorentzTransformation(Velocity.REST);
+        Event event = new Event(1, -2, 3, 4);
+        assertThat(rest.transform(event)).isEqualTo(event);
+        Ray ray = rest.transform(Ray.fromCamera(1, 2, 3, 0.6, 0, 0.8, 5));
+        assertThat(new Vector3d(ray.dx, ray.dy, ray.dz).distance(0.6, 0, 0.8)).isLessThan(2 * U);
+        assertThat(rest.fixedPointTime(new Vector3d(1, 2, 3))).isZero();
+        NaiveFrames naive = new NaiveFrames();
+        assertThat(naive.event(new Vector3d(), event).x()).isNaN();
+        assertThat(NaiveFrames.fixedPointTime(new Vector3d(), new Vector3d(1, 2, 3)))
+                .isNaN();
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-320, 1e-200, 1e-160, 1e-30, 1e-9, 1e-8, 1e-5})
+    void tinySpeedsKeepTheirDigits(double speed) {
+        Vector3d beta = new Vector3d(speed, 0, 0);
+        Velocity velocity = Velocity.of(beta);
+        assertThat(velocity.properSpeed()).isEqualTo(speed, within(speed * 1e-10));
+        // t = -(gamma/(gamma + 1)) beta.x = -beta.x/2 (1 + beta^2/4 + ...)
+        double expected = -speed * 3 / 2 * (1 + speed * speed / 4);
+        double time = new LorentzTransformation(velocity).fixedPointTime(new Vector3d(3, 1, 1));
+        assertThat(time).isEqualTo(expected, within(Math.abs(expected) * 4 * U + Double.MIN_VALUE));
+        double naive = NaiveFrames.fixedPointTime(beta, new Vector3d(3, 1, 1));
+        if (speed <= 1e-8) {
+            assertThat(Math.abs(naive - expected) < 0.4 * Math.abs(expected)).isFalse();
+        }
+    }
+
+    /** 1 - beta, so that the input itself holds the digits; directions next to the pole. */
+    @ParameterizedTest
+    @CsvSource({"10, 8", "1e3, 8", "1e6, 8", "1e8, 8"})
+    void directionsAtThePoleKeepTheirDigits(double gamma, double limit) {
+        Velocity velocity = Velocity.of(SpeedScale.GAMMA, gamma, new Vector3d(0, 0, 1));
+        LorentzTransformation sceneFromCamera = new LorentzTransformation(velocity);
+        for (double angle : new double[] {0, 1e-12, 1e-8, 1e-6, 1e-3, 0.1, 1, 2, 3, Math.PI}) {
+            Vector3d result = new Vector3d();
+            double ratio = sceneFromCamera.direction(new Vector3d(Math.sin(angle), 0, Math.cos(angle)), result);
+            double expected =
+                    2 * Math.atan2((gamma + velocity.properSpeed()) * Math.sin(angle / 2), Math.cos(angle / 2));
+            assertThat(Math.atan2(result.x, result.z)).isCloseTo(expected, within(limit * U * gamma));
+            double half = Math.sin(angle / 2);
+            double expectedRatio = velocity.expMinusRapidity() + 2 * velocity.properSpeed() * half * half;
+            assertThat(ratio).isCloseTo(expectedRatio, within(8 * gamma * U * expectedRatio));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e6, 1e8, 1e12, 1e100, 1e300})
+    void anyGammaIsFinite(double gamma) {
+        Velocity velocity = Velocity.of(SpeedScale.GAMMA, gamma, new Vector3d(1, 2, 3));
+        Ray ray = new LorentzTransformation(velocity).transform(Ray.fromCamera(1, 2, 3, 0.6, 0, 0.8, 0));
+        assertThat(Double.isFinite(ray.dx + ray.dy + ray.dz + ray.x + ray.time + ray.frequency))
+                .isTrue();
+        assertThat(velocity.gammaMinusOne()).isEqualTo(gamma - 1, within(gamma * 4 * U));
+        boolean warned = RenderPlan.of(Studio.DEFAULT.withVelocity(velocity)).sentences().stream()
+                .anyMatch(sentence -> sentence.startsWith("Warning"));
+        assertThat(warned).isEqualTo(gamma > 1e6);
+    }
+
+    @Test
+    void lightAndFasterIsRefused() {
+        for (Vector3d beta : new Vector3d[] {
+            new Vector3d(1, 0, 0),
+            new Vector3d(0.6, 0.8, 0),
+            new Vector3d(0.8, 0.8, 0),
+            new Vector3d(Double.NaN, 0, 0),
+            new Vector3d(0, Double.POSITIVE_INFINITY, 0),
+            new Vector3d(1e200, 0, 0)
+        }) {
+            assertThatThrownBy(() -> Velocity.of(beta)).isInstanceOf(InvalidPropertyException.class);
+        }
+        // naive: 1 - beta^2 < 0 lets light itself and no numbers pass
+        assertThat(1 - new Vector3d(1, 0, 0).lengthSquared() < 0).isFalse();
+        assertThat(1 - new Vector3d(Double.NaN, 0, 0).lengthSquared() < 0).isFalse();
+    }
+
+    @Test
+    void twelveNinesKeepTheirDigits() {
+        Velocity velocity = Velocity.of(SpeedScale.ONE_MINUS_BETA, 1e-12, new Vector3d(0, 0, 1));
+        assertThat(velocity.gamma()).isCloseTo(707106.9579628198, within(707106 * 1e-6));
+        double exact = 1 / Math.sqrt(1e-12 * (2 - 1e-12));
+        assertThat(velocity.gamma()).isEqualTo(exact);
+        assertThat(Math.abs(1 / Math.sqrt(1 - 0.999999999999 * 0.999999999999) - exact))
+                .isGreaterThan(1);
+    }
+}
