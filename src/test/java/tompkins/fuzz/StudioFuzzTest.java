@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.fail;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import tompkins.camera.PixelSampler;
 import tompkins.image.LinearImage;
 import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
@@ -75,7 +76,7 @@ class StudioFuzzTest {
                 float exposure = (float) Math.pow(2, studio.camera().exposureStops());
                 for (int row = 0; row < picture.height(); row++) {
                     for (int column = 0; column < picture.width(); column++) {
-                        Colour single = tracer.sample(column, row, 0);
+                        Colour single = tracer.sample(column, row, PixelSampler.firstOf(1));
                         if (picture.value(column, row, 0) != (float) single.red() * exposure) {
                             fail("studio %d differs in pixel %d,%d", seed, column, row);
                         }
