@@ -1,13 +1,18 @@
 package tompkins.app;
 
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.concurrent.Callable;
+import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import tompkins.io.StudioReader;
+import tompkins.render.CostForecast;
+import tompkins.render.Quality;
+import tompkins.render.Renderer;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
@@ -15,7 +20,7 @@ import tompkins.trace.RenderPlan;
 @Command(
         name = "explain",
         mixinStandardHelpOptions = true,
-        description = "Says what the picture of a scene models, what it leaves out, and why.")
+        description = "Says what the picture of a scene models, what it leaves out, and why, and what it will cost.")
 final class ExplainCommand implements Callable<Integer> {
 
     @Parameters(paramLabel = "SCENE", description = "scene file, or saved photograph")
@@ -24,16 +29,33 @@ final class ExplainCommand implements Callable<Integer> {
     @Mixin
     private StudioOptions options;
 
+    @ArgGroup
+    private QualityOptions quality = new QualityOptions();
+
     @Spec
     private CommandSpec spec;
 
     @Override
-    public Integer call() {
+    public Integer call() throws InterruptedException {
         Studio studio = options.applyTo(StudioReader.read(scene));
         spec.commandLine().getOut().println(studio.title());
-        for (String sentence : RenderPlan.of(studio).sentences()) {
+        RenderPlan plan = RenderPlan.of(studio);
+        for (String sentence : plan.sentences()) {
             spec.commandLine().getOut().println("- " + sentence);
         }
+        spec.commandLine().getOut().println("- " + cost(plan, quality.of(studio)));
         return 0;
+    }
+
+    private static String cost(RenderPlan plan, Quality quality) throws InterruptedException {
+        try (Renderer renderer = new Renderer()) {
+            CostForecast forecast = CostForecast.of(plan, quality, renderer);
+            return String.format(
+                    Locale.ROOT,
+                    "On this machine it will take about %.2g s with %.2g million samples, %.3g for each pixel.",
+                    forecast.seconds(),
+                    forecast.samplesPerPixel() * plan.width() * plan.height() / 1e6,
+                    forecast.samplesPerPixel());
+        }
     }
 }

@@ -69,7 +69,7 @@ final class StudyCommand implements Callable<Integer> {
         if (own != null) {
             kinds = requireScene(kinds);
         }
-        StudySetup setup = new StudySetup(seed, own, StudyCommand::bundled);
+        StudySetup setup = new StudySetup(seed, own, StudyCommand::bundled, bundledNames());
         StudyPage page = kinds.size() == 1
                 ? new StudyPage(output, kinds.get(0).toString(), "# Study: " + kinds.get(0))
                 : new StudyPage(output, PAGE_OF_ALL, StudyPage.introduction());
@@ -138,6 +138,12 @@ final class StudyCommand implements Callable<Integer> {
             spec.commandLine().getErr().print("\r" + " ".repeat(WIDTH) + "\r");
             spec.commandLine().getErr().flush();
         }
+    }
+
+    private static List<String> bundledNames() throws IOException {
+        return BundledScenes.all().stream()
+                .map(file -> file.getFileName().toString().replace(".json", ""))
+                .toList();
     }
 
     private static Studio bundled(String name) {

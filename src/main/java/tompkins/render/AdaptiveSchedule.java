@@ -59,9 +59,9 @@ final class AdaptiveSchedule implements Schedule {
         }
         Allocation allocation = new Allocation(film, roughness, MOST_SAMPLES);
         double threshold = targetError > 0
-                ? allocation.thresholdForVariance(pixels * AIM * AIM * targetError * targetError)
-                : allocation.thresholdForSamples(work * pixels * (1 + time.left() / time.spent()));
-        expectedWork = allocation.samples(threshold) / pixels;
+                ? allocation.thresholdForVariance(roughness.sampled() * AIM * AIM * targetError * targetError)
+                : allocation.thresholdForSamples(work * roughness.sampled() * (1 + time.left() / time.spent()));
+        expectedWork = Math.max(work, allocation.samples(threshold) / roughness.sampled());
         Map<Integer, BitSet> chosen = new TreeMap<>();
         for (int pixel = 0; pixel < pixels; pixel++) {
             if (allocation.gain(pixel) > threshold) {

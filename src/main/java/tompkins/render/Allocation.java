@@ -34,7 +34,7 @@ final class Allocation {
             gains[pixel] = (float) gain;
             int step = step(gain);
             variances[step] += variance;
-            samples[step] += count;
+            samples[step] += film.samples(pixel);
             wishes[step] += gain == 0 ? 0 : Math.pow(rough, 1 / (POWER + 1));
         }
     }

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.atomic.DoubleAdder;
@@ -49,6 +50,7 @@ public final class RenderJob {
             RenderPlan plan,
             Schedule schedule,
             Film film,
+            List<Tile> tiles,
             int workers,
             RenderListener listener,
             Consumer<RenderJob> whenEnded) {
@@ -58,7 +60,7 @@ public final class RenderJob {
         this.workers = workers;
         this.listener = listener;
         this.whenEnded = whenEnded;
-        tiles = Tile.of(plan.width(), plan.height());
+        this.tiles = tiles;
         passes.add(schedule.next(film));
     }
 
@@ -223,6 +225,11 @@ public final class RenderJob {
         if (failure.get() != null) {
             throw failure.get();
         }
+    }
+
+    /** Waits for the end of the job, but not for ever; whether it has ended. */
+    boolean await(double seconds) throws InterruptedException {
+        return end.await((long) (seconds * 1e9), TimeUnit.NANOSECONDS);
     }
 
     /** The first sample that failed, or null. */

@@ -50,7 +50,7 @@ public final class Renderer implements AutoCloseable {
 
     /** Starts a picture of some quality from its plan. Returns at once. */
     public RenderJob start(RenderPlan plan, Quality quality, RenderListener listener) {
-        return start(plan, quality, false, listener);
+        return start(plan, quality, false, Tile.of(plan.width(), plan.height()), listener);
     }
 
     /** Starts a picture for the window: the first sample of each pixel is taken coarse to fine. Returns at once. */
@@ -60,14 +60,15 @@ public final class Renderer implements AutoCloseable {
 
     /** As above, with some quality. */
     public RenderJob startCoarse(RenderPlan plan, Quality quality, RenderListener listener) {
-        return start(plan, quality, true, listener);
+        return start(plan, quality, true, Tile.of(plan.width(), plan.height()), listener);
     }
 
-    private RenderJob start(RenderPlan plan, Quality quality, boolean coarseFirst, RenderListener listener) {
+    /** Starts some tiles of a picture. */
+    RenderJob start(RenderPlan plan, Quality quality, boolean coarseFirst, List<Tile> tiles, RenderListener listener) {
         boolean oneSample = quality instanceof Quality.Samples fixed && fixed.samples() == 1;
         Film film = new Film(plan.width(), plan.height(), oneSample);
         Schedule schedule = schedule(plan, quality, coarseFirst);
-        RenderJob job = new RenderJob(plan, schedule, film, threads, listener, jobs::remove);
+        RenderJob job = new RenderJob(plan, schedule, film, tiles, threads, listener, jobs::remove);
         jobs.add(job);
         try {
             for (int worker = 0; worker < threads; worker++) {

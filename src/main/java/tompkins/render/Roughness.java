@@ -20,6 +20,7 @@ final class Roughness {
     private final int height;
     private final float[] shared;
     private final Film film;
+    private final int sampled;
 
     /** The roughness of the pixels that have samples. */
     Roughness(Film film) {
@@ -27,11 +28,14 @@ final class Roughness {
         width = film.width();
         height = film.height();
         float[] own = new float[width * height];
+        int count = 0;
         for (int row = 0; row < height; row++) {
             for (int column = 0; column < width; column++) {
                 own[row * width + column] = (float) own(column, row);
+                count += film.samples(row * width + column) > 0 ? 1 : 0;
             }
         }
+        sampled = count;
         shared = withNeighbours(own);
     }
 
@@ -90,7 +94,8 @@ final class Roughness {
                         }
                     }
                 }
-                mean[row * width + column] = count == 0 ? 0 : sum / count;
+                boolean none = Float.isNaN(own[row * width + column]);
+                mean[row * width + column] = none ? 0 : sum / count;
             }
         }
         return mean;
@@ -106,12 +111,17 @@ final class Roughness {
         return shared[pixel] * Math.pow(Math.max(1, film.samples(pixel)), -POWER);
     }
 
-    /** The root mean square error of the picture, before exposure. */
+    /** Number of pixels that have samples. */
+    int sampled() {
+        return sampled;
+    }
+
+    /** The root mean square error of the pixels that have samples, before exposure. */
     double rootMeanSquare() {
         double sum = 0;
         for (int pixel = 0; pixel < shared.length; pixel++) {
             sum += variance(pixel);
         }
-        return Math.sqrt(sum / shared.length);
+        return Math.sqrt(sum / Math.max(1, sampled));
     }
 }

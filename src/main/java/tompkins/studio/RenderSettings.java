@@ -59,6 +59,11 @@ public record RenderSettings(
         return new RenderSettings(width, height, samples, newSeed, maximumDepth, toneCurve);
     }
 
+    /** The same settings with another recursion depth. */
+    public RenderSettings withMaximumDepth(int newMaximumDepth) {
+        return new RenderSettings(width, height, samples, seed, newMaximumDepth, toneCurve);
+    }
+
     /** The same settings with another tone curve. */
     public RenderSettings withToneCurve(ToneCurve newToneCurve) {
         return new RenderSettings(width, height, samples, seed, maximumDepth, newToneCurve);

@@ -9,6 +9,8 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.text.DecimalFormat;
+import java.text.DecimalFormatSymbols;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -18,6 +20,8 @@ import java.util.Map;
 import org.jfree.chart.ChartUtils;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.LogAxis;
+import org.jfree.chart.axis.NumberTickUnit;
+import org.jfree.chart.block.BlockBorder;
 import org.jfree.chart.plot.ValueMarker;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYErrorRenderer;
@@ -82,7 +86,7 @@ public final class ChartDrawing {
         JFreeChart drawing = new JFreeChart(chart.title(), new Font(Font.SANS_SERIF, Font.BOLD, 16), plot, true);
         drawing.setBackgroundPaint(Color.WHITE);
         drawing.getLegend().setPosition(RectangleEdge.RIGHT);
-        drawing.getLegend().setFrame(org.jfree.chart.block.BlockBorder.NONE);
+        drawing.getLegend().setFrame(BlockBorder.NONE);
         drawing.getLegend().setItemFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
         return drawing;
     }
@@ -93,8 +97,8 @@ public final class ChartDrawing {
             curves.computeIfAbsent(point.method(), method -> new ArrayList<>()).add(point);
         }
         curves.values()
-                .forEach(points ->
-                        points.sort(Comparator.comparing(chart.across().value())));
+                .forEach(points -> points.sort(Comparator.comparingDouble(Measurement::rays)
+                        .thenComparing(chart.across().value())));
         return curves;
     }
 
@@ -148,7 +152,8 @@ public final class ChartDrawing {
     private static LogAxis axis(String label) {
         LogAxis axis = new LogAxis(label);
         axis.setBaseSymbol("10");
-        axis.setBaseFormatter(new java.text.DecimalFormat("0"));
+        axis.setTickUnit(new NumberTickUnit(1, new DecimalFormat("0", DecimalFormatSymbols.getInstance(Locale.ROOT))));
+        axis.setBaseFormatter(new DecimalFormat("0", DecimalFormatSymbols.getInstance(Locale.ROOT)));
         axis.setLabelFont(new Font(Font.SANS_SERIF, Font.PLAIN, 13));
         axis.setMinorTickMarksVisible(true);
         return axis;

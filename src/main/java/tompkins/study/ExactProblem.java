@@ -25,7 +25,7 @@ enum ExactProblem {
             double distance = random.nextDouble(1);
             double centreX = distance * Math.cos(angle);
             double centreY = distance * Math.sin(angle);
-            double radius = random.nextDouble(0.2, 0.8);
+            double radius = random.nextDouble(0.3, 0.9);
             return new Instance(
                     place -> {
                         double x = place.lensX - centreX;

@@ -24,6 +24,55 @@ public enum StudyKind {
                     methods,
                     SamplingMethod.SOBOL.title());
         }
+    },
+
+    /** See {@link AntialiasingStudy}. */
+    ANTIALIASING {
+        @Override
+        public Study study(StudySetup setup) {
+            return new AntialiasingStudy(
+                    setup.studios(List.of("fig1a", "fig2a")), setup.studios(setup.names()), setup.seed(), 80, 2048);
+        }
+    },
+
+    /** See {@link PrecisionStudy}. */
+    PRECISION {
+        @Override
+        public Study study(StudySetup setup) {
+            return new PrecisionStudy(setup.seed());
+        }
+    },
+
+    /** See {@link TreeStudy}. */
+    TREE {
+        @Override
+        public Study study(StudySetup setup) {
+            return new TreeStudy(setup.seed(), 1_000_000);
+        }
+    },
+
+    /** See {@link DepthStudy}. */
+    DEPTH {
+        @Override
+        public Study study(StudySetup setup) {
+            return new DepthStudy();
+        }
+    },
+
+    /** See {@link PreviewStudy}. */
+    PREVIEW {
+        @Override
+        public Study study(StudySetup setup) {
+            return new PreviewStudy(setup.studios(List.of("fig1a", "fig1b")));
+        }
+    },
+
+    /** See {@link StabilityStudy}. */
+    STABILITY {
+        @Override
+        public Study study(StudySetup setup) {
+            return new StabilityStudy(setup.seed());
+        }
     };
 
     /** Prepares the study. */
@@ -31,7 +80,7 @@ public enum StudyKind {
 
     /** Whether a user's scene can be measured. */
     public boolean takesScene() {
-        return this == APERTURE;
+        return this == APERTURE || this == ANTIALIASING || this == PREVIEW;
     }
 
     /** The name on the command line. */

@@ -29,8 +29,8 @@ public final class StudyPage {
                 # Speed and accuracy
 
                 Both count, so each choice that the program makes was measured against others. Every chart has logarithmic
-                axes; the number in brackets is the slope of the curve, the yellow band the Pareto front: the points that no
-                other beats in both. Bars show the smallest and the largest of several runs. This page, its charts and its
+                axes; the number in brackets is the slope of the curve (against the number of rays, where the time is drawn), the
+                yellow band the Pareto front: the points that no other beats in both. Bars show the smallest and the largest of several runs. This page, its charts and its
                 figures are made by `tompkins study all -o docs`.
                 """;
     }

@@ -121,6 +121,11 @@ public final class RenderPlan {
         return new PixelSampler(studio.settings().seed(), studio.camera().hasWideLens());
     }
 
+    /** The unit direction, in the camera frame, of the ray through the centre of the lens for a point of the picture in pixels. */
+    public Vector3dc chiefDirection(double x, double y) {
+        return cameraRays.chiefDirection(x, y);
+    }
+
     /** Where the lens is in the scene frame at the time of the picture. */
     public Event lensInScene() {
         return sceneFromCamera.transform(lensEvent());

@@ -21,7 +21,7 @@ import tompkins.trace.RenderPlan;
 class AdaptiveRenderTest {
 
     private static final Renderer RENDERER = new Renderer(2);
-    private static final RenderSettings SMALL = RenderSettings.DEFAULT.withSize(96, 72);
+    private static final RenderSettings SMALL = RenderSettings.DEFAULT.withSize(64, 48);
 
     @AfterAll
     static void close() {
@@ -31,7 +31,7 @@ class AdaptiveRenderTest {
     @Test
     void pinholeWithoutEdgesTakesOneSample() throws InterruptedException {
         RenderJob job = render(studio(List.of(), 0), new Quality.TargetError(0.001));
-        assertThat(job.report().samples()).isEqualTo(96 * 72);
+        assertThat(job.report().samples()).isEqualTo(64 * 48);
         assertThat(job.report().error()).isZero();
     }
 
@@ -101,7 +101,7 @@ class AdaptiveRenderTest {
     /** The root mean square difference from many samples of another seed. */
     private static double trueError(Studio studio, RenderJob job) throws InterruptedException {
         RenderSettings settings = studio.settings().withSeed(77);
-        float[] reference = render(studio.withSettings(settings), new Quality.Samples(2048))
+        float[] reference = render(studio.withSettings(settings), new Quality.Samples(1024))
                 .image()
                 .rgb();
         float[] values = job.image().rgb();

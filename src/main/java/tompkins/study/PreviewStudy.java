@@ -1,0 +1,184 @@
+package tompkins.study;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import tompkins.image.LinearImage;
+import tompkins.render.Quality;
+import tompkins.render.RenderJob;
+import tompkins.render.RenderListener;
+import tompkins.render.Renderer;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+
+/** How soon the window shows how much, and whether pixels that are still missing should be interpolated. */
+final class PreviewStudy implements Study {
+
+    private static final String COARSE = "coarse to fine (the program)";
+    private static final String INTERPOLATED = "coarse to fine, interpolated";
+    private static final int[] STRIDES = {8, 4, 2};
+    private static final int REPEATS = 5;
+
+    private final Map<String, Studio> studios = new LinkedHashMap<>();
+
+    /** The study of some photographs, taken with one sample for each pixel. */
+    PreviewStudy(Map<String, Studio> studios) {
+        studios.forEach((name, studio) ->
+                this.studios.put(name, studio.withSettings(studio.settings().withSamples(1))));
+    }
+
+    @Override
+    public String name() {
+        return "preview";
+    }
+
+    @Override
+    public String question() {
+        return "While a picture is on its way, the window shows it coarse to fine. How soon is it how good, compared with the"
+                + " picture of one sample for each pixel, and is it worth the time to interpolate what is missing?";
+    }
+
+    @Override
+    public String settings() {
+        return "one sample for each pixel, " + REPEATS + " runs, scenes " + studios.keySet();
+    }
+
+    @Override
+    public List<Trial> trials() {
+        List<Trial> trials = new ArrayList<>();
+        studios.forEach((name, studio) -> {
+            RenderPlan plan = RenderPlan.of(studio);
+            for (String method : List.of(COARSE, INTERPOLATED)) {
+                for (int pass = 0; pass < STRIDES.length; pass++) {
+                    int which = pass;
+                    trials.add(new Trial(
+                            name, method, STRIDES[pass], cancelled -> measure(name, method, plan, which, cancelled)));
+                }
+            }
+        });
+        return trials;
+    }
+
+    private static Measurement measure(
+            String name, String method, RenderPlan plan, int pass, BooleanSupplier cancelled) {
+        Repeats runs = new Repeats();
+        // the first runs only warm the compiler up
+        for (int run = -REPEATS; run < REPEATS; run++) {
+            Stopwatch.stopIf(cancelled);
+            Passes passes = passes(plan);
+            LinearImage coarse = passes.images.get(pass);
+            double seconds = passes.seconds.get(pass);
+            if (method.equals(INTERPOLATED)) {
+                long start = System.nanoTime();
+                coarse = interpolated(coarse, STRIDES[pass]);
+                seconds += (System.nanoTime() - start) / 1e9;
+            }
+            if (run >= 0) {
+                runs.add(ErrorNorm.of(values(coarse), values(passes.images.get(STRIDES.length))), seconds);
+            }
+        }
+        double rays = (double) plan.width() * plan.height() / (STRIDES[pass] * STRIDES[pass]);
+        return runs.measurement(name, method, STRIDES[pass], rays, 0);
+    }
+
+    private record Passes(List<LinearImage> images, List<Double> seconds) {}
+
+    private static Passes passes(RenderPlan plan) {
+        Passes passes = new Passes(new ArrayList<>(), new ArrayList<>());
+        long start = System.nanoTime();
+        RenderListener listener = new RenderListener() {
+            @Override
+            public void passDone(RenderJob job) {
+                passes.images.add(job.image());
+                passes.seconds.add((System.nanoTime() - start) / 1e9);
+            }
+        };
+        try (Renderer renderer = new Renderer(1)) {
+            renderer.startCoarse(plan, new Quality.Samples(1), listener).await();
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+            throw new CancellationException();
+        }
+        return passes;
+    }
+
+    private static double[] values(LinearImage image) {
+        double[] values = new double[image.rgb().length];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = image.rgb()[i];
+        }
+        return values;
+    }
+
+    /** The picture that interpolates linearly between every stride-th pixel of each direction. */
+    private static LinearImage interpolated(LinearImage coarse, int stride) {
+        int width = coarse.width();
+        int height = coarse.height();
+        float[] rgb = new float[coarse.rgb().length];
+        for (int row = 0; row < height; row++) {
+            int top = row - row % stride;
+            int bottom = top + stride < height ? top + stride : top;
+            float down = (float) (row - top) / stride;
+            for (int column = 0; column < width; column++) {
+                int left = column - column % stride;
+                int right = left + stride < width ? left + stride : left;
+                float across = (float) (column - left) / stride;
+                for (int channel = 0; channel < 3; channel++) {
+                    float upper = mixed(coarse, left, right, top, channel, across);
+                    float lower = mixed(coarse, left, right, bottom, channel, across);
+                    rgb[3 * (row * width + column) + channel] = upper + down * (lower - upper);
+                }
+            }
+        }
+        return new LinearImage(width, height, rgb);
+    }
+
+    private static float mixed(LinearImage image, int left, int right, int row, int channel, float share) {
+        float first = image.rgb()[3 * (row * image.width() + left) + channel];
+        float second = image.rgb()[3 * (row * image.width() + right) + channel];
+        return first + share * (second - first);
+    }
+
+    @Override
+    public List<Chart> charts() {
+        List<Chart> charts = new ArrayList<>();
+        for (String name : studios.keySet()) {
+            charts.add(Chart.errorAgainstTime(name, name + ", previews at every 8th, 4th and 2nd pixel"));
+        }
+        return charts;
+    }
+
+    @Override
+    public List<Finding> findings(List<Measurement> all) {
+        List<Finding> findings = new ArrayList<>();
+        for (String name : studios.keySet()) {
+            Measurement first = point(name, COARSE, STRIDES[0], all);
+            Measurement smooth = point(name, INTERPOLATED, STRIDES[0], all);
+            Measurement last = point(name, COARSE, STRIDES[STRIDES.length - 1], all);
+            findings.add(Finding.check(
+                    first.seconds().middle() < last.seconds().middle()
+                            && first.error().middle() > last.error().middle(),
+                    "%s: the first preview is there after %.0f ms with an error of %.2g, the one at every second pixel after"
+                            + " %.0f ms with %.2g. Interpolating the first takes %.0f ms more and leaves %.2g.",
+                    name,
+                    1e3 * first.seconds().middle(),
+                    first.error().middle(),
+                    1e3 * last.seconds().middle(),
+                    last.error().middle(),
+                    1e3 * (smooth.seconds().middle() - first.seconds().middle()),
+                    smooth.error().middle()));
+        }
+        return findings;
+    }
+
+    private static Measurement point(String name, String method, int stride, List<Measurement> all) {
+        return all.stream()
+                .filter(point ->
+                        point.problem().equals(name) && point.method().equals(method) && point.setting() == stride)
+                .findFirst()
+                .orElseThrow();
+    }
+}

@@ -1,0 +1,247 @@
+package tompkins.study;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.ToDoubleFunction;
+import org.joml.Vector3d;
+import tompkins.property.InvalidPropertyException;
+import tompkins.ray.Ray;
+import tompkins.sceneobject.NearestHit;
+import tompkins.sceneobject.ObjectTree;
+import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.sceneobject.Sphere;
+import tompkins.spacetime.LorentzTransformation;
+import tompkins.spacetime.Velocity;
+import tompkins.surface.ColouredSurface;
+
+/** What happens close to the places where formulas lose their digits. */
+final class StabilityStudy implements Study {
+
+    private static final String STABLE = "the program";
+    private static final String NAIVE = "textbook formula";
+    private static final MathContext DIGITS = new MathContext(60);
+    private static final int CASES = 200;
+    private static final double GOOD = 1e-14;
+    private static final double NOTHING_LEFT = 1;
+    private static final double SMALLEST = 0x1p-53;
+
+    private final long seed;
+
+    StabilityStudy(long seed) {
+        this.seed = seed;
+    }
+
+    /**
+     * A place where formulas fail.
+     *
+     * @param title of its chart
+     * @param distance what the axis across shows: the distance from the place
+     * @param nearest exponent of 10 of the smallest distance that is measured; the largest is 10^-1
+     */
+    private record Place(String key, String title, String distance, int nearest, Case worked) {}
+
+    /** Works out the relative errors of both formulas in one case: first the program's, then the textbook's. */
+    @FunctionalInterface
+    private interface Case {
+
+        double[] errors(double distance, SplittableRandom random);
+    }
+
+    private static final List<Place> PLACES = List.of(
+            new Place("light", "gamma of a speed close to that of light", "1 - beta", -15, StabilityStudy::nearLight),
+            new Place("rest", "gamma - 1 of a low speed", "beta", -9, StabilityStudy::nearRest),
+            new Place(
+                    "fixed-point",
+                    "time of the fixed-point surface, low speed",
+                    "beta",
+                    -9,
+                    StabilityStudy::fixedPoint),
+            new Place("far-sphere", "distance of a small sphere", "radius / distance", -7, StabilityStudy::farSphere));
+
+    @Override
+    public String name() {
+        return "stability";
+    }
+
+    @Override
+    public String question() {
+        return "Close to the speed of light, close to rest, and far from small objects, formulas subtract nearly equal"
+                + " numbers. How much is left of their digits? Textbook and program work on the same random cases; the exact"
+                + " answers are worked out with 60 digits.";
+    }
+
+    @Override
+    public String settings() {
+        return "seed " + seed + ", " + CASES + " cases for each distance";
+    }
+
+    @Override
+    public List<Trial> trials() {
+        List<Trial> trials = new ArrayList<>();
+        for (Place place : PLACES) {
+            for (int method = 0; method < 2; method++) {
+                int which = method;
+                for (int exponent = -1; exponent >= place.nearest; exponent--) {
+                    double distance = Double.parseDouble("1e" + exponent);
+                    trials.add(new Trial(
+                            place.key,
+                            which == 0 ? STABLE : NAIVE,
+                            distance,
+                            cancelled -> measure(place, which, distance)));
+                }
+            }
+        }
+        return trials;
+    }
+
+    private Measurement measure(Place place, int method, double distance) {
+        SplittableRandom random = new SplittableRandom(seed);
+        double[] errors = new double[CASES];
+        for (int i = 0; i < CASES; i++) {
+            double error = place.worked.errors(distance, random)[method];
+            errors[i] = Math.min(NOTHING_LEFT, Double.isNaN(error) ? NOTHING_LEFT : Math.abs(error));
+        }
+        ErrorNorm norm = ErrorNorm.of(errors);
+        return new Measurement(
+                place.key,
+                method == 0 ? STABLE : NAIVE,
+                distance,
+                CASES,
+                Spread.exact(0),
+                // what is exact to the last bit would have no place on a logarithmic axis
+                Spread.exact(Math.max(SMALLEST, norm.maximum())),
+                norm.percentile(),
+                norm.maximum(),
+                0);
+    }
+
+    private static Vector3d velocity(double speed, SplittableRandom random) {
+        Vector3d direction;
+        do {
+            direction = new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
+        } while (direction.lengthSquared() > 1 || direction.lengthSquared() < 0.1);
+        return direction.normalize(speed);
+    }
+
+    private static BigDecimal square(Vector3d beta) {
+        return square(beta.x).add(square(beta.y)).add(square(beta.z));
+    }
+
+    private static BigDecimal square(double value) {
+        return new BigDecimal(value).multiply(new BigDecimal(value));
+    }
+
+    private static BigDecimal gamma(Vector3d beta) {
+        return BigDecimal.ONE.divide(BigDecimal.ONE.subtract(square(beta)).sqrt(DIGITS), DIGITS);
+    }
+
+    private static double relative(double found, BigDecimal exact) {
+        return Double.isFinite(found)
+                ? new BigDecimal(found).subtract(exact).divide(exact, DIGITS).doubleValue()
+                : Double.NaN;
+    }
+
+    private static double[] nearLight(double distance, SplittableRandom random) {
+        Vector3d beta = velocity(1 - distance, random);
+        while (square(beta).compareTo(BigDecimal.ONE) >= 0) {
+            beta = velocity(1 - distance, random);
+        }
+        BigDecimal exact = gamma(beta);
+        double naive = 1 / Math.sqrt(1 - beta.lengthSquared());
+        return new double[] {relative(program(beta, Velocity::gamma), exact), relative(naive, exact)};
+    }
+
+    private static double[] nearRest(double distance, SplittableRandom random) {
+        Vector3d beta = velocity(distance, random);
+        BigDecimal exact = gamma(beta).subtract(BigDecimal.ONE);
+        double naive = 1 / Math.sqrt(1 - beta.lengthSquared()) - 1;
+        return new double[] {relative(program(beta, Velocity::gammaMinusOne), exact), relative(naive, exact)};
+    }
+
+    private static double program(Vector3d beta, ToDoubleFunction<Velocity> figure) {
+        try {
+            return figure.applyAsDouble(Velocity.of(beta));
+        } catch (InvalidPropertyException refused) {
+            return Double.NaN;
+        }
+    }
+
+    /** (1 - gamma)(beta.x)/(gamma beta^2) as in the paper; x along beta, so that the product itself loses nothing. */
+    private static double[] fixedPoint(double distance, SplittableRandom random) {
+        Vector3d beta = velocity(distance, random);
+        Vector3d place = new Vector3d(beta).mul(random.nextDouble(1, 2) / distance);
+        BigDecimal gamma = gamma(beta);
+        BigDecimal product = new BigDecimal(beta.x)
+                .multiply(new BigDecimal(place.x))
+                .add(new BigDecimal(beta.y).multiply(new BigDecimal(place.y)))
+                .add(new BigDecimal(beta.z).multiply(new BigDecimal(place.z)));
+        BigDecimal exact = product.multiply(gamma).negate().divide(gamma.add(BigDecimal.ONE), DIGITS);
+        double found = new LorentzTransformation(Velocity.of(beta)).fixedPointTime(place);
+        double plain = 1 / Math.sqrt(1 - beta.lengthSquared());
+        double naive = (1 - plain) * beta.dot(place) / (plain * beta.lengthSquared());
+        return new double[] {relative(found, exact), relative(naive, exact)};
+    }
+
+    /** The distance of a sphere of radius 1 from a ray that misses its centre by up to 0.9. */
+    private static double[] farSphere(double distance, SplittableRandom random) {
+        double far = 1 / distance;
+        double offset = random.nextDouble(-0.9, 0.9);
+        Vector3d centre = new Vector3d(offset, 0, far);
+        BigDecimal exact = new BigDecimal(far)
+                .subtract(BigDecimal.ONE.subtract(square(offset)).sqrt(DIGITS));
+        Ray ray = Ray.fromCamera(0, 0, 0, 0, 0, 1, 0);
+        NearestHit nearest = new NearestHit();
+        boolean hit = new ObjectTree(
+                        PrimitiveCollector.primitivesOf(new Sphere("sphere", centre, 1, ColouredSurface.DEFAULT)))
+                .nearest(ray, nearest);
+        // the textbook's quadratic equation t^2 + 2 b t + c = 0
+        double b = -far;
+        double c = centre.lengthSquared() - 1;
+        double naive = -b - Math.sqrt(b * b - c);
+        return new double[] {relative(hit ? nearest.distance() : Double.NaN, exact), relative(naive, exact)};
+    }
+
+    @Override
+    public List<Chart> charts() {
+        return PLACES.stream()
+                .map(place -> new Chart(
+                        place.key,
+                        place.title,
+                        Chart.setting(place.distance),
+                        new Chart.Axis<>("largest relative error", Measurement::error),
+                        false))
+                .toList();
+    }
+
+    @Override
+    public List<Finding> findings(List<Measurement> all) {
+        List<Finding> findings = new ArrayList<>();
+        for (Place place : PLACES) {
+            double stable = worst(place, STABLE, all);
+            double naive = worst(place, NAIVE, all);
+            findings.add(Finding.check(
+                    stable < GOOD && naive > 1000 * stable,
+                    "%s: the program is wrong by %.1g at most, the textbook's formula by %.1g.",
+                    capital(place.title),
+                    stable,
+                    naive));
+        }
+        return findings;
+    }
+
+    private static String capital(String text) {
+        return Character.toUpperCase(text.charAt(0)) + text.substring(1);
+    }
+
+    private static double worst(Place place, String method, List<Measurement> all) {
+        return all.stream()
+                .filter(point ->
+                        point.problem().equals(place.key) && point.method().equals(method))
+                .mapToDouble(point -> point.error().middle())
+                .max()
+                .orElse(Double.NaN);
+    }
+}

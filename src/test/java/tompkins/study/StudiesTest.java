@@ -1,0 +1,131 @@
+package tompkins.study;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.studio.PaperStudios;
+
+/** The studies find what theory says, keep their figures, and draw them. */
+class StudiesTest {
+
+    @TempDir
+    private Path folder;
+
+    @ParameterizedTest
+    @MethodSource("studies")
+    void findingsHold(Study study) {
+        List<Measurement> all = measure(study);
+        assertThat(study.findings(all))
+                .isNotEmpty()
+                .allSatisfy(finding ->
+                        assertThat(finding.holds()).as(finding.sentence()).isTrue());
+        for (Chart chart : study.charts()) {
+            assertThat(chart.shown(all)).as(chart.title()).isNotEmpty();
+            assertThat(ChartDrawing.png(chart, all)).hasSizeLessThan(100_000);
+        }
+    }
+
+    static List<Study> studies() {
+        return List.of(
+                new PrecisionStudy(3),
+                new DepthStudy(),
+                new StabilityStudy(3),
+                new AntialiasingStudy(
+                        Map.of("fig1b", PaperStudios.fig1b()), Map.of("fig1b", PaperStudios.fig1b()), 3, 32, 1024));
+    }
+
+    @Test
+    void treeFindsWhatTheListFinds() {
+        Study study = new TreeStudy(3, 1000);
+        assertThat(measure(study))
+                .allSatisfy(point -> assertThat(point.maximum()).isZero());
+    }
+
+    @Test
+    void stoppedStudyGoesOn() throws IOException {
+        Path file = folder.resolve("stability.csv");
+        Study study = new StabilityStudy(3);
+        int all = study.trials().size();
+        AtomicInteger made = new AtomicInteger();
+        StudyData data = new StudyData(study, file, "test");
+        assertThatThrownBy(() -> data.complete((point, done, count) -> made.incrementAndGet(), () -> made.get() == 5))
+                .isInstanceOf(CancellationException.class);
+        List<String> kept = Files.readAllLines(file);
+        assertThat(kept).hasSize(5 + 5);
+        Files.writeString(file, String.join("\n", kept) + "\nlight,the prog");
+
+        List<Measurement> measured = data.complete((point, done, count) -> {}, () -> false);
+
+        assertThat(Files.readAllLines(file)).hasSize(5 + all).startsWith(kept.toArray(String[]::new));
+        assertThat(study.findings(measured)).allMatch(Finding::holds);
+        List<Measurement> read = data.complete((point, done, count) -> {}, () -> true);
+        assertThat(read).usingRecursiveFieldByFieldElementComparator().hasSameSizeAs(measured);
+
+        Study other = new StabilityStudy(4);
+        assertThatThrownBy(() -> new StudyData(other, file, "test").complete((point, done, count) -> {}, () -> true))
+                .isInstanceOf(CancellationException.class);
+    }
+
+    @Test
+    void pageShowsChartsAndSentences() throws IOException {
+        Study study = new StabilityStudy(3);
+        StudyPage page = new StudyPage(folder, "page", "# Title");
+        List<Measurement> all =
+                new StudyData(study, page.dataOf(study), "test").complete((point, done, count) -> {}, () -> false);
+        page.add(study, all);
+        String text = Files.readString(page.write());
+        assertThat(text)
+                .startsWith("# Title")
+                .contains(study.findings(all).get(0).sentence());
+        for (Chart chart : study.charts()) {
+            String file = "page/stability-" + chart.problem() + ".png";
+            assertThat(text).contains("](" + file + ")");
+            assertThat(folder.resolve(file)).isRegularFile();
+        }
+    }
+
+    @Test
+    void lawIsFitted() {
+        double[] x = {1, 4, 16, 64, 256};
+        double[] y = {3, 1.5, 0.75, 0.375, 0.1875};
+        PowerLaw law = PowerLaw.fit(x, y);
+        assertThat(law.slope()).isEqualTo(-0.5, within(1e-12));
+        assertThat(law.factor()).isEqualTo(3, within(1e-12));
+        assertThat(law.rSquared()).isEqualTo(1, within(1e-12));
+        assertThat(PowerLaw.fit(x, new double[] {1, 2, 1, 2, 1}).rSquared()).isLessThan(0.1);
+    }
+
+    @Test
+    void frontHoldsWhatNoOtherBeats() {
+        Chart chart = Chart.errorAgainstTime("p", "title");
+        Measurement cheap = point(1, 0.5);
+        Measurement beaten = point(2, 0.6);
+        Measurement good = point(3, 0.1);
+        assertThat(ChartDrawing.front(chart, List.of(good, beaten, cheap))).containsExactly(cheap, good);
+    }
+
+    private static Measurement point(double seconds, double error) {
+        return new Measurement("p", "m", 1, 1, Spread.exact(seconds), Spread.exact(error), error, error, 0);
+    }
+
+    private static List<Measurement> measure(Study study) {
+        List<Measurement> all = new ArrayList<>();
+        for (Trial trial : study.trials()) {
+            all.add(trial.measurer().measure(() -> false));
+        }
+        return all;
+    }
+}
