@@ -10,7 +10,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Stream;
+import tompkins.io.SceneFileException;
+import tompkins.io.StudioReader;
+import tompkins.studio.Studio;
 
 /** The scenes that come with the program: in the folder {@code scenes}, or else inside the jar. */
 final class BundledScenes {
@@ -32,6 +36,23 @@ final class BundledScenes {
             return files.filter(file -> file.toString().endsWith(".json"))
                     .sorted()
                     .toList();
+        }
+    }
+
+    /** All scenes, by the names of their files; those that cannot be read are left out. */
+    static List<Studio> studios() {
+        try {
+            return all().stream().flatMap(file -> read(file).stream()).toList();
+        } catch (IOException missing) {
+            return List.of();
+        }
+    }
+
+    private static Optional<Studio> read(Path file) {
+        try {
+            return Optional.of(StudioReader.read(file));
+        } catch (SceneFileException broken) {
+            return Optional.empty();
         }
     }
 

@@ -119,7 +119,8 @@ final class StudioOptions {
         throw new MistakeException("--shutter must be one of " + allowed + "; was " + name);
     }
 
-    private static Shutter defaultOf(Class<?> type) {
+    /** The value with which a model starts. */
+    static Shutter defaultOf(Class<?> type) {
         try {
             return (Shutter) type.getField("DEFAULT").get(null);
         } catch (ReflectiveOperationException missing) {

@@ -41,7 +41,7 @@ final class TompkinsCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         Path file = scene == null ? BundledScenes.file("fig1b.json") : scene;
         if (Displays.usable()) {
-            TompkinsWindow.open(StudioReader.read(file), scene);
+            TompkinsWindow.open(StudioReader.read(file), scene, BundledScenes::studios, new WindowCommandLine());
             return Failures.WINDOW_IS_OPEN;
         }
         spec.commandLine()

@@ -12,13 +12,13 @@ import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 
 /** Work that takes a while, away from the event thread; a small window shows how far it is, and can cancel it. */
-final class BackgroundTask {
+final class BackgroundTask implements Progress {
 
     /** The work. */
     interface Work {
 
         /** Does the work; returns early if the task is cancelled. */
-        void run(BackgroundTask task) throws Exception;
+        void run(Progress progress) throws Exception;
     }
 
     private static final int STEPS = 1000;
@@ -35,7 +35,7 @@ final class BackgroundTask {
     private BackgroundTask(Window owner, String title) {
         this.owner = owner;
         dialog = new JDialog(owner, title);
-        JPanel panel = new JPanel(new MigLayout("insets 16, wrap 1, gap 0 12", "[320!,fill]"));
+        JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 16, wrap 1, gap 0 12", "[320!,fill]"));
         panel.add(new JLabel(title));
         panel.add(bar);
         JButton cancel = new JButton(Texts.get("task.cancel"));
@@ -92,12 +92,13 @@ final class BackgroundTask {
         dialog.setVisible(true);
     }
 
-    /** The share of the work that is done, from 0 to 1. */
-    void setProgress(double share) {
+    @Override
+    public void setProgress(double share) {
         progress = share;
     }
 
-    boolean isCancelled() {
+    @Override
+    public boolean isCancelled() {
         return cancelled;
     }
 }

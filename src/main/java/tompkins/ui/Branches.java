@@ -25,7 +25,7 @@ final class Branches {
         if (isList(type)) {
             return true;
         }
-        if (!(type instanceof Class<?> plain) || !(plain.isRecord() || plain.isSealed()) || !asked.add(type)) {
+        if (!(type instanceof Class<?> plain) || !Records.isDescription(plain) || !asked.add(type)) {
             return false;
         }
         return Records.records(plain).stream()

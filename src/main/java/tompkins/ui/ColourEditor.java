@@ -19,8 +19,8 @@ final class ColourEditor implements ValueEditor {
 
     private static final int LEVELS = 255;
 
-    private final JPanel panel =
-            new JPanel(new MigLayout("insets 0, fillx, gap 4", "[pref!][grow,fill][grow,fill][grow,fill]"));
+    private final JPanel panel = new JPanel(
+            new MigLayout("novisualpadding, insets 0, fillx, gap 4", "[pref!][grow,fill][grow,fill][grow,fill]"));
     private final VectorFields fields;
     private final Consumer<Object> commit;
     private Colour colour = Colour.BLACK;
@@ -35,6 +35,7 @@ final class ColourEditor implements ValueEditor {
         patch.addActionListener(event -> choose(patch, note));
         fields = new VectorFields(
                 property,
+                3,
                 tip + ". " + Texts.get("colour.tip"),
                 note,
                 vector -> commit.accept(new Colour(vector.x(), vector.y(), vector.z())));

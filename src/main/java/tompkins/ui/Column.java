@@ -14,7 +14,7 @@ final class Column extends JPanel implements Scrollable {
     private static final int STEP = 20;
 
     Column() {
-        super(new MigLayout("insets 6 6 12 6, fillx, wrap 1, hidemode 3, gap 0 2", "[grow,fill]"));
+        super(new MigLayout("novisualpadding, insets 6 6 12 6, fillx, wrap 1, hidemode 3, gap 0 2", "[grow,fill]"));
     }
 
     @Override

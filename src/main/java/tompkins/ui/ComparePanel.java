@@ -71,18 +71,18 @@ final class ComparePanel {
         });
         others.addActionListener(event -> updating.unless(this::update));
         shutters.addActionListener(event -> updating.unless(this::update));
-        JPanel views = new JPanel(new MigLayout("insets 0, gap 12", "[pref!][pref!]"));
+        JPanel views = new JPanel(new MigLayout("novisualpadding, insets 0, gap 12", "[pref!][pref!]"));
         views.setOpaque(false);
         views.add(split);
         views.add(difference);
-        JPanel buttons = new JPanel(new MigLayout("insets 0, fillx, gap 4", "[grow,fill,sg][grow,fill,sg]"));
+        JPanel buttons = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, wrap 1, gap 4", "[grow,fill]"));
         buttons.setOpaque(false);
-        buttons.add(pin, "wmin pref");
-        buttons.add(peek, "wmin pref");
+        buttons.add(pin);
+        buttons.add(peek);
         panel.add(others, "wmin 0");
         panel.add(shutters, "wmin 0");
-        panel.add(views, "wmin 0");
-        panel.add(buttons, "wmin 0");
+        panel.add(views);
+        panel.add(buttons);
         panel.add(hint.component(), "wmin 0");
         update();
     }

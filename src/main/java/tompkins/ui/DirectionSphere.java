@@ -51,8 +51,6 @@ final class DirectionSphere extends JPanel {
         getAccessibleContext().setAccessibleName(Texts.get("direction.name"));
         setToolTipText(Tips.html(Texts.get("direction.tip")));
         setFocusable(true);
-        setPreferredSize(new Dimension(92, 92));
-        setMinimumSize(new Dimension(72, 72));
         MouseAdapter mouse = new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent event) {
@@ -117,6 +115,11 @@ final class DirectionSphere extends JPanel {
     void show(Vector3dc other) {
         direction = new Vector3d(other).div(other.length());
         repaint();
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(Look.width(6.5), Look.width(6.5));
     }
 
     private double radius() {

@@ -58,7 +58,7 @@ final class LensPanel {
         pick.addActionListener(event -> picking.accept(pick.isSelected()));
         aperture.addTo(panel);
         focus.addTo(panel);
-        panel.add(pick, "skip 1, span 2, growx");
+        panel.add(pick, "span 3, growx");
         field.addTo(panel);
         exposure.addTo(panel);
         samples.addTo(panel);

@@ -13,7 +13,9 @@ enum Look {
     /** For rooms with daylight. */
     LIGHT(
             false,
+            1,
             Map.of(
+                    "Tompkins.hover", 0xe2e5ea,
                     "Tompkins.canvas", 0xd9dce1,
                     "Tompkins.note", 0x5b6470,
                     "Tompkins.error", 0xb3261e,
@@ -23,7 +25,9 @@ enum Look {
     /** For dark rooms. */
     DARK(
             true,
+            1,
             Map.of(
+                    "Tompkins.hover", 0x4a4f56,
                     "Tompkins.canvas", 0x17191c,
                     "Tompkins.note", 0xa4acb8,
                     "Tompkins.error", 0xff8a80,
@@ -33,7 +37,9 @@ enum Look {
     /** For the back row: large type and high contrast. */
     PROJECTOR(
             false,
+            1.45f,
             Map.of(
+                    "Tompkins.hover", 0xdde4f5,
                     "Tompkins.canvas", 0x000000,
                     "Tompkins.note", 0x000000,
                     "Tompkins.error", 0xa00000,
@@ -41,42 +47,59 @@ enum Look {
                     "Tompkins.sphereLight", 0xffffff,
                     "Tompkins.sphereDark", 0xdddddd));
 
-    private static final float PROJECTOR_ENLARGES = 1.45f;
-
     private final boolean dark;
+    private final float enlargement;
     private final Map<String, Integer> colours;
 
-    Look(boolean dark, Map<String, Integer> colours) {
+    Look(boolean dark, float enlargement, Map<String, Integer> colours) {
         this.dark = dark;
+        this.enlargement = enlargement;
         this.colours = colours;
     }
 
     /** Gives all windows this look. */
     void install() {
+        install(1);
+    }
+
+    /** Gives all windows this look, with type that is larger by a factor. */
+    void install(float larger) {
+        FlatLaf.setGlobalExtraDefaults(defaults());
         UIManager.put("defaultFont", null);
-        FlatLaf.setGlobalExtraDefaults(
-                this == PROJECTOR
-                        ? Map.of(
-                                "@background", "#fff",
-                                "@foreground", "#000",
-                                "@accentColor", "#0040c0",
-                                "@disabledForeground", "#555",
-                                "Component.borderColor", "#000",
-                                "Component.focusWidth", "3",
-                                "Button.borderColor", "#000")
-                        : Map.of("@accentColor", dark ? "#4c9be8" : "#2468b8", "Component.focusWidth", "1"));
+        setUp();
+        float factor = larger * enlargement;
+        if (factor != 1) {
+            Font font = UIManager.getFont("defaultFont");
+            UIManager.put("defaultFont", font.deriveFont(font.getSize2D() * factor));
+            setUp();
+        }
+        colours.forEach((name, rgb) -> UIManager.put(name, new Color(rgb)));
+        FlatLaf.updateUI();
+    }
+
+    private void setUp() {
         if (dark) {
             FlatDarkLaf.setup();
         } else {
             FlatLightLaf.setup();
         }
-        if (this == PROJECTOR) {
-            Font font = UIManager.getFont("defaultFont");
-            UIManager.put("defaultFont", font.deriveFont(font.getSize2D() * PROJECTOR_ENLARGES));
-            FlatLightLaf.setup();
-        }
-        colours.forEach((name, rgb) -> UIManager.put(name, new Color(rgb)));
-        UIManager.put("[style].section", "font: bold; focusWidth: 0");
-        FlatLaf.updateUI();
+    }
+
+    private Map<String, String> defaults() {
+        return this == PROJECTOR
+                ? Map.of(
+                        "@background", "#fff",
+                        "@foreground", "#000",
+                        "@accentColor", "#0040c0",
+                        "@disabledForeground", "#555",
+                        "Component.borderColor", "#000",
+                        "Component.focusWidth", "3",
+                        "Button.borderColor", "#000")
+                : Map.of("@accentColor", dark ? "#4c9be8" : "#2468b8", "Component.focusWidth", "1");
+    }
+
+    /** A width in letters of the type of this look: so many times its size. */
+    static int width(double sizes) {
+        return (int) Math.round(sizes * UIManager.getFont("defaultFont").getSize2D());
     }
 }

@@ -3,6 +3,7 @@ package tompkins.ui;
 import java.awt.Color;
 import javax.swing.JComponent;
 import javax.swing.JTextArea;
+import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 
 /** A line of explanation or a message beneath a field, as high as its text needs. */
@@ -17,6 +18,16 @@ final class Note {
             setOpaque(false);
             setDisabledTextColor(colour());
             setForeground(colour());
+        }
+
+        @Override
+        public void setBounds(int x, int y, int width, int height) {
+            boolean otherWidth = width != getWidth();
+            super.setBounds(x, y, width, height);
+            if (otherWidth) {
+                // the height of wrapped text is known only when its width is
+                SwingUtilities.invokeLater(this::revalidate);
+            }
         }
     };
 

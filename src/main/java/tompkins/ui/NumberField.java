@@ -10,6 +10,7 @@ import javax.swing.KeyStroke;
 final class NumberField {
 
     private static final double STEP = 0.01;
+    private static final int DIGITS = 7;
 
     private final EntryField entry;
     private final DoubleConsumer commit;
@@ -19,7 +20,7 @@ final class NumberField {
     NumberField(String property, String name, String tip, Note note, DoubleConsumer commit) {
         this.commit = commit;
         entry = new EntryField(name, tip, note, text -> commit.accept(Numbers.parse(property, text)));
-        entry.field().setColumns(6);
+        entry.field().setColumns(5);
         step("UP", 1);
         step("DOWN", -1);
         step("shift UP", 10);
@@ -46,9 +47,9 @@ final class NumberField {
         return entry.isWrong();
     }
 
-    /** Shows a number with all its digits. */
+    /** Shows a number; the digits that do not fit stay in the model. */
     void show(double number) {
         value = number;
-        entry.show(Numbers.text(number));
+        entry.show(Numbers.text(Numbers.rounded(number, DIGITS)));
     }
 }

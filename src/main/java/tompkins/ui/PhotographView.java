@@ -74,6 +74,14 @@ final class PhotographView implements AutoCloseable {
         renderOther();
     }
 
+    /** Ends the work on all pictures; what is there stays. */
+    void stop() {
+        controller.stop();
+        if (otherController != null) {
+            otherController.stop();
+        }
+    }
+
     private void show(ScreenPicture pictures) {
         canvas.show(pictures);
         Picture now = pictures.now();

@@ -3,30 +3,22 @@ package tompkins.ui;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
-import javax.swing.JTextArea;
 
 /** The life of the ray of a pinned pixel, in a part of the side panel that is there only while a pixel is pinned. */
 final class RaySection {
 
     private final JPanel content = Rows.column();
-    private final JTextArea story = new JTextArea();
+    private final Note story = new Note("");
     private final Section section;
 
     /** A section; {@code unpin} is called by its button. */
     RaySection(Runnable unpin) {
-        story.setEditable(false);
-        story.setLineWrap(true);
-        story.setWrapStyleWord(true);
-        story.setOpaque(false);
-        story.setBorder(null);
-        story.setColumns(1);
-        story.setName("ray.story");
-        story.putClientProperty("FlatLaf.styleClass", "small");
-        story.getAccessibleContext().setAccessibleName(Texts.get("ray.title"));
+        story.component().setName("ray.story");
+        story.component().getAccessibleContext().setAccessibleName(Texts.get("ray.title"));
         JButton button = new JButton(Texts.get("ray.unpin"));
         button.setName(Texts.get("ray.unpin"));
         button.addActionListener(event -> unpin.run());
-        content.add(story, "wmin 0");
+        content.add(story.component(), "wmin 0");
         content.add(button, "growx 0");
         section = new Section(Texts.get("ray.title"), content, true);
         section.component().setVisible(false);
@@ -40,12 +32,7 @@ final class RaySection {
     void show(PixelProbe.Reading reading) {
         section.component().setVisible(reading != null);
         if (reading != null) {
-            String text = String.join("\n", PixelProbe.story(reading));
-            if (!text.equals(story.getText())) {
-                story.setText(text);
-                story.setCaretPosition(0);
-            }
-            content.revalidate();
+            story.setText(String.join("\n", PixelProbe.story(reading)));
         }
     }
 }

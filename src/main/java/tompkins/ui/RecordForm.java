@@ -16,8 +16,8 @@ import net.miginfocom.swing.MigLayout;
  */
 final class RecordForm {
 
-    private final JPanel panel =
-            new JPanel(new MigLayout("insets 0, fillx, wrap 2, hidemode 3, gap 8 5", "[::150,pref][grow,fill]"));
+    private final JPanel panel = new JPanel(
+            new MigLayout("novisualpadding, insets 0, fillx, wrap 2, hidemode 3, gap 8 5", "[::150,pref][grow,fill]"));
     private final Map<RecordComponent, ValueEditor> editors = new LinkedHashMap<>();
     private Object value;
 

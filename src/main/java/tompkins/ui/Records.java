@@ -65,6 +65,12 @@ final class Records {
         }
     }
 
+    /** Whether a type is a record or a sealed family of records. */
+    static boolean isDescription(Class<?> type) {
+        // an enum whose values have code of their own counts as sealed, too
+        return type.isRecord() || type.isSealed() && !type.isEnum();
+    }
+
     /** All records of a sealed family, in the order in which it names them; the type itself if it is a record. */
     static List<Class<?>> records(Class<?> family) {
         return family.isRecord() ? List.of(family) : permitted(family).toList();

@@ -10,15 +10,16 @@ final class Rows {
 
     /** A panel of three columns: name, control, field. */
     static JPanel panel() {
-        JPanel panel = new JPanel(
-                new MigLayout("insets 0, fillx, wrap 3, hidemode 3, gap 6 5", "[76::,pref][grow,fill][72!]"));
+        JPanel panel = new JPanel(new MigLayout(
+                "novisualpadding, insets 0, fillx, wrap 3, hidemode 3, gap 6 5", "[pref][grow,fill][pref!]"));
         panel.setOpaque(false);
         return panel;
     }
 
     /** A panel of one column. */
     static JPanel column() {
-        JPanel panel = new JPanel(new MigLayout("insets 0, fillx, wrap 1, hidemode 3, gap 6 5", "[grow,fill]"));
+        JPanel panel = new JPanel(
+                new MigLayout("novisualpadding, insets 0, fillx, wrap 1, hidemode 3, gap 6 5", "[grow,fill]"));
         panel.setOpaque(false);
         return panel;
     }

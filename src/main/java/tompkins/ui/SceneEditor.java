@@ -13,6 +13,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
+import tompkins.camera.ThinLensCamera;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
@@ -21,8 +22,8 @@ import tompkins.studio.Studio;
 final class SceneEditor {
 
     private final StudioModel model;
-    private final JPanel panel =
-            new JPanel(new MigLayout("insets 10, fill, wrap 1, gap 0 8", "[grow,fill]", "[grow,fill][]"));
+    private final JPanel panel = new JPanel(
+            new MigLayout("novisualpadding, insets 10, fill, wrap 1, gap 0 8", "[grow,fill]", "[grow,fill][]"));
     private final StudioTree tree = new StudioTree(this::choose);
     private final Column formPanel = new Column();
     private final Note note = new Note("");
@@ -55,7 +56,7 @@ final class SceneEditor {
         up.addActionListener(event -> changeList(list -> moved(list, place(), place() - 1), -1));
         down.addActionListener(event -> changeList(list -> moved(list, place(), place() + 1), 1));
         remove.addActionListener(event -> changeList(list -> removed(list, place()), 0));
-        model.addListener(this::follow);
+        model.addListener(this::update);
         update();
     }
 
@@ -67,7 +68,7 @@ final class SceneEditor {
     }
 
     private JComponent buttons() {
-        JPanel row = new JPanel(new MigLayout("insets 0, gap 4"));
+        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, gap 4"));
         for (JButton each : List.of(add, duplicate, hide, up, down, remove)) {
             row.add(each);
         }
@@ -78,14 +79,7 @@ final class SceneEditor {
         return panel;
     }
 
-    private void follow() {
-        if (panel.isShowing()) {
-            update();
-        }
-    }
-
-    /** Shows the studio as it is now. */
-    void update() {
+    private void update() {
         Studio studio = model.studio();
         if (studio == shown) {
             return;
@@ -94,13 +88,19 @@ final class SceneEditor {
                 && studio.scene() == shown.scene()
                 && studio.cameraFrame() == shown.cameraFrame()
                 && studio.lights() == shown.lights()
-                && studio.camera() == shown.camera()
+                && focus(studio) == focus(shown)
                 && studio.title().equals(shown.title());
         shown = studio;
         if (!sameTree) {
             tree.show(studio);
         }
         choose(tree.chosenLine());
+    }
+
+    private static Object focus(Studio studio) {
+        return studio.camera() instanceof ThinLensCamera lens
+                ? lens.focus()
+                : studio.camera().getClass();
     }
 
     private void choose(StudioTree.Line chosen) {
@@ -181,7 +181,6 @@ final class SceneEditor {
         int place = isElement() ? place() + 1 : list().size();
         List<?> longer = inserted(list(), place, Records.defaultOf(type));
         if (ValueEditors.attempt(note, () -> model.set(path.with(model.studio(), longer)))) {
-            update();
             tree.select(path.then(place));
         }
     }
@@ -191,7 +190,6 @@ final class SceneEditor {
         int next = place() + step;
         List<?> changed = change.apply(list());
         if (ValueEditors.attempt(note, () -> model.set(path.with(model.studio(), changed)))) {
-            update();
             tree.select(changed.isEmpty() ? path : path.then(Math.max(0, Math.min(changed.size() - 1, next))));
         }
     }

@@ -19,7 +19,7 @@ final class Section {
     private static final int ARROW = 9;
 
     private final JPanel panel =
-            new JPanel(new MigLayout("insets 0, fillx, wrap 1, hidemode 3, gap 0 6", "[grow,fill]"));
+            new JPanel(new MigLayout("novisualpadding, insets 0, fillx, wrap 1, hidemode 3, gap 0 6", "[grow,fill]"));
     private final JToggleButton heading;
 
     /** A section that is open or folded. */

@@ -50,10 +50,16 @@ final class ShutterIcon implements Icon {
                     g -> g.draw(new Arc2D.Double(FOCUS - 13, 2, 16, HEIGHT - 4, -75, 150, Arc2D.OPEN)));
 
     private final Class<?> shutter;
+    private final Color ink;
 
-    /** A drawing for a shutter model; without shutter if the model is not known here. */
-    ShutterIcon(Class<?> shutter) {
+    /** A drawing for a shutter model, all in one ink, or in the colours of the look if that is null. */
+    ShutterIcon(Class<?> shutter, Color ink) {
         this.shutter = shutter;
+        this.ink = ink;
+    }
+
+    private Color colour(String name) {
+        return ink == null ? UIManager.getColor(name) : ink;
     }
 
     private static Line2D line(double bottom, double top) {
@@ -66,8 +72,7 @@ final class ShutterIcon implements Icon {
         g.translate(x, y);
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        Color quiet = UIManager.getColor("Tompkins.note");
-        g.setColor(quiet);
+        g.setColor(colour("Tompkins.note"));
         g.setStroke(new BasicStroke(1));
         paintRays(g);
         g.draw(line(DETECTOR, DETECTOR));
@@ -76,7 +81,7 @@ final class ShutterIcon implements Icon {
         g.draw(line(FOCUS, FOCUS));
         Drawing drawing = DRAWINGS.get(shutter);
         if (drawing != null) {
-            g.setColor(UIManager.getColor("Component.accentColor"));
+            g.setColor(colour("Component.accentColor"));
             g.setStroke(new BasicStroke(3, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
             drawing.draw(g);
         }

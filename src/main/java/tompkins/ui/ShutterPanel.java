@@ -1,14 +1,17 @@
 package tompkins.ui;
 
+import java.awt.BorderLayout;
+import java.awt.Color;
 import java.awt.Component;
 import java.util.List;
+import javax.swing.BorderFactory;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.ListCellRenderer;
-import net.miginfocom.swing.MigLayout;
+import javax.swing.UIManager;
 import tompkins.property.Require;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.Event;
@@ -120,31 +123,38 @@ final class ShutterPanel {
     /** A drawing, the name, and in the list a line that says what the model does. */
     private static final class ModelRenderer implements ListCellRenderer<Class<?>> {
 
-        private final JPanel cell =
-                new JPanel(new MigLayout("insets 4 6 4 6, gap 8 2, hidemode 3", "[pref!][230!,fill]"));
+        private final JPanel cell = new JPanel(new BorderLayout(8, 0));
+        private final JPanel words = new JPanel(new BorderLayout(0, 2));
         private final JLabel icon = new JLabel();
         private final JLabel name = new JLabel();
         private final JLabel line = new JLabel();
 
         ModelRenderer() {
-            cell.add(icon, "spany 2, aligny top");
-            cell.add(name, "wrap, wmin 0");
-            cell.add(line, "wmin 0");
+            words.setOpaque(false);
+            words.add(name, BorderLayout.CENTER);
+            words.add(line, BorderLayout.SOUTH);
+            cell.setBorder(BorderFactory.createEmptyBorder(4, 4, 4, 4));
+            cell.add(icon, BorderLayout.WEST);
+            cell.add(words, BorderLayout.CENTER);
         }
 
         @Override
         public Component getListCellRendererComponent(
                 JList<? extends Class<?>> list, Class<?> model, int index, boolean selected, boolean focused) {
-            icon.setIcon(new ShutterIcon(model));
-            name.setText(model == null ? "" : Descriptions.label(model));
             boolean inList = index >= 0;
+            boolean marked = inList && selected;
+            Color ink = marked ? list.getSelectionForeground() : list.getForeground();
+            icon.setIcon(new ShutterIcon(model, marked ? ink : null));
+            name.setText(model == null ? "" : Descriptions.label(model));
             line.setVisible(inList);
-            line.putClientProperty("FlatLaf.styleClass", "small");
-            line.setText(inList ? "<html>" + Descriptions.meaning(model) : "");
+            line.setText(
+                    inList ? "<html><body style='width: " + Look.width(12) + "px'>" + Descriptions.meaning(model) : "");
             cell.setOpaque(inList);
-            cell.setBackground(selected ? list.getSelectionBackground() : list.getBackground());
-            name.setForeground(selected && inList ? list.getSelectionForeground() : list.getForeground());
-            line.setForeground(name.getForeground());
+            cell.setBackground(marked ? list.getSelectionBackground() : list.getBackground());
+            name.setForeground(ink);
+            line.setForeground(ink);
+            name.setFont(UIManager.getFont("Label.font"));
+            line.setFont(UIManager.getFont("small.font"));
             return cell;
         }
     }

@@ -10,6 +10,8 @@ import tompkins.trace.RenderPlan;
 /** The narrow panel beside the photograph: all that a teacher turns, one part under the other. */
 final class SidePanel {
 
+    private static final double WIDTH = 22.5;
+
     private final JPanel panel = new Column();
     private final JScrollPane scroll;
     private final ShutterPanel shutter;
@@ -64,6 +66,12 @@ final class SidePanel {
                             }
                         }
                         : null);
+    }
+
+    /** The width that it needs: that of its texts, at least that of a narrow panel. */
+    int width() {
+        int texts = panel.getMinimumSize().width + scroll.getVerticalScrollBar().getPreferredSize().width;
+        return Math.max(Look.width(WIDTH), texts);
     }
 
     JComponent component() {

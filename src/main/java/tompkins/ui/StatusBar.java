@@ -12,7 +12,8 @@ final class StatusBar {
 
     private static final int STEPS = 100;
 
-    private final JPanel panel = new JPanel(new MigLayout("insets 4 10 5 10, fillx, gap 12 1", "[grow,fill][pref!]"));
+    private final JPanel panel =
+            new JPanel(new MigLayout("novisualpadding, insets 4 10 5 10, fillx, gap 12 1", "[grow,fill][pref!]"));
     private final JLabel what = new JLabel(" ");
     private final JLabel where = new JLabel(" ");
     private final JLabel picture = new JLabel(" ");

@@ -47,6 +47,11 @@ final class StudioModel {
         return current.file();
     }
 
+    /** The studio as it was opened or last saved. */
+    Studio opened() {
+        return opened.studio();
+    }
+
     /** Whether the studio differs from what was opened or saved. */
     boolean isModified() {
         return !current.studio().equals(opened.studio());

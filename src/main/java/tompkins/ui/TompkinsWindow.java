@@ -1,15 +1,20 @@
 package tompkins.ui;
 
-import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.event.ActionEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Supplier;
+import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
+import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
+import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.WindowConstants;
@@ -18,60 +23,154 @@ import tompkins.studio.Studio;
 /** The window of Tompkins: the photograph, and a narrow panel with what it depends on. */
 public final class TompkinsWindow {
 
-    private static final int PANEL_WIDTH = 330;
+    /** Sizes of the window at first, in sizes of its type. */
+    private static final double WIDTH = 84;
 
+    private static final double HEIGHT = 56;
+    private static final double MINIMUM_WIDTH = 64;
+    private static final double MINIMUM_HEIGHT = 32;
+
+    private final Settings settings = new Settings();
     private final JFrame frame = new JFrame();
     private final StudioModel model;
     private final PhotographView view;
     private final SidePanel side;
     private final StatusBar status;
+    private final PlayPanel play;
+    private final Menus menus;
+    private JDialog editor;
 
-    private TompkinsWindow(Studio studio, Path file) {
+    private TompkinsWindow(Studio studio, Path file, CommandLine commandLine) {
+        settings.look().install();
         model = new StudioModel(studio, file);
         view = new PhotographView(model, new PictureListener());
         side = new SidePanel(model, view);
         status = new StatusBar(view.controller());
+        FileActions files = new FileActions(frame, model, view, status, settings, commandLine);
+        play = new PlayPanel(model, new AnimationExport(frame, status)::ask);
         frame.setContentPane(content());
+        menus = new Menus(files, model, settings, new WindowCommands());
+        frame.setJMenuBar(menus.bar());
+        frame.getRootPane().setTransferHandler(files.drop());
+        bindPeekKey();
         frame.setName("tompkins");
         frame.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
-        frame.addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowClosed(WindowEvent event) {
-                status.stop();
-                view.close();
-            }
-        });
-        frame.setSize(new Dimension(UIScale.scale(1240), UIScale.scale(800)));
-        frame.setMinimumSize(new Dimension(UIScale.scale(760), UIScale.scale(480)));
+        frame.addWindowListener(new Closer());
+        frame.setSize(new Dimension(
+                settings.number("width", Look.width(WIDTH)), settings.number("height", Look.width(HEIGHT))));
         frame.setLocationByPlatform(true);
         model.addListener(this::showTitle);
         showTitle();
+        fitToLook();
+        if (file != null) {
+            settings.addRecentFile(file);
+        }
     }
 
-    /** Opens a window; it shows its first picture as soon as that is there. Called by any thread. */
-    public static void open(Studio studio, Path file) {
-        SwingUtilities.invokeLater(() -> {
-            Look.LIGHT.install();
-            TompkinsWindow window = new TompkinsWindow(studio, file);
-            window.frame.setVisible(true);
-            window.view.render();
-        });
+    /**
+     * Opens a window, which shows its first picture as soon as that is there. Called by any thread; returns at once. The
+     * program ends when all its windows are closed.
+     *
+     * @param studio the scene to show
+     * @param file where it was read from, or null
+     * @param examples reads the scenes that the menu of examples offers, in its order; called by another thread
+     * @param commandLine writes the command line that takes the same photograph
+     */
+    public static void open(Studio studio, Path file, Supplier<List<Studio>> examples, CommandLine commandLine) {
+        SwingUtilities.invokeLater(() -> opened(studio, file, examples, commandLine));
+    }
+
+    /** Opens a window at once; called by the event thread. */
+    static TompkinsWindow opened(Studio studio, Path file, Supplier<List<Studio>> examples, CommandLine commandLine) {
+        TompkinsWindow window = new TompkinsWindow(studio, file, commandLine);
+        window.frame.setVisible(true);
+        window.view.render();
+        window.readExamples(examples);
+        return window;
+    }
+
+    /** Reads the examples away from the event thread, so that nothing waits for them. */
+    private void readExamples(Supplier<List<Studio>> examples) {
+        Thread reader = new Thread(
+                () -> {
+                    List<Studio> scenes = examples.get();
+                    SwingUtilities.invokeLater(() -> menus.setExamples(scenes));
+                },
+                "tompkins-examples");
+        reader.setDaemon(true);
+        reader.start();
+    }
+
+    JFrame frame() {
+        return frame;
+    }
+
+    StudioModel model() {
+        return model;
+    }
+
+    PhotographView view() {
+        return view;
     }
 
     private JComponent content() {
+        JPanel middle = new JPanel(new BorderLayout());
+        middle.add(view.canvas(), BorderLayout.CENTER);
+        middle.add(play.component(), BorderLayout.SOUTH);
         JPanel content = new JPanel(new BorderLayout());
-        content.add(view.canvas(), BorderLayout.CENTER);
-        JComponent panel = side.component();
-        panel.setPreferredSize(new Dimension(UIScale.scale(PANEL_WIDTH), 0));
-        panel.setBorder(BorderFactory.createMatteBorder(0, 1, 0, 0, UIManager.getColor("Tompkins.line")));
-        content.add(panel, BorderLayout.EAST);
+        content.add(middle, BorderLayout.CENTER);
+        content.add(side.component(), BorderLayout.EAST);
         content.add(status.component(), BorderLayout.SOUTH);
         return content;
+    }
+
+    /** What does not follow the look by itself. */
+    private void fitToLook() {
+        JComponent panel = side.component();
+        panel.setPreferredSize(new Dimension(side.width(), 0));
+        panel.setBorder(BorderFactory.createMatteBorder(0, 1, 0, 0, UIManager.getColor("Tompkins.line")));
+        frame.setMinimumSize(new Dimension(Look.width(MINIMUM_WIDTH), Look.width(MINIMUM_HEIGHT)));
+        frame.revalidate();
+    }
+
+    private void bindPeekKey() {
+        bind("F8", () -> view.canvas().setOtherAlone(true));
+        bind("released F8", () -> view.canvas().setOtherAlone(false));
+    }
+
+    private void bind(String key, Runnable action) {
+        frame.getRootPane().getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke(key), key);
+        frame.getRootPane().getActionMap().put(key, new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                action.run();
+            }
+        });
     }
 
     private void showTitle() {
         String name = model.studio().title();
         frame.setTitle((model.isModified() ? "\u2022 " : "") + name + " \u2013 Tompkins");
+    }
+
+    private final class Closer extends WindowAdapter {
+
+        @Override
+        public void windowClosing(WindowEvent event) {
+            settings.setNumber("width", frame.getWidth());
+            settings.setNumber("height", frame.getHeight());
+            settings.save();
+        }
+
+        @Override
+        public void windowClosed(WindowEvent event) {
+            play.setShown(false);
+            status.stop();
+            view.close();
+            if (editor != null) {
+                editor.dispose();
+            }
+        }
     }
 
     private final class PictureListener implements PhotographView.Listener {
@@ -95,6 +194,81 @@ public final class TompkinsWindow {
         @Override
         public void failed(String message) {
             status.say(message);
+        }
+    }
+
+    private final class WindowCommands implements Menus.Commands {
+
+        @Override
+        public void setLook(Look look) {
+            look.install();
+            settings.setLook(look);
+            fitToLook();
+        }
+
+        @Override
+        public void editScene() {
+            if (editor == null) {
+                SceneEditor content = new SceneEditor(model);
+                editor = new JDialog(frame, Texts.get("tree.title"));
+                editor.setName("editor");
+                editor.setContentPane(content.component());
+                editor.pack();
+                editor.setLocationRelativeTo(frame);
+            }
+            editor.setVisible(true);
+        }
+
+        @Override
+        public void togglePanel() {
+            side.component().setVisible(!side.component().isVisible());
+            frame.revalidate();
+        }
+
+        @Override
+        public void stop() {
+            play.setPlaying(false);
+            view.stop();
+        }
+
+        @Override
+        public void close() {
+            frame.dispatchEvent(new WindowEvent(frame, WindowEvent.WINDOW_CLOSING));
+        }
+
+        @Override
+        public void play(NumberProperty property) {
+            play.run(property);
+        }
+
+        @Override
+        public void togglePlay() {
+            play.setShown(true);
+            play.setPlaying(!play.isPlaying());
+        }
+
+        @Override
+        public void togglePlayPanel() {
+            play.setShown(!play.isShown());
+        }
+
+        @Override
+        public void showKeys() {
+            Messages.tell(frame, Texts.get("menu.keys"), Texts.get("help.keys"));
+        }
+
+        @Override
+        public void showAbout() {
+            String version = TompkinsWindow.class.getPackage().getImplementationVersion();
+            Messages.tell(
+                    frame,
+                    Texts.get("menu.about"),
+                    Texts.get("help.about", version == null ? "" : version, System.getProperty("java.version")));
+        }
+
+        @Override
+        public void showCitation() {
+            Messages.tell(frame, Texts.get("menu.cite"), Texts.get("help.cite"));
         }
     }
 }

@@ -19,7 +19,7 @@ final class TransformationPanel {
             button.setToolTipText(Tips.html(Texts.get("law." + law.name() + ".tip")));
             button.addActionListener(event -> model.set(model.studio().withTransformation(law)));
             group.add(button);
-            panel.add(button, "wmin 0");
+            panel.add(button);
             Runnable update = () -> button.setSelected(model.studio().transformation() == law);
             model.addListener(update);
             update.run();

@@ -11,6 +11,8 @@ import javax.swing.JComponent;
 import javax.swing.JList;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import org.joml.Vector2i;
+import org.joml.Vector2ic;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.joml.Vector3i;
@@ -56,16 +58,19 @@ final class ValueEditors {
             return choice(type, label, tip, note, commit);
         }
         if (type == Vector3dc.class) {
-            return vector(new VectorFields(name, tip, note, commit::accept));
+            return vector(new VectorFields(name, 3, tip, note, commit::accept));
         }
         if (type == Vector3ic.class) {
             return vector(new VectorFields(
                     name,
+                    3,
                     tip,
                     note,
-                    vector -> commit.accept(
-                            new Vector3i((int) whole(name, vector.x()), (int) whole(name, vector.y()), (int)
-                                    whole(name, vector.z())))));
+                    v -> commit.accept(new Vector3i(whole(name, v, 0), whole(name, v, 1), whole(name, v, 2)))));
+        }
+        if (type == Vector2ic.class) {
+            return vector(new VectorFields(
+                    name, 2, tip, note, v -> commit.accept(new Vector2i(whole(name, v, 0), whole(name, v, 1)))));
         }
         if (type == Colour.class) {
             return new ColourEditor(name, tip, note, commit);
@@ -79,7 +84,7 @@ final class ValueEditors {
         if (type == MeshData.class) {
             return FileContentEditor.mesh(label, tip, note, commit);
         }
-        if (type.isRecord() || type.isSealed()) {
+        if (Records.isDescription(type)) {
             return new FamilyEditor(type, label, note, commit);
         }
         throw new IllegalArgumentException("no editor for " + component);
@@ -92,6 +97,10 @@ final class ValueEditors {
         return (long) value;
     }
 
+    private static int whole(String name, Vector3dc vector, int axis) {
+        return (int) whole(name, vector.get(axis));
+    }
+
     private static ValueEditor number(NumberField field) {
         return editor(field.field(), value -> field.show(((Number) value).doubleValue()));
     }
@@ -101,11 +110,17 @@ final class ValueEditors {
     }
 
     private static ValueEditor vector(VectorFields fields) {
-        JPanel row = new JPanel(new MigLayout("insets 0, fillx, gap 4", "[grow,fill][grow,fill][grow,fill]"));
+        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 4, flowx", "[grow,fill]"));
         row.setOpaque(false);
         fields.addInRow(row);
-        return editor(
-                row, value -> fields.show(value instanceof Vector3ic whole ? new Vector3d(whole) : (Vector3dc) value));
+        return editor(row, value -> fields.show(asDoubles(value)));
+    }
+
+    private static Vector3dc asDoubles(Object vector) {
+        if (vector instanceof Vector2ic two) {
+            return new Vector3d(two.x(), two.y(), 0);
+        }
+        return vector instanceof Vector3ic three ? new Vector3d(three) : (Vector3dc) vector;
     }
 
     private static ValueEditor check(String label, String tip, Note note, Consumer<Object> commit) {

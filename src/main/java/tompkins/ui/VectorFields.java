@@ -8,7 +8,7 @@ import javax.swing.JPanel;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** Three fields for the components of a vector. */
+/** Fields for the two or three components of a vector. */
 final class VectorFields {
 
     private static final String[] AXES = {"x", "y", "z"};
@@ -20,10 +20,11 @@ final class VectorFields {
      * Fields for a property.
      *
      * @param property its name, for messages
+     * @param axes how many fields there are; components without a field are 0
      * @param commit takes the vector, or throws
      */
-    VectorFields(String property, String tip, Note note, Consumer<Vector3dc> commit) {
-        for (int axis = 0; axis < AXES.length; axis++) {
+    VectorFields(String property, int axes, String tip, Note note, Consumer<Vector3dc> commit) {
+        for (int axis = 0; axis < axes; axis++) {
             int component = axis;
             String name = Descriptions.label(property) + " " + AXES[axis];
             fields.add(new NumberField(property + " (" + AXES[axis] + ")", name, tip, note, number -> {
@@ -37,7 +38,7 @@ final class VectorFields {
 
     /** Adds the fields one under the other, each after its name. */
     void addInColumn(JPanel panel) {
-        for (int axis = 0; axis < AXES.length; axis++) {
+        for (int axis = 0; axis < fields.size(); axis++) {
             JLabel label = new JLabel(AXES[axis]);
             label.setLabelFor(fields.get(axis).field());
             panel.add(label);
@@ -54,7 +55,7 @@ final class VectorFields {
 
     void show(Vector3dc vector) {
         value.set(vector);
-        for (int axis = 0; axis < AXES.length; axis++) {
+        for (int axis = 0; axis < fields.size(); axis++) {
             fields.get(axis).show(vector.get(axis));
         }
     }

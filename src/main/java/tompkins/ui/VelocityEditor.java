@@ -14,8 +14,8 @@ final class VelocityEditor implements ValueEditor {
 
     private static final Vector3dc FORWARDS = new Vector3d(0, 0, 1);
 
-    private final JPanel panel =
-            new JPanel(new MigLayout("insets 0, fillx, wrap 3, gap 4", "[grow,fill][grow,fill][grow,fill]"));
+    private final JPanel panel = new JPanel(
+            new MigLayout("novisualpadding, insets 0, fillx, wrap 3, gap 4", "[grow,fill][grow,fill][grow,fill]"));
     private final EntryField speed;
     private final VectorFields direction;
     private Velocity velocity = Velocity.REST;
@@ -27,7 +27,7 @@ final class VelocityEditor implements ValueEditor {
                 tip + ". " + Texts.get("speed.tip"),
                 note,
                 text -> commit.accept(SpeedText.parse(text, SpeedScale.BETA, directionOf(velocity))));
-        direction = new VectorFields("direction", Texts.get("direction.tip"), note, vector -> {
+        direction = new VectorFields("direction", 3, Texts.get("direction.tip"), note, vector -> {
             SpeedScale scale = velocity.scale() == null ? SpeedScale.BETA : velocity.scale();
             commit.accept(Velocity.of(scale, scale.valueOf(velocity), vector));
         });

@@ -37,11 +37,12 @@ final class VelocityPanel {
                 Texts.get("speed.slider"), Texts.get("speed.sliderTip"), RAPIDITIES, this::slide, model::endGesture);
         speed = new EntryField(Texts.get("speed.name"), Texts.get("speed.tip"), note, this::enterSpeed);
         sphere = new DirectionSphere(this::turn, model::endGesture);
-        direction = new VectorFields("direction", Texts.get("direction.tip"), note, vector -> {
+        direction = new VectorFields("direction", 3, Texts.get("direction.tip"), note, vector -> {
             Velocity now = velocity();
             take(Velocity.of(scaleOf(now), scaleOf(now).valueOf(now), vector));
         });
-        JPanel speedRow = new JPanel(new MigLayout("insets 0, fillx, gap 6", "[grow,fill][100!]"));
+        speed.field().setColumns(7);
+        JPanel speedRow = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 6", "[grow,fill][pref!]"));
         speedRow.setOpaque(false);
         speedRow.add(slider.slider(), "wmin 40");
         speedRow.add(speed.field(), "growx");
@@ -60,8 +61,8 @@ final class VelocityPanel {
     }
 
     private JComponent scaleSwitch() {
-        JPanel row = new JPanel(
-                new MigLayout("insets 0, fillx, gap 2", "[grow,fill,sg][grow,fill,sg][grow,fill,sg][grow,fill,sg]"));
+        JPanel row = new JPanel(new MigLayout(
+                "novisualpadding, insets 0, fillx, gap 2", "[grow,fill,sg][grow,fill,sg][grow,fill,sg][grow,fill,sg]"));
         row.setOpaque(false);
         ButtonGroup group = new ButtonGroup();
         for (SpeedScale each : SpeedScale.values()) {
@@ -69,7 +70,8 @@ final class VelocityPanel {
             button.setName(Texts.get("scale." + each.name() + ".name"));
             button.getAccessibleContext().setAccessibleName(button.getName());
             button.setToolTipText(Tips.html(button.getName() + ", " + each.range()));
-            button.putClientProperty("JButton.buttonType", "roundRect");
+            button.putClientProperty(
+                    "FlatLaf.style", "selectedBackground: $Component.accentColor; selectedForeground: #fff");
             button.addActionListener(event -> {
                 scale = each;
                 update();
@@ -81,9 +83,9 @@ final class VelocityPanel {
     }
 
     private JComponent directionRow() {
-        JPanel row = new JPanel(new MigLayout("insets 0, fillx, gap 10 4", "[pref!][grow,fill]"));
+        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 10 4", "[pref!][grow,fill]"));
         row.setOpaque(false);
-        JPanel fields = new JPanel(new MigLayout("insets 0, fillx, wrap 2, gap 6 4", "[][grow,fill]"));
+        JPanel fields = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, wrap 2, gap 6 4", "[][grow,fill]"));
         fields.setOpaque(false);
         direction.addInColumn(fields);
         row.add(sphere);
@@ -92,7 +94,8 @@ final class VelocityPanel {
     }
 
     private JComponent buttons() {
-        JPanel row = new JPanel(new MigLayout("insets 0, fillx, wrap 2, gap 4", "[grow,fill,sg][grow,fill,sg]"));
+        JPanel row = new JPanel(
+                new MigLayout("novisualpadding, insets 0, fillx, wrap 2, gap 4", "[grow,fill,sg][grow,fill,sg]"));
         row.setOpaque(false);
         row.add(button("rest", () -> {
             Velocity now = velocity();

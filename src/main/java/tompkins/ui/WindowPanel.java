@@ -46,7 +46,7 @@ final class WindowPanel {
         match.setToolTipText(Tips.html(Texts.get("window.matchTip")));
         match.addActionListener(event -> updating.unless(this::matchOrFree));
         panel.add(kinds, "wmin 0");
-        panel.add(match, "wmin 0");
+        panel.add(match);
         panel.add(note.component(), "wmin 0");
         panel.add(details, "wmin 0");
         model.addListener(this::update);

@@ -1,0 +1,75 @@
+package tompkins.app;
+
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import org.joml.Vector3dc;
+import tompkins.shutter.Shutter;
+import tompkins.studio.RenderSettings;
+import tompkins.studio.Studio;
+import tompkins.ui.CommandLine;
+
+/** Writes what the window shows as a call of {@code render}: the scene file, and options for what has changed since. */
+final class WindowCommandLine implements CommandLine {
+
+    @Override
+    public Optional<String> of(Studio studio, Studio opened, Path file) {
+        if (file == null || !isSayable(studio, opened)) {
+            return Optional.empty();
+        }
+        StringBuilder line = new StringBuilder("java -jar tompkins.jar render " + quoted(file.toString()));
+        RenderSettings settings = studio.settings();
+        RenderSettings before = opened.settings();
+        if (settings.width() != before.width() || settings.height() != before.height()) {
+            line.append(" --size ").append(settings.width()).append('x').append(settings.height());
+        }
+        if (settings.samples() != before.samples()) {
+            line.append(" --samples ").append(settings.samples());
+        }
+        if (settings.seed() != before.seed()) {
+            line.append(" --seed ").append(settings.seed());
+        }
+        if (!studio.velocity().equals(opened.velocity())) {
+            Vector3dc beta = studio.velocity().components();
+            line.append(" --beta=").append(beta.x() + "," + beta.y() + "," + beta.z());
+        }
+        appendShutter(line, studio.camera().shutter(), opened.camera().shutter());
+        return Optional.of(line.toString());
+    }
+
+    private static void appendShutter(StringBuilder line, Shutter now, Shutter before) {
+        if (now.getClass() != before.getClass()) {
+            line.append(" --shutter ").append(nameOf(now));
+        }
+        if (!now.equals(before)) {
+            line.append(" --time=").append(now.openingTime());
+        }
+    }
+
+    private static String nameOf(Shutter shutter) {
+        return shutter.getClass()
+                .getSimpleName()
+                .replaceFirst("Shutter$", "")
+                .replaceAll("(?<=[a-z])(?=[A-Z])", "-")
+                .toLowerCase(Locale.ROOT);
+    }
+
+    /** Whether the options can say all that has changed. */
+    private static boolean isSayable(Studio studio, Studio opened) {
+        Shutter now = studio.camera().shutter();
+        Shutter before = opened.camera().shutter();
+        Shutter start = now.getClass() == before.getClass() ? before : StudioOptions.defaultOf(now.getClass());
+        RenderSettings settings = studio.settings();
+        Studio said = opened.withVelocity(studio.velocity())
+                .withCamera(opened.camera().withShutter(start.openedAt(now.openingTime())))
+                .withSettings(opened.settings()
+                        .withSize(settings.width(), settings.height())
+                        .withSamples(settings.samples())
+                        .withSeed(settings.seed()));
+        return said.equals(studio);
+    }
+
+    private static String quoted(String name) {
+        return name.matches("[\\p{L}\\p{N}._/\\\\:-]+") ? name : "'" + name + "'";
+    }
+}

@@ -1,0 +1,200 @@
+package tompkins.ui;
+
+import java.awt.Toolkit;
+import java.awt.datatransfer.StringSelection;
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import javax.swing.JFileChooser;
+import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
+import javax.swing.filechooser.FileNameExtensionFilter;
+import tompkins.image.LinearImage;
+import tompkins.image.PhotographFile;
+import tompkins.image.PictureFormat;
+import tompkins.io.StudioReader;
+import tompkins.io.StudioWriter;
+import tompkins.studio.Studio;
+
+/** Opens and saves scenes, saves and copies photographs. What reads or writes files does so away from the event thread. */
+final class FileActions {
+
+    private final JFrame frame;
+    private final StudioModel model;
+    private final PhotographView view;
+    private final Settings settings;
+    private final CommandLine commandLine;
+    private final StatusBar status;
+
+    FileActions(
+            JFrame frame,
+            StudioModel model,
+            PhotographView view,
+            StatusBar status,
+            Settings settings,
+            CommandLine commandLine) {
+        this.frame = frame;
+        this.model = model;
+        this.view = view;
+        this.status = status;
+        this.settings = settings;
+        this.commandLine = commandLine;
+    }
+
+    /** Asks for a file and opens it. */
+    void open() {
+        JFileChooser chooser = chooser();
+        chooser.setFileFilter(
+                new FileNameExtensionFilter(Texts.get("file.scenes"), "json", "png", "tif", "tiff", "hdr", "pic"));
+        if (chooser.showOpenDialog(frame) == JFileChooser.APPROVE_OPTION) {
+            open(chooser.getSelectedFile().toPath());
+        }
+    }
+
+    private JFileChooser chooser() {
+        Path folder =
+                model.file() == null ? null : model.file().toAbsolutePath().getParent();
+        JFileChooser chooser = new JFileChooser(folder == null ? null : folder.toFile());
+        chooser.setName("chooser");
+        return chooser;
+    }
+
+    /** Opens a scene file, or a photograph that holds its scene. */
+    void open(Path file) {
+        Studio[] loaded = new Studio[1];
+        BackgroundTask.start(
+                frame, Texts.get("file.opening", file), progress -> loaded[0] = StudioReader.read(file), () -> {
+                    // a photograph holds a scene, but is no file to save a scene in
+                    boolean isScene = file.toString().endsWith(".json");
+                    model.open(loaded[0], isScene ? file : null);
+                    settings.addRecentFile(file);
+                });
+    }
+
+    /** Shows an example. */
+    void open(Studio example) {
+        model.open(example, null);
+    }
+
+    /** Saves the scene where it came from; asks for a place if it has none. */
+    void saveScene() {
+        if (model.file() == null) {
+            saveSceneAs();
+        } else {
+            saveScene(model.file());
+        }
+    }
+
+    /** Asks where to save the scene. */
+    void saveSceneAs() {
+        JFileChooser chooser = chooser();
+        chooser.setFileFilter(new FileNameExtensionFilter(Texts.get("file.sceneFiles"), "json"));
+        chooser.setSelectedFile(
+                model.file() == null ? new File("scene.json") : model.file().toFile());
+        if (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION) {
+            Path file = withEnding(chooser.getSelectedFile().toPath(), List.of(".json"));
+            if (mayWrite(file)) {
+                saveScene(file);
+            }
+        }
+    }
+
+    private void saveScene(Path file) {
+        Studio studio = model.studio();
+        BackgroundTask.start(frame, Texts.get("file.saving", file), task -> StudioWriter.save(studio, file), () -> {
+            if (model.studio().equals(studio)) {
+                model.saved(file);
+            }
+            saved(file);
+        });
+    }
+
+    private void saved(Path file) {
+        settings.addRecentFile(file);
+        status.say(Texts.get("file.saved", file));
+    }
+
+    /** Asks where to save the photograph. */
+    void savePhotograph() {
+        JFileChooser chooser = chooser();
+        chooser.setAcceptAllFileFilterUsed(false);
+        for (PictureFormat format : PictureFormat.values()) {
+            chooser.addChoosableFileFilter(new FormatFilter<>(format, Texts.get("format." + format), format.endings()));
+        }
+        chooser.setFileFilter(chooser.getChoosableFileFilters()[0]);
+        chooser.setSelectedFile(new File(photographName()));
+        if (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION
+                && chooser.getFileFilter() instanceof FormatFilter<?> filter) {
+            PictureFormat format = (PictureFormat) filter.format();
+            Path file = withEnding(chooser.getSelectedFile().toPath(), format.endings());
+            if (mayWrite(file)) {
+                savePhotograph(file, format);
+            }
+        }
+    }
+
+    private String photographName() {
+        String name = model.file() == null
+                ? model.studio().title().replaceAll("[^\\p{L}\\p{N}]+", "-").replaceAll("^-|-$", "")
+                : model.file().getFileName().toString().replaceAll("\\.json$", "");
+        return (name.isEmpty() ? "photograph" : name) + ".png";
+    }
+
+    /** Saves the photograph of the studio as it is, complete, with the scene inside. */
+    void savePhotograph(Path file, PictureFormat format) {
+        Studio studio = model.studio();
+        Picture onScreen = view.canvas().shown().now();
+        boolean ready =
+                onScreen != null && onScreen.complete() && onScreen.studio().equals(studio);
+        BackgroundTask.start(
+                frame,
+                Texts.get("file.saving", file),
+                task -> {
+                    try (PhotographTaker taker = new PhotographTaker()) {
+                        LinearImage image = ready ? onScreen.image() : taker.take(studio, task, 0, 1);
+                        PhotographFile.write(
+                                file, image, format, studio.settings().toneCurve(), PhotographTaker.info(studio));
+                    }
+                },
+                () -> saved(file));
+    }
+
+    private static Path withEnding(Path file, List<String> endings) {
+        String name = file.getFileName().toString();
+        boolean has = endings.stream().anyMatch(name.toLowerCase(Locale.ROOT)::endsWith);
+        return has ? file : file.resolveSibling(name + endings.get(0));
+    }
+
+    private boolean mayWrite(Path file) {
+        return !Files.exists(file)
+                || Messages.confirm(
+                        frame, Texts.get("file.overwriteTitle"), Texts.get("file.overwrite", file.getFileName()));
+    }
+
+    /** Puts the picture on the screen on the clipboard, in its own size. */
+    void copyPicture() {
+        Picture picture = view.canvas().shown().now();
+        if (picture != null) {
+            Toolkit.getDefaultToolkit()
+                    .getSystemClipboard()
+                    .setContents(new ImageSelection(ScreenPicture.levels(picture)), null);
+            status.say(Texts.get("file.pictureCopied"));
+        }
+    }
+
+    /** Puts the command line that takes this photograph on the clipboard. */
+    void copyCommandLine() {
+        Optional<String> command = commandLine.of(model.studio(), model.opened(), model.file());
+        command.ifPresent(
+                text -> Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(text), null));
+        status.say(command.map(text -> Texts.get("file.commandCopied", text)).orElse(Texts.get("file.saveFirst")));
+    }
+
+    /** Whether files can be dropped on the window, and what becomes of them. */
+    FileDrop drop() {
+        return new FileDrop(files -> SwingUtilities.invokeLater(() -> open(files.get(0))));
+    }
+}

@@ -1,0 +1,218 @@
+package tompkins.ui;
+
+import java.awt.event.KeyEvent;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import javax.swing.ButtonGroup;
+import javax.swing.JMenu;
+import javax.swing.JMenuBar;
+import javax.swing.JMenuItem;
+import javax.swing.JRadioButtonMenuItem;
+import javax.swing.KeyStroke;
+import javax.swing.event.MenuEvent;
+import javax.swing.event.MenuListener;
+import tompkins.spacetime.SpeedScale;
+import tompkins.studio.Studio;
+
+/** The menus of the window. */
+final class Menus {
+
+    /** What the menus can do, besides files and history. */
+    interface Commands {
+
+        void setLook(Look look);
+
+        void editScene();
+
+        void togglePanel();
+
+        void stop();
+
+        void close();
+
+        void play(NumberProperty property);
+
+        void togglePlay();
+
+        void togglePlayPanel();
+
+        void showKeys();
+
+        void showAbout();
+
+        void showCitation();
+    }
+
+    private final JMenuBar bar = new JMenuBar();
+    private final JMenu examples = menu("menu.examples");
+    private final FileActions files;
+    private final StudioModel model;
+    private final Settings settings;
+    private final Commands commands;
+
+    Menus(FileActions files, StudioModel model, Settings settings, Commands commands) {
+        this.files = files;
+        this.model = model;
+        this.settings = settings;
+        this.commands = commands;
+        bar.add(fileMenu());
+        bar.add(examples);
+        examples.setEnabled(false);
+        bar.add(editMenu());
+        bar.add(playMenu());
+        bar.add(viewMenu());
+        bar.add(helpMenu());
+    }
+
+    JMenuBar bar() {
+        return bar;
+    }
+
+    private static JMenu menu(String key) {
+        JMenu menu = new JMenu(Texts.get(key));
+        menu.setName(key);
+        menu.setMnemonic(menu.getText().charAt(0));
+        return menu;
+    }
+
+    private static JMenuItem add(JMenu menu, String key, String accelerator, Runnable action) {
+        JMenuItem item = new JMenuItem(Texts.get(key));
+        item.setName(key);
+        if (accelerator != null) {
+            item.setAccelerator(KeyStroke.getKeyStroke(accelerator));
+        }
+        item.addActionListener(event -> action.run());
+        menu.add(item);
+        return item;
+    }
+
+    private JMenu fileMenu() {
+        JMenu menu = menu("menu.file");
+        add(menu, "menu.open", "ctrl O", files::open);
+        JMenu recent = new JMenu(Texts.get("menu.recent"));
+        recent.setName("menu.recent");
+        beforeShowing(menu, () -> fillRecent(recent));
+        menu.add(recent);
+        menu.addSeparator();
+        add(menu, "menu.saveScene", "ctrl S", files::saveScene);
+        add(menu, "menu.saveSceneAs", "ctrl shift S", files::saveSceneAs);
+        add(menu, "menu.savePhotograph", "ctrl P", files::savePhotograph);
+        menu.addSeparator();
+        add(menu, "menu.copyPicture", "ctrl shift C", files::copyPicture);
+        add(menu, "menu.copyCommand", "ctrl shift L", files::copyCommandLine);
+        menu.addSeparator();
+        add(menu, "menu.close", "ctrl Q", commands::close);
+        return menu;
+    }
+
+    private void fillRecent(JMenu recent) {
+        recent.removeAll();
+        for (Path file : settings.recentFiles()) {
+            JMenuItem item = new JMenuItem(file.getFileName().toString());
+            item.setToolTipText(file.toString());
+            item.addActionListener(event -> files.open(file));
+            recent.add(item);
+        }
+        recent.setEnabled(recent.getItemCount() > 0);
+    }
+
+    /** Lists scenes under their topics in the menu of examples. */
+    void setExamples(List<Studio> scenes) {
+        Map<String, JMenu> topics = new LinkedHashMap<>();
+        for (Studio scene : scenes) {
+            JMenu topic = topics.computeIfAbsent(scene.topic(), JMenu::new);
+            add(topic, scene.title(), () -> files.open(scene));
+        }
+        examples.removeAll();
+        topics.values().forEach(examples::add);
+        examples.setEnabled(!topics.isEmpty());
+    }
+
+    private static void add(JMenu topic, String title, Runnable action) {
+        JMenuItem item = new JMenuItem(title);
+        item.setName(title);
+        item.addActionListener(event -> action.run());
+        topic.add(item);
+    }
+
+    private JMenu editMenu() {
+        JMenu menu = menu("menu.edit");
+        JMenuItem undo = add(menu, "menu.undo", "ctrl Z", model::undo);
+        JMenuItem redo = add(menu, "menu.redo", "ctrl shift Z", model::redo);
+        JMenuItem reset = add(menu, "menu.reset", "ctrl R", model::reset);
+        menu.addSeparator();
+        add(menu, "menu.editScene", "ctrl E", commands::editScene);
+        Runnable update = () -> {
+            undo.setEnabled(model.canUndo());
+            redo.setEnabled(model.canRedo());
+            reset.setEnabled(model.isModified());
+        };
+        beforeShowing(menu, update);
+        // the keys work while the menu is closed: what there is nothing for does nothing
+        afterHiding(menu, () -> List.of(undo, redo, reset).forEach(item -> item.setEnabled(true)));
+        return menu;
+    }
+
+    private JMenu playMenu() {
+        JMenu menu = menu("menu.play");
+        add(menu, "menu.playSpeed", null, () -> commands.play(NumberProperty.speed(SpeedScale.BETA)));
+        add(menu, "menu.playTime", null, () -> commands.play(NumberProperty.openingTime()));
+        menu.addSeparator();
+        add(menu, "menu.playPause", "F9", commands::togglePlay);
+        add(menu, "menu.playPanel", "ctrl L", commands::togglePlayPanel);
+        return menu;
+    }
+
+    private JMenu viewMenu() {
+        JMenu menu = menu("menu.view");
+        ButtonGroup group = new ButtonGroup();
+        for (Look look : Look.values()) {
+            JRadioButtonMenuItem item = new JRadioButtonMenuItem(Texts.get("look." + look), look == settings.look());
+            item.setName("look." + look);
+            item.addActionListener(event -> commands.setLook(look));
+            group.add(item);
+            menu.add(item);
+        }
+        menu.addSeparator();
+        add(menu, "menu.panel", "F11", commands::togglePanel);
+        JMenuItem stop = add(menu, "menu.stop", null, commands::stop);
+        stop.setAccelerator(KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));
+        return menu;
+    }
+
+    private JMenu helpMenu() {
+        JMenu menu = menu("menu.help");
+        add(menu, "menu.keys", "F1", commands::showKeys);
+        add(menu, "menu.cite", null, commands::showCitation);
+        add(menu, "menu.about", null, commands::showAbout);
+        return menu;
+    }
+
+    private static void beforeShowing(JMenu menu, Runnable action) {
+        menu.addMenuListener(new Watch(action, () -> {}));
+    }
+
+    private static void afterHiding(JMenu menu, Runnable action) {
+        menu.addMenuListener(new Watch(() -> {}, action));
+    }
+
+    private record Watch(Runnable shown, Runnable hidden) implements MenuListener {
+
+        @Override
+        public void menuSelected(MenuEvent event) {
+            shown.run();
+        }
+
+        @Override
+        public void menuDeselected(MenuEvent event) {
+            hidden.run();
+        }
+
+        @Override
+        public void menuCanceled(MenuEvent event) {
+            hidden.run();
+        }
+    }
+}

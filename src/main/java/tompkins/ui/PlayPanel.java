@@ -1,0 +1,227 @@
+package tompkins.ui;
+
+import java.util.function.BiConsumer;
+import java.util.function.DoubleConsumer;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JSlider;
+import javax.swing.JToggleButton;
+import javax.swing.Timer;
+import net.miginfocom.swing.MigLayout;
+import tompkins.property.InvalidPropertyException;
+import tompkins.property.Require;
+import tompkins.spacetime.SpeedScale;
+import tompkins.studio.Studio;
+
+/** Runs a number of the studio between two values, with a scrubber. */
+final class PlayPanel {
+
+    private static final int STEPS = 1000;
+    private static final int TICK_MILLISECONDS = 33;
+    private static final double LONGEST_SECONDS = 600;
+
+    private final StudioModel model;
+    private final JPanel panel = new JPanel(new MigLayout(
+            "novisualpadding, insets 6 10 6 10, fillx, hidemode 3, gap 6 4", "[pref!][grow,fill][pref!][pref!]"));
+    private final JComboBox<NumberProperty> properties = new JComboBox<>();
+    private final JComboBox<Animation.Course> courses = new JComboBox<>(Animation.Course.values());
+    private final JToggleButton play = new JToggleButton(Texts.get("play.play"));
+    private final JCheckBox loop = new JCheckBox(Texts.get("play.loop"), true);
+    private final JSlider scrubber = new JSlider(0, STEPS, 0);
+    private final JLabel value = new JLabel();
+    private final Note note = new Note("");
+    private final NumberField fromField;
+    private final NumberField toField;
+    private final NumberField secondsField;
+    private final Timer timer = new Timer(TICK_MILLISECONDS, event -> tick());
+    private final Object gesture = new Object();
+    private final Updating updating = new Updating();
+    private double from;
+    private double to;
+    private double seconds = 4;
+    private double time;
+    private long lastTick;
+
+    /** The panel; {@code export} takes a studio and the animation of it that is to be saved. */
+    PlayPanel(StudioModel model, BiConsumer<Studio, Animation> export) {
+        this.model = model;
+        fromField = field("play.from", number -> from = Require.finite("from", number));
+        toField = field("play.to", number -> to = Require.finite("to", number));
+        secondsField =
+                field("play.seconds", number -> seconds = Require.within("seconds", number, 0.1, LONGEST_SECONDS));
+        secondsField.show(seconds);
+        name(properties, "play.property");
+        properties.addActionListener(event -> updating.unless(this::suggestValues));
+        name(courses, "play.course");
+        courses.setRenderer(ValueEditors.renderer(course -> Descriptions.label((Animation.Course) course)));
+        name(play, "play.play");
+        play.addActionListener(event -> setPlaying(play.isSelected()));
+        name(loop, "play.loop");
+        name(scrubber, "play.scrubber");
+        scrubber.addChangeListener(event -> updating.unless(() -> moveTo((double) scrubber.getValue() / STEPS)));
+        JButton exportButton = new JButton(Texts.get("play.export"));
+        name(exportButton, "play.export");
+        exportButton.addActionListener(event -> export.accept(model.studio(), animation()));
+        panel.add(numberRow(), "span, growx, wrap, wmin 0");
+        panel.add(valuesRow(), "span, growx, wrap, wmin 0");
+        panel.add(play, "wmin pref");
+        panel.add(scrubber, "wmin 60");
+        panel.add(value, "wmin 80");
+        panel.add(exportButton, "wmin pref, wrap");
+        panel.add(note.component(), "span, growx, wmin 0");
+        panel.setVisible(false);
+    }
+
+    private JComponent numberRow() {
+        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 6", "[grow,fill][][]"));
+        row.add(properties, "wmin 60");
+        row.add(courses);
+        row.add(loop);
+        return row;
+    }
+
+    private JComponent valuesRow() {
+        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, gap 6", "[][pref!]12[][pref!]12[][pref!]"));
+        addField(row, "play.from", fromField);
+        addField(row, "play.to", toField);
+        addField(row, "play.seconds", secondsField);
+        return row;
+    }
+
+    private static void addField(JPanel row, String key, NumberField field) {
+        JLabel label = new JLabel(Texts.get(key));
+        label.setLabelFor(field.field());
+        row.add(label);
+        row.add(field.field(), "growx");
+    }
+
+    private NumberField field(String key, DoubleConsumer commit) {
+        return new NumberField(Texts.get(key), Texts.get(key), Texts.get(key + "Tip"), note, commit);
+    }
+
+    private static void name(JComponent component, String key) {
+        component.setName(Texts.get(key));
+        component.getAccessibleContext().setAccessibleName(Texts.get(key));
+        component.setToolTipText(Tips.html(Texts.get(key + "Tip")));
+    }
+
+    JComponent component() {
+        return panel;
+    }
+
+    /** Shows the panel for the studio as it is, or hides it. */
+    void setShown(boolean shown) {
+        if (shown && !panel.isVisible()) {
+            updating.during(() -> {
+                properties.removeAllItems();
+                NumberProperty.of(model.studio()).forEach(properties::addItem);
+            });
+            suggestValues();
+        }
+        if (!shown) {
+            setPlaying(false);
+        }
+        panel.setVisible(shown);
+    }
+
+    boolean isShown() {
+        return panel.isVisible();
+    }
+
+    /** Runs a number, if the studio has it. */
+    void run(NumberProperty property) {
+        setShown(true);
+        for (int i = 0; i < properties.getItemCount(); i++) {
+            if (properties.getItemAt(i).name().equals(property.name())) {
+                properties.setSelectedIndex(i);
+                setPlaying(true);
+                return;
+            }
+        }
+        note.setError(Texts.get("play.none", property.name()));
+    }
+
+    /** Values that show something: speeds from rest, times through the scene, other numbers from their value to twice it. */
+    private void suggestValues() {
+        NumberProperty property = property();
+        double now = property.get().applyAsDouble(model.studio());
+        if (property.name().equals(NumberProperty.speed(SpeedScale.BETA).name())) {
+            suggest(0, 0.99);
+        } else if (property.name()
+                .equals(NumberProperty.speed(SpeedScale.RAPIDITY).name())) {
+            suggest(0, 3);
+        } else if (property.name().equals(NumberProperty.openingTime().name())) {
+            Range times = SceneSize.times(model.studio());
+            suggest(times.minimum() / 2, times.maximum() / 2);
+        } else {
+            suggest(now, now == 0 ? 1 : 2 * now);
+        }
+    }
+
+    private void suggest(double first, double last) {
+        from = first;
+        to = last;
+        fromField.show(first);
+        toField.show(last);
+        note.setText("");
+    }
+
+    private NumberProperty property() {
+        return (NumberProperty) properties.getSelectedItem();
+    }
+
+    private Animation animation() {
+        return new Animation(property(), from, to, seconds, (Animation.Course) courses.getSelectedItem());
+    }
+
+    /** Starts or stops the animation. */
+    void setPlaying(boolean playing) {
+        play.setSelected(playing);
+        play.setText(Texts.get(playing ? "play.pause" : "play.play"));
+        if (playing) {
+            time = time >= 1 ? 0 : time;
+            lastTick = System.nanoTime();
+            timer.start();
+        } else {
+            timer.stop();
+            model.endGesture();
+        }
+    }
+
+    boolean isPlaying() {
+        return timer.isRunning();
+    }
+
+    private void tick() {
+        long now = System.nanoTime();
+        double next = time + (now - lastTick) * 1e-9 / seconds;
+        lastTick = now;
+        if (next >= 1 && !loop.isSelected()) {
+            moveTo(1);
+            setPlaying(false);
+        } else {
+            moveTo(next % 1);
+        }
+    }
+
+    private void moveTo(double share) {
+        time = share;
+        Animation animation = animation();
+        try {
+            model.adjust(animation.studio(model.studio(), share), gesture);
+            value.setText(Numbers.brief(animation.value(share)));
+            note.setText("");
+        } catch (InvalidPropertyException wrong) {
+            setPlaying(false);
+            note.setError(wrong.getMessage());
+        } catch (IndexOutOfBoundsException | IllegalArgumentException gone) {
+            setPlaying(false);
+            note.setError(Texts.get("play.gone"));
+        }
+        updating.during(() -> scrubber.setValue((int) Math.round(share * STEPS)));
+    }
+}

@@ -1,0 +1,11 @@
+package tompkins.ui;
+
+/** Where work in the background says how far it is, and asks whether it is still wanted. */
+interface Progress {
+
+    /** The share of the work that is done, from 0 to 1. */
+    void setProgress(double share);
+
+    /** Whether the work is to end early. */
+    boolean isCancelled();
+}

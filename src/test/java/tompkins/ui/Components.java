@@ -1,0 +1,89 @@
+package tompkins.ui;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dimension;
+import java.awt.Window;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.JMenu;
+import javax.swing.JTextField;
+
+/** Finds components by their names, uses them as a hand does, and lays them out without a display. */
+final class Components {
+
+    private static final int ROUNDS = 4;
+
+    private Components() {}
+
+    /** The component of a type that has a name. */
+    static <C extends Component> C find(Container root, Class<C> type, String name) {
+        return all(root)
+                .filter(type::isInstance)
+                .map(type::cast)
+                .filter(component -> name.equals(component.getName()))
+                .findFirst()
+                .orElseThrow(() -> new AssertionError("no " + type.getSimpleName() + " \"" + name + "\" among "
+                        + all(root)
+                                .map(Component::getName)
+                                .filter(each -> each != null)
+                                .toList()));
+    }
+
+    /** All components in a container, with those of its menus and of the windows that it owns. */
+    static Stream<Component> all(Container root) {
+        List<Component> found = new ArrayList<>();
+        collect(root, found);
+        return found.stream();
+    }
+
+    private static void collect(Component component, List<Component> found) {
+        found.add(component);
+        if (component instanceof JMenu menu) {
+            collect(menu.getPopupMenu(), found);
+        }
+        if (component instanceof Container container) {
+            for (Component child : container.getComponents()) {
+                collect(child, found);
+            }
+        }
+        if (component instanceof Window window) {
+            for (Window owned : window.getOwnedWindows()) {
+                collect(owned, found);
+            }
+        }
+    }
+
+    /** Types into a field and presses Enter. */
+    static JTextField enter(Container root, String name, String text) {
+        JTextField field = find(root, JTextField.class, name);
+        field.setText(text);
+        field.postActionEvent();
+        return field;
+    }
+
+    /** Whether a field is marked as wrong. */
+    static boolean isMarked(JTextField field) {
+        return "error".equals(field.getClientProperty("JComponent.outline"));
+    }
+
+    /** Gives a component a width and the height that it wants then; heights of wrapped texts settle in some rounds. */
+    static void layOut(Component component, int width) {
+        for (int round = 0; round < ROUNDS; round++) {
+            component.setSize(new Dimension(width, Math.max(1, component.getPreferredSize().height)));
+            layOut(component);
+        }
+    }
+
+    /** Lays out a component of a given size with all that is in it. */
+    static void layOut(Component component) {
+        component.invalidate();
+        component.doLayout();
+        if (component instanceof Container container) {
+            for (Component child : container.getComponents()) {
+                layOut(child);
+            }
+        }
+    }
+}

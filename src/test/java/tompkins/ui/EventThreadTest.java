@@ -1,0 +1,84 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.AWTEvent;
+import java.awt.EventQueue;
+import java.awt.Point;
+import java.awt.Toolkit;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
+import javax.swing.JSlider;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Drags sliders for ten seconds and reports how long the event thread was busy with one event at most. */
+@Timeout(300)
+class EventThreadTest {
+
+    private static final long DRAG_NANOSECONDS = 10_000_000_000L;
+
+    /** Far above the 16 ms that are the aim: only a window that freezes fails, not a busy computer. */
+    private static final long FROZEN_MILLISECONDS = 1000;
+
+    /** Notes the longest time, by the clock and of the processor, that one event took. */
+    private static final class WatchedQueue extends EventQueue {
+
+        private final AtomicLong longest = new AtomicLong();
+        private final AtomicLong longestProcessor = new AtomicLong();
+
+        @Override
+        protected void dispatchEvent(AWTEvent event) {
+            long start = System.nanoTime();
+            long startProcessor = processorTime();
+            super.dispatchEvent(event);
+            longest.accumulateAndGet(System.nanoTime() - start, Math::max);
+            longestProcessor.accumulateAndGet(processorTime() - startProcessor, Math::max);
+        }
+
+        private static long processorTime() {
+            return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
+        }
+
+        void forget() {
+            longest.set(0);
+            longestProcessor.set(0);
+        }
+    }
+
+    @Test
+    void theEventThreadStaysFreeWhileSlidersAreDragged(@TempDir Path folder, TestReporter reporter) {
+        WindowDriver.requireDisplay();
+        System.setProperty("tompkins.settings", folder.toString());
+        WatchedQueue queue = new WatchedQueue();
+        // it stays: with the end of a pushed queue there would be two event threads for a while
+        WindowDriver.onEventThread(() -> {
+            Toolkit.getDefaultToolkit().getSystemEventQueue().push(queue);
+            return null;
+        });
+        try (WindowDriver driver = new WindowDriver(Studios.lattice(), null, List.of())) {
+            drag(driver, driver.find(JSlider.class, "Speed, slider"));
+            queue.forget();
+            long end = System.nanoTime() + DRAG_NANOSECONDS;
+            while (System.nanoTime() < end) {
+                drag(driver, driver.find(JSlider.class, "Speed, slider"));
+                drag(driver, driver.find(JSlider.class, "Opens at, slider"));
+            }
+            driver.completePicture();
+        }
+        reporter.publishEntry("longest event, ms by the clock", Long.toString(queue.longest.get() / 1_000_000));
+        reporter.publishEntry(
+                "longest event, ms of the processor", Long.toString(queue.longestProcessor.get() / 1_000_000));
+        assertThat(queue.longestProcessor.get() / 1_000_000).isLessThan(FROZEN_MILLISECONDS);
+    }
+
+    private static void drag(WindowDriver driver, JSlider slider) {
+        Point middle = driver.centre(slider);
+        int half = slider.getWidth() / 2 - 10;
+        driver.drag(new Point(middle.x - half, middle.y), new Point(middle.x + half, middle.y), 40);
+    }
+}

@@ -1,0 +1,208 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.FontMetrics;
+import java.awt.Insets;
+import java.awt.Rectangle;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Executors;
+import java.util.stream.Stream;
+import javax.swing.AbstractButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+import javax.swing.JToggleButton;
+import javax.swing.JViewport;
+import javax.swing.text.JTextComponent;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.shutter.Shutter;
+import tompkins.surface.LorentzWindow;
+
+/** Every component lies inside its parent and shows all of its text, at all sizes of type, in all looks, in long words. */
+class LayoutTest {
+
+    private static final Locale LONG_WORDS = new Locale("en", "XA");
+    /** More than a scroll bar takes. */
+    private static final int BAR = 12;
+
+    private static final Locale BEFORE = Locale.getDefault(Locale.Category.DISPLAY);
+
+    private final StudioModel model = new StudioModel(FrontWindow.with(Studios.lattice(), LorentzWindow.DEFAULT), null);
+    private PhotographView view;
+
+    @BeforeAll
+    static void warmUp() {
+        Look.LIGHT.install();
+    }
+
+    @AfterAll
+    static void restore() {
+        Locale.setDefault(Locale.Category.DISPLAY, BEFORE);
+        Look.LIGHT.install();
+    }
+
+    @AfterEach
+    void close() {
+        if (view != null) {
+            view.close();
+        }
+    }
+
+    static Stream<Arguments> looks() {
+        List<Arguments> all = new ArrayList<>();
+        for (Look look : Look.values()) {
+            for (float size : new float[] {1, 1.5f, 2}) {
+                for (Locale locale : List.of(Locale.ENGLISH, LONG_WORDS)) {
+                    all.add(Arguments.of(look, size, locale));
+                }
+            }
+        }
+        return all.stream();
+    }
+
+    private static void use(Look look, float size, Locale locale) {
+        Locale.setDefault(Locale.Category.DISPLAY, locale);
+        look.install(size);
+    }
+
+    private SidePanel sidePanel() {
+        view = new PhotographView(model, new PhotographView.Listener() {
+            @Override
+            public void shown(Picture picture) {}
+
+            @Override
+            public void read(PixelProbe.Reading reading) {}
+
+            @Override
+            public void pinned(PixelProbe.Reading reading) {}
+
+            @Override
+            public void failed(String message) {}
+        });
+        return new SidePanel(model, view);
+    }
+
+    @ParameterizedTest
+    @MethodSource("looks")
+    void sidePanelHasRoomForAll(Look look, float size, Locale locale) {
+        onEventThread(() -> checkSidePanel(look, size, locale));
+    }
+
+    private void checkSidePanel(Look look, float size, Locale locale) {
+        use(look, size, locale);
+        SidePanel side = sidePanel();
+        side.compare().setOther(ComparePanel.Other.OTHER_SHUTTER);
+        JViewport viewport = ((JScrollPane) side.component()).getViewport();
+        Container column = (Container) viewport.getView();
+        Components.all(column)
+                .filter(JToggleButton.class::isInstance)
+                .map(JToggleButton.class::cast)
+                .filter(button -> button.getIcon() != null)
+                .forEach(heading -> heading.setSelected(true));
+        for (Class<?> shutter : Records.records(Shutter.class)) {
+            model.set(Shutters.replaced(model.studio(), shutter));
+            Components.layOut(column, side.width() - BAR);
+            assertThat(problems(column)).as(shutter.getSimpleName()).isEmpty();
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("looks")
+    void playPanelAndEditorHaveRoomForAll(Look look, float size, Locale locale) {
+        onEventThread(() -> checkPlayPanelAndEditor(look, size, locale));
+    }
+
+    private void checkPlayPanelAndEditor(Look look, float size, Locale locale) {
+        use(look, size, locale);
+        PlayPanel play = new PlayPanel(model, (studio, animation) -> {});
+        play.setShown(true);
+        int width = Math.max(play.component().getMinimumSize().width, Look.width(40));
+        Components.layOut(play.component(), width);
+        assertThat(problems(play.component())).isEmpty();
+        JComponent editor = new SceneEditor(model).component();
+        editor.setSize(editor.getPreferredSize());
+        Components.layOut(editor);
+        assertThat(problems(editor)).isEmpty();
+    }
+
+    private static void onEventThread(Runnable check) {
+        WindowDriver.onEventThread(Executors.callable(check));
+    }
+
+    /** What is cut, in words. */
+    private static List<String> problems(Container root) {
+        List<String> problems = new ArrayList<>();
+        check(root, problems);
+        return problems;
+    }
+
+    private static void check(Container parent, List<String> problems) {
+        for (Component child : parent.getComponents()) {
+            if (!child.isVisible() || child.getWidth() == 0 && child.getHeight() == 0) {
+                continue;
+            }
+            boolean scrolls = parent instanceof JViewport;
+            Rectangle inside = new Rectangle(parent.getSize());
+            if (!scrolls && isOutside(child.getBounds(), inside)) {
+                problems.add(name(child) + " " + child.getBounds() + " is not inside " + name(parent) + " " + inside);
+            }
+            if (isCut(child)) {
+                problems.add(name(child) + " is cut: " + child.getSize() + ", wants " + child.getPreferredSize());
+            }
+            // the insides of combo boxes and scroll bars are the look's own business
+            if (child instanceof Container container && !(child instanceof JComboBox)) {
+                check(container, problems);
+            }
+        }
+    }
+
+    private static boolean isOutside(Rectangle child, Rectangle parent) {
+        return child.x < 0 || child.y < 0 || child.getMaxX() > parent.width || child.getMaxY() > parent.height;
+    }
+
+    private static boolean isCut(Component child) {
+        if (child instanceof JTextArea area) {
+            return area.getHeight() + 1 < area.getPreferredSize().height;
+        }
+        if (child instanceof JLabel label && !label.getText().startsWith("<html>")) {
+            return textWidth(label, label.getText()) > innerWidth(label);
+        }
+        if (child instanceof AbstractButton button
+                && button.getText() != null
+                && !button.getText().isEmpty()) {
+            int icon = button.getIcon() == null ? 0 : button.getIcon().getIconWidth();
+            return textWidth(button, button.getText()) + icon > button.getWidth()
+                    || button.getHeight() + 1 < button.getPreferredSize().height;
+        }
+        return child instanceof JTextComponent text && text.getHeight() + 1 < text.getPreferredSize().height;
+    }
+
+    private static int textWidth(JComponent component, String text) {
+        FontMetrics metrics = component.getFontMetrics(component.getFont());
+        return metrics.stringWidth(text);
+    }
+
+    private static int innerWidth(JComponent component) {
+        Insets insets = component.getInsets();
+        return component.getWidth() - insets.left - insets.right;
+    }
+
+    private static String name(Component component) {
+        String text = component instanceof JLabel label
+                ? label.getText()
+                : component instanceof AbstractButton button ? button.getText() : component.getName();
+        return component.getClass().getSimpleName() + " \"" + text + "\"";
+    }
+}

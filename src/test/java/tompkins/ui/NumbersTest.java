@@ -1,0 +1,57 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.property.InvalidPropertyException;
+
+class NumbersTest {
+
+    @ParameterizedTest
+    @CsvSource({"0, 0", "-0.0, 0", "10, 10", "0.97, 0.97", "1e-9, 1e-9", "-2.5e-7, -2.5e-7", "1.5e12, 1.5e12"})
+    void textsAreShortAndExact(double value, String text) {
+        assertThat(Numbers.text(value)).isEqualTo(text);
+        assertThat(Numbers.parse("value", text)).isEqualTo(value + 0.0);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"3.14159265, 3.1416", "100000, 100000", "-0.1, -0.1", "1e-9, 1e-9", "123456789, 1.2346e8", "0, 0"})
+    void briefTextsHaveFiveDigits(double value, String text) {
+        assertThat(Numbers.brief(value)).isEqualTo(text.replace("e8", "e+8"));
+    }
+
+    @Test
+    void infinityHasASign() {
+        assertThat(Numbers.brief(Double.POSITIVE_INFINITY)).isEqualTo("\u221e");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.03, 0.05", "1, 1", "1.01, 2", "12, 20", "49, 50", "51, 100", "99999, 100000"})
+    void endsOfSlidersAreRoundNumbers(double value, double end) {
+        assertThat(Numbers.niceCeiling(value)).isEqualTo(end);
+    }
+
+    @Test
+    void noNumberIsRefused() {
+        assertThatThrownBy(() -> Numbers.parse("radius", "wide"))
+                .isInstanceOf(InvalidPropertyException.class)
+                .hasMessageContaining("radius")
+                .hasMessageContaining("wide");
+    }
+
+    @Test
+    void slidersReachTheirEndsExactlyAndComeBackToTheirPlace() {
+        for (Range range : new Range[] {Range.even(-20, 20), new Range(0, 0.5, 2), new Range(1, 256, 4)}) {
+            assertThat(range.value(0)).isEqualTo(range.minimum());
+            assertThat(range.value(1)).isEqualTo(range.maximum());
+            for (double place = 0; place <= 1; place += 0.125) {
+                assertThat(range.place(range.value(place))).isCloseTo(place, within(0.03));
+            }
+            assertThat(range.place(range.maximum() * 7)).isEqualTo(1);
+        }
+    }
+}

@@ -1,0 +1,230 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.Container;
+import java.awt.Point;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Point2D;
+import java.util.List;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JRadioButton;
+import javax.swing.JSlider;
+import javax.swing.JTextField;
+import javax.swing.JToggleButton;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.camera.PanoramicCamera;
+import tompkins.camera.ThinLensCamera;
+import tompkins.shutter.AperturePlaneShutter;
+import tompkins.shutter.DetectorPlaneShutter;
+import tompkins.shutter.FocusSurfaceShutter;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.surface.GalileoWindow;
+
+/** The parts of the side panel, without a display. */
+class PanelsTest {
+
+    private final StudioModel model = new StudioModel(Studios.lattice(), null);
+
+    @BeforeAll
+    static void look() {
+        Look.LIGHT.install();
+    }
+
+    private Velocity velocity() {
+        return model.studio().velocity();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.97, 0.97", "gamma 10, 0.994987437106620", "1-1e-9, 0.999999999", "rapidity 2, 0.964027580075817"})
+    void typedSpeedsKeepTheDirection(String text, double beta) {
+        Container panel = (Container) new VelocityPanel(model).component();
+        Components.enter(panel, "Speed", text);
+        assertThat(velocity().speed()).isCloseTo(beta, within(1e-15));
+        assertThat(velocity().direction().angle(new Vector3d(0.1, 0, 0.99))).isCloseTo(0, within(1e-7));
+    }
+
+    @Test
+    void theSliderStepsEvenlyInRapidityAndIsExactAtRest() {
+        Container panel = (Container) new VelocityPanel(model).component();
+        JSlider slider = Components.find(panel, JSlider.class, "Speed, slider");
+        slider.setValue(500);
+        assertThat(velocity().rapidity()).isCloseTo(3, within(0.05));
+        slider.setValue(1000);
+        assertThat(velocity().rapidity()).isCloseTo(6, within(0.05));
+        slider.setValue(0);
+        assertThat(velocity().isRest()).isTrue();
+        slider.setValue(500);
+        assertThat(velocity().given())
+                .as("the direction is not forgotten at rest")
+                .isEqualTo(new Vector3d(0.1, 0, 0.99));
+    }
+
+    @Test
+    void theSwitchShowsTheSameSpeedOnAnotherScale() {
+        model.set(model.studio().withVelocity(Velocity.of(SpeedScale.GAMMA, 10, new Vector3d(0, 0, 1))));
+        Container panel = (Container) new VelocityPanel(model).component();
+        Components.find(panel, JToggleButton.class, "Lorentz factor gamma").doClick();
+        JTextField speed = Components.find(panel, JTextField.class, "Speed");
+        assertThat(speed.getText()).isEqualTo("10");
+        Components.enter(panel, "Speed", "20");
+        assertThat(velocity().gamma()).isEqualTo(20);
+    }
+
+    @Test
+    void aSpeedOfLightIsMarked() {
+        Container panel = (Container) new VelocityPanel(model).component();
+        Velocity before = velocity();
+        JTextField speed = Components.enter(panel, "Speed", "1");
+        assertThat(Components.isMarked(speed)).isTrue();
+        assertThat(velocity()).isSameAs(before);
+        model.set(model.studio().withTransformation(TransformationLaw.GALILEAN));
+        assertThat(speed.getText())
+                .as("the wrong entry stays until it is put right")
+                .isEqualTo("1");
+        model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.5)));
+        assertThat(Components.isMarked(speed)).as("another value came").isFalse();
+    }
+
+    @Test
+    void buttonsTurnTheVelocity() {
+        Container panel = (Container) new VelocityPanel(model).component();
+        double speed = velocity().speed();
+        Components.find(panel, JButton.class, "Backwards").doClick();
+        assertThat(velocity().components().z()).isCloseTo(-speed, within(1e-12));
+        Components.find(panel, JButton.class, "Sideways").doClick();
+        assertThat(velocity().components().x()).isCloseTo(speed, within(1e-12));
+        Components.find(panel, JButton.class, "Rest").doClick();
+        assertThat(velocity().isRest()).isTrue();
+        Components.enter(panel, "Direction y", "1");
+        assertThat(velocity().given()).isEqualTo(new Vector3d(1, 1, 0));
+    }
+
+    @Test
+    void theArrowFollowsTheMouse() {
+        Vector3d[] turned = new Vector3d[1];
+        DirectionSphere sphere =
+                new DirectionSphere((direction, gesture) -> turned[0] = new Vector3d(direction), () -> {});
+        sphere.setSize(100, 100);
+        for (Vector3d wanted : List.of(new Vector3d(0, 1, 0), new Vector3d(0.6, 0, 0.8), new Vector3d(0, 0, 1))) {
+            Point2D point = sphere.pointOf(wanted);
+            Point pixel = new Point((int) Math.round(point.getX()), (int) Math.round(point.getY()));
+            Vector3d far = sphere.at(pixel.x, pixel.y, false);
+            Vector3d near = sphere.at(pixel.x, pixel.y, true);
+            assertThat(Math.min(far.angle(wanted), near.angle(wanted))).isLessThan(Math.toRadians(12));
+            sphere.dispatchEvent(new MouseEvent(
+                    sphere, MouseEvent.MOUSE_PRESSED, 0, 0, pixel.x, pixel.y, 1, false, MouseEvent.BUTTON1));
+            assertThat(turned[0].length()).isCloseTo(1, within(0.002));
+            assertThat(turned[0].angle(far)).isCloseTo(0, within(0.003));
+        }
+    }
+
+    @Test
+    void anotherShutterOpensSoThatTheMiddleKeepsItsTime() {
+        Container panel = (Container) new ShutterPanel(model).component();
+        JComboBox<?> models = Components.find(panel, JComboBox.class, "Shutter model");
+        models.setSelectedItem(FocusSurfaceShutter.class);
+        // light from the focus at distance 10 crosses the lens at time 0
+        assertThat(model.studio().camera().shutter()).isEqualTo(new FocusSurfaceShutter(-10));
+        models.setSelectedItem(DetectorPlaneShutter.class);
+        assertThat(model.studio().camera().shutter()).isEqualTo(new DetectorPlaneShutter(1, 1));
+        Components.enter(panel, "Detector distance", "0.5");
+        assertThat(model.studio().camera().shutter()).isEqualTo(new DetectorPlaneShutter(1, 0.5));
+        JTextField wrong = Components.enter(panel, "Detector distance", "0");
+        assertThat(Components.isMarked(wrong)).isTrue();
+        Components.enter(panel, "Opens at", "2");
+        assertThat(model.studio().camera().shutter().openingTime()).isEqualTo(2);
+        models.setSelectedItem(AperturePlaneShutter.class);
+        assertThat(model.studio().camera().shutter().openingTime()).isCloseTo(1.5, within(1e-9));
+    }
+
+    @Test
+    void timesReachThroughTheScene() {
+        assertThat(SceneSize.times(model.studio())).isEqualTo(Range.even(-20, 20));
+    }
+
+    @Test
+    void lensAndFocus() {
+        Container panel = (Container) new LensPanel(model, picking -> {}).component();
+        Components.enter(panel, "Aperture", "0.1");
+        Components.enter(panel, "Focus", "4");
+        Components.enter(panel, "Field of view", "60");
+        Components.enter(panel, "Exposure", "1");
+        Components.enter(panel, "Samples", "16");
+        ThinLensCamera camera = (ThinLensCamera) model.studio().camera();
+        assertThat(camera.apertureRadius()).isEqualTo(0.1);
+        assertThat(Cameras.focusDistance(camera)).isCloseTo(4, within(1e-12));
+        assertThat(camera.horizontalAngleDegrees()).isEqualTo(60);
+        assertThat(camera.exposureStops()).isEqualTo(1);
+        assertThat(model.studio().settings().samples()).isEqualTo(16);
+        assertThat(Components.isMarked(Components.enter(panel, "Aperture", "-1")))
+                .isTrue();
+        assertThat(Components.isMarked(Components.enter(panel, "Field of view", "180")))
+                .isTrue();
+    }
+
+    @Test
+    void aPanoramaHasNoAperture() {
+        model.set(model.studio().withCamera(PanoramicCamera.DEFAULT));
+        Container panel = (Container) new LensPanel(model, picking -> {}).component();
+        assertThat(Components.find(panel, JTextField.class, "Aperture").isEnabled())
+                .isFalse();
+        Components.enter(panel, "Focus", "7");
+        assertThat(((PanoramicCamera) model.studio().camera()).focusDistance()).isEqualTo(7);
+    }
+
+    @Test
+    void theWindowFollowsTheCameraWhileItMatches() {
+        Container panel = (Container) new WindowPanel(model).component();
+        JComboBox<?> kinds = Components.find(panel, JComboBox.class, "Kind of window");
+        kinds.setSelectedIndex(2);
+        assertThat(FrontWindow.of(model.studio())).containsInstanceOf(GalileoWindow.class);
+        JCheckBox match = Components.find(panel, JCheckBox.class, "Match the camera");
+        assertThat(match.isSelected()).isTrue();
+        Components.enter(panel, "Transmission", "1");
+        Components.enter(panel, "Speed", "0.5");
+        assertThat(match.isSelected()).isFalse();
+        match.doClick();
+        assertThat(FrontWindow.matches(model.studio())).isTrue();
+        kinds.setSelectedIndex(0);
+        assertThat(model.studio().cameraFrame()).isEmpty();
+    }
+
+    @Test
+    void theLawIsChosen() {
+        Container panel = (Container) new TransformationPanel(model).component();
+        Components.find(panel, JRadioButton.class, "Galilean (Newton)").doClick();
+        assertThat(model.studio().transformation()).isEqualTo(TransformationLaw.GALILEAN);
+    }
+
+    @Test
+    void comparisonsDifferInOneThing() {
+        ComparePanel panel = new ComparePanel(() -> {}, peeking -> {}, () -> {});
+        Studio now = model.studio();
+        assertThat(panel.otherStudio(now)).isNull();
+        assertThat(panel.view()).isEqualTo(Comparison.NONE);
+        panel.setOther(ComparePanel.Other.AT_REST);
+        assertThat(panel.otherStudio(now)).isEqualTo(now.withVelocity(Velocity.REST));
+        panel.setOther(ComparePanel.Other.GALILEAN_CAMERA);
+        assertThat(panel.otherStudio(now)).isEqualTo(now.withTransformation(TransformationLaw.GALILEAN));
+        Components.find((Container) panel.component(), JComboBox.class, "Shutter to compare with")
+                .setSelectedItem(FocusSurfaceShutter.class);
+        panel.setOther(ComparePanel.Other.OTHER_SHUTTER);
+        assertThat(panel.otherStudio(now))
+                .isEqualTo(now.withCamera(now.camera().withShutter(new FocusSurfaceShutter(-10))));
+        assertThat(panel.view()).isEqualTo(Comparison.SPLIT);
+        Components.find((Container) panel.component(), JRadioButton.class, "Difference")
+                .doClick();
+        assertThat(panel.view()).isEqualTo(Comparison.DIFFERENCE);
+    }
+}

@@ -1,0 +1,104 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.geom.Point2D;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import tompkins.spacetime.Event;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.surface.LorentzWindow;
+import tompkins.trace.RenderPlan;
+
+/** What the probe says is held against closed formulas: aberration, the light cone, Doppler's factor. */
+class PixelProbeTest {
+
+    private static final double BETA = 0.8;
+    private static final double GAMMA = 1 / 0.6;
+
+    private static PixelProbe.Reading read(Studio studio, double x, double y) {
+        return PixelProbe.read(RenderPlan.of(studio), new Point2D.Double(x, y));
+    }
+
+    @Test
+    void atRestBothFramesAgree() {
+        PixelProbe.Reading reading = read(Studios.sphere(), 32, 24);
+        assertThat(reading.object()).isEqualTo("sphere");
+        assertThat(reading.inScene()).isEqualTo(reading.inCamera());
+        assertThat(reading.inScene().z()).isCloseTo(9, within(1e-12));
+        assertThat(reading.inScene().time()).isCloseTo(-9, within(1e-12));
+        assertThat(reading.angleDegrees()).isNaN();
+        assertThat(reading.frequencyRatio()).isEqualTo(1);
+    }
+
+    /** Straight ahead nothing is bent: in the scene the light left at z = 9, t = -9, which is nearer for the camera. */
+    @Test
+    void straightAheadInMotion() {
+        Studio moving = Studios.sphere().withVelocity(Velocity.of(0, 0, BETA));
+        PixelProbe.Reading reading = read(moving, 32, 24);
+        assertThat(reading.inScene().z()).isCloseTo(9, within(1e-12));
+        // z = gamma (z' - beta t'), t = gamma (t' - beta z')
+        assertThat(reading.inCamera().z()).isCloseTo(GAMMA * (9 + BETA * 9), within(1e-12));
+        assertThat(reading.inCamera().time()).isCloseTo(GAMMA * (-9 - BETA * 9), within(1e-12));
+        assertThat(reading.frequencyRatio()).isCloseTo(3, within(1e-12));
+        assertThat(reading.angleDegrees()).isCloseTo(0, within(1e-12));
+    }
+
+    @Test
+    void besideTheAxisTheRayIsBentByAberration() {
+        Studio moving = Studios.sphere().withVelocity(Velocity.of(0, 0, BETA));
+        // a pinhole 20 degrees wide, 64 pixels: the pixel edge 0.7 to the right of the middle
+        double tangent = 0.7 / 32 * Math.tan(Math.toRadians(10));
+        PixelProbe.Reading reading = read(moving, 32.7, 24);
+        double cosine = 1 / Math.hypot(1, tangent);
+        double sceneCosine = (cosine - BETA) / (1 - BETA * cosine);
+        Event event = reading.inScene();
+        double distance = event.position().length();
+        assertThat(event.z() / distance).isCloseTo(sceneCosine, within(1e-12));
+        assertThat(event.position().sub(new Vector3d(0, 0, 10)).length()).isCloseTo(1, within(1e-11));
+        assertThat(event.time()).isCloseTo(-distance, within(1e-12));
+        assertThat(reading.frequencyRatio()).isCloseTo(1 / (GAMMA * (1 - BETA * cosine)), within(1e-12));
+        assertThat(reading.angleDegrees()).isCloseTo(Math.toDegrees(Math.atan(tangent)), within(1e-9));
+        Event camera = reading.inCamera();
+        assertThat(camera.x() / camera.z()).isCloseTo(tangent, within(1e-12));
+        assertThat(camera.position().length()).isCloseTo(-camera.time(), within(1e-11));
+    }
+
+    /** What was picked is sharp: the focus lies at the depth at which the camera sees the point. */
+    @Test
+    void pickedDistanceIsThatOfTheEventInTheCameraFrame() {
+        Studio moving = Studios.sphere().withVelocity(Velocity.of(0, 0, BETA));
+        RenderPlan plan = RenderPlan.of(moving);
+        double depth = PixelProbe.depth(plan, PixelProbe.read(plan, new Point2D.Double(32, 24)));
+        assertThat(depth).isCloseTo(27, within(1e-11));
+        Studio focused = moving.withCamera(Cameras.focusedAt(moving.camera(), depth));
+        assertThat(Cameras.focusDistance(focused.camera())).isCloseTo(27, within(1e-11));
+    }
+
+    @Test
+    void theBackgroundIsNoObject() {
+        PixelProbe.Reading reading = read(Studios.sphere(), 0.5, 0.5);
+        assertThat(reading.object()).isNull();
+        assertThat(reading.inScene()).isNull();
+        assertThat(PixelProbe.story(reading)).contains("background");
+    }
+
+    @Test
+    void theStoryNamesBothFramesAndTheObject() {
+        Studio moving = Studios.sphere().withVelocity(Velocity.of(0, 0, BETA));
+        assertThat(String.join("\n", PixelProbe.story(read(moving, 32, 24))))
+                .contains("Pixel 32, 24", "camera frame at (0, 0, 0; t = 0)", "Hits sphere after 9", "camera/scene 3");
+    }
+
+    @Test
+    void theObjectBehindAWindowIsFound() {
+        Velocity fast = Velocity.of(0, 0, BETA);
+        Studio moving = Studios.sphere().withVelocity(fast);
+        Studio corrected = FrontWindow.with(moving, FrontWindow.withVelocity(LorentzWindow.DEFAULT, fast));
+        PixelProbe.Reading reading = read(corrected, 32, 24);
+        assertThat(reading.object()).isEqualTo("sphere");
+        assertThat(reading.life().hits()).hasSize(2);
+    }
+}

@@ -1,0 +1,116 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import tompkins.render.Renderer;
+import tompkins.sceneobject.Group;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+
+@Timeout(120)
+class RenderControllerTest {
+
+    private final List<Picture> pictures = new CopyOnWriteArrayList<>();
+    private final List<String> failures = new CopyOnWriteArrayList<>();
+    private final RenderController controller = new RenderController(new RenderController.Listener() {
+        @Override
+        public void picture(Picture picture) {
+            pictures.add(picture);
+        }
+
+        @Override
+        public void failed(String message) {
+            failures.add(message);
+        }
+    });
+
+    @AfterEach
+    void close() {
+        controller.close();
+    }
+
+    private static void await(BooleanSupplier condition) throws InterruptedException {
+        while (!condition.getAsBoolean()) {
+            Thread.sleep(5);
+        }
+    }
+
+    private Picture last() {
+        return pictures.get(pictures.size() - 1);
+    }
+
+    @Test
+    void thePictureIsThatOfTheRendererToTheBit() throws InterruptedException {
+        Studio studio = Studios.lattice()
+                .withSettings(Studio.DEFAULT.settings().withSize(160, 120).withSamples(5));
+        controller.show(studio);
+        await(() -> !pictures.isEmpty() && last().complete());
+        try (Renderer renderer = new Renderer(1)) {
+            float[] expected = renderer.render(RenderPlan.of(studio)).image().rgb();
+            assertThat(last().image().rgb()).isEqualTo(expected);
+        }
+        assertThat(controller.progress()).isEqualTo(1);
+    }
+
+    @Test
+    void theNewestChangeWins() throws InterruptedException {
+        Studio studio = Studios.lattice();
+        Studio newest = studio;
+        for (int i = 0; i < 60; i++) {
+            newest = studio.withVelocity(Velocity.of(0, 0, i / 100.0));
+            controller.show(newest);
+            Thread.sleep(3);
+        }
+        Studio expected = newest;
+        await(() -> !pictures.isEmpty() && last().complete() && last().studio().equals(expected));
+        long completed = pictures.stream().filter(Picture::complete).count();
+        assertThat(completed).as("most of the changes were overtaken").isLessThan(40);
+    }
+
+    @Test
+    void aSlowPictureShowsSomethingAndGivesWay() throws InterruptedException {
+        controller.show(Studios.slow());
+        await(() -> !pictures.isEmpty());
+        assertThat(last().complete()).isFalse();
+        controller.show(Studios.sphere());
+        await(() -> last().studio().equals(Studios.sphere()) && last().complete());
+    }
+
+    @Test
+    void stopEndsTheWorkAndKeepsThePicture() throws InterruptedException {
+        controller.show(Studios.slow());
+        await(() -> !pictures.isEmpty());
+        controller.stop();
+        await(() -> !controller.isBusy());
+        int count = pictures.size();
+        Thread.sleep(100);
+        assertThat(pictures).hasSize(count).noneMatch(Picture::complete);
+    }
+
+    @Test
+    void aPictureThatCannotBeMadeIsReportedAndTheNextOneComes() throws InterruptedException {
+        Studio group = Studios.sphere().withScene(List.of(nested()));
+        controller.show(group);
+        await(() -> !failures.isEmpty());
+        controller.show(Studios.sphere());
+        await(() -> !pictures.isEmpty() && last().complete());
+    }
+
+    /** Groups in groups, too deep for any stack. */
+    private static SceneObject nested() {
+        SceneObject object = Sphere.DEFAULT;
+        for (int depth = 0; depth < 1_000_000; depth++) {
+            object = new Group("group", List.of(object));
+        }
+        return object;
+    }
+}

@@ -1,0 +1,111 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Container;
+import java.util.List;
+import javax.swing.JButton;
+import javax.swing.JTree;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.light.LightSource;
+import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Group;
+import tompkins.sceneobject.Hidden;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.studio.Studio;
+
+class SceneEditorTest {
+
+    @BeforeAll
+    static void look() {
+        Look.LIGHT.install();
+    }
+
+    private final StudioModel model = new StudioModel(
+            Studio.DEFAULT.withScene(List.of(Sphere.DEFAULT, new Group("pair", List.of(Box.DEFAULT, Sphere.DEFAULT)))),
+            null);
+    private final SceneEditor editor = new SceneEditor(model);
+    private final Container panel = (Container) editor.component();
+    private final JTree tree = Components.find(panel, JTree.class, "tree");
+
+    /** Rows: studio, scene with sphere and pair, camera frame, lights, camera. */
+    private void choose(String label) {
+        for (int row = 0; row < tree.getRowCount(); row++) {
+            if (tree.getPathForRow(row).getLastPathComponent().toString().equals(label)) {
+                tree.setSelectionRow(row);
+                tree.expandRow(row);
+                return;
+            }
+        }
+        throw new AssertionError("no line " + label);
+    }
+
+    private void press(String button) {
+        Components.find(panel, JButton.class, button).doClick();
+    }
+
+    static List<Class<?>> objects() {
+        return Records.records(SceneObject.class);
+    }
+
+    @ParameterizedTest
+    @MethodSource("objects")
+    void everyKindOfObjectCanBeAdded(Class<?> type) {
+        choose("Scene");
+        editor.addElement(type);
+        assertThat(model.studio().scene()).hasSize(3);
+        assertThat(model.studio().scene().get(2)).isEqualTo(Records.defaultOf(type));
+        assertThat(Components.all(panel).count()).isPositive();
+    }
+
+    @Test
+    void everyKindOfLightCanBeAdded() {
+        for (Class<?> type : Records.records(LightSource.class)) {
+            choose("Lights");
+            editor.addElement(type);
+        }
+        assertThat(model.studio().lights())
+                .hasSize(2 + Records.records(LightSource.class).size());
+    }
+
+    @Test
+    void objectsInGroupsAreReached() {
+        choose("Scene");
+        choose("pair");
+        choose("Objects");
+        choose("box");
+        Components.enter(panel, "Description", "crate");
+        Group pair = (Group) model.studio().scene().get(1);
+        assertThat(pair.objects().get(0).description()).isEqualTo("crate");
+        assertThat(tree.getSelectionPath().getLastPathComponent()).hasToString("crate");
+    }
+
+    @Test
+    void elementsAreDuplicatedMovedHiddenShownAndRemoved() {
+        choose("Scene");
+        choose("sphere");
+        press("Duplicate");
+        assertThat(model.studio().scene()).hasSize(3).element(1).isEqualTo(Sphere.DEFAULT);
+        press("Down");
+        assertThat(model.studio().scene()).element(2).isEqualTo(Sphere.DEFAULT);
+        press("Hide");
+        assertThat(model.studio().scene()).element(2).isEqualTo(new Hidden(Sphere.DEFAULT));
+        press("Hide");
+        assertThat(model.studio().scene()).element(2).isEqualTo(Sphere.DEFAULT);
+        press("Remove");
+        assertThat(model.studio().scene()).hasSize(2).element(1).isInstanceOf(Group.class);
+        model.undo();
+        assertThat(model.studio().scene()).hasSize(3);
+    }
+
+    @Test
+    void theCameraIsATypeToChoose() {
+        choose("Camera");
+        Components.enter(panel, "Aperture radius", "0.25");
+        assertThat(Cameras.apertureRadius(model.studio().camera())).contains(0.25);
+    }
+}

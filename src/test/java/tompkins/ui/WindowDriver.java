@@ -1,0 +1,200 @@
+package tompkins.ui;
+
+import java.awt.AWTException;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.KeyboardFocusManager;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.lang.reflect.InvocationTargetException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.function.BooleanSupplier;
+import javax.swing.JComponent;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.Assumptions;
+import tompkins.studio.Studio;
+
+/** Uses a real window as a person does, with mouse and keys. */
+final class WindowDriver implements AutoCloseable {
+
+    private static final long LONGEST_WAIT_SECONDS = 60;
+
+    private final Robot robot;
+    private final TompkinsWindow window;
+
+    WindowDriver(Studio studio, Path file, List<Studio> examples) {
+        try {
+            robot = new Robot();
+        } catch (AWTException e) {
+            throw new IllegalStateException(e);
+        }
+        robot.setAutoDelay(8);
+        window = onEventThread(() -> TompkinsWindow.opened(
+                studio, file, () -> examples, (now, opened, from) -> Optional.of("tompkins render " + from)));
+        await("a picture on the screen", () -> picture() != null);
+    }
+
+    /** Skips a test that needs a display where there is none; fails it where one is required. */
+    static void requireDisplay() {
+        if (Displays.usable()) {
+            return;
+        }
+        String how = "no display: run  xvfb-run -a -s \"-screen 0 1600x1000x24\" mvn test -Dtompkins.display=required";
+        if ("required".equals(System.getProperty("tompkins.display"))) {
+            throw new AssertionError(how);
+        }
+        Assumptions.abort(how);
+    }
+
+    static <T> T onEventThread(Callable<T> call) {
+        FutureTask<T> task = new FutureTask<>(call);
+        try {
+            SwingUtilities.invokeAndWait(task);
+            return task.get();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException(e);
+        } catch (InvocationTargetException | ExecutionException e) {
+            throw new AssertionError(e.getCause());
+        }
+    }
+
+    static void await(String what, BooleanSupplier condition) {
+        long end = System.nanoTime() + LONGEST_WAIT_SECONDS * 1_000_000_000L;
+        while (!onEventThread(condition::getAsBoolean)) {
+            if (System.nanoTime() > end) {
+                throw new AssertionError("waited in vain for " + what);
+            }
+            try {
+                Thread.sleep(10);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+                throw new IllegalStateException(e);
+            }
+        }
+    }
+
+    TompkinsWindow window() {
+        return window;
+    }
+
+    Studio studio() {
+        return onEventThread(() -> window.model().studio());
+    }
+
+    Picture picture() {
+        return window.view().canvas().shown().now();
+    }
+
+    /** Waits until the picture of the current studio is complete on the screen. */
+    Picture completePicture() {
+        await(
+                "the complete picture",
+                () -> picture() != null
+                        && picture().complete()
+                        && picture().studio().equals(window.model().studio()));
+        return picture();
+    }
+
+    <C extends Component> C find(Class<C> type, String name) {
+        return onEventThread(() -> Components.find(window.frame(), type, name));
+    }
+
+    /** Makes a component visible in its scroll pane, and gives its centre on the screen. */
+    Point centre(JComponent component) {
+        onEventThread(() -> {
+            component.scrollRectToVisible(new Rectangle(component.getSize()));
+            return null;
+        });
+        robot.waitForIdle();
+        return onEventThread(() -> {
+            Point corner = component.getLocationOnScreen();
+            Dimension size = component.getSize();
+            return new Point(corner.x + size.width / 2, corner.y + size.height / 2);
+        });
+    }
+
+    void click(JComponent component) {
+        click(centre(component));
+    }
+
+    void click(Point point) {
+        robot.mouseMove(point.x, point.y);
+        press(InputEvent.BUTTON1_DOWN_MASK);
+    }
+
+    private void press(int button) {
+        robot.mousePress(button);
+        robot.mouseRelease(button);
+        robot.waitForIdle();
+    }
+
+    void move(Point point) {
+        robot.mouseMove(point.x - 1, point.y);
+        robot.mouseMove(point.x, point.y);
+        robot.waitForIdle();
+    }
+
+    /** Drags in steps. */
+    void drag(Point from, Point to, int steps) {
+        robot.mouseMove(from.x, from.y);
+        robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+        for (int i = 1; i <= steps; i++) {
+            robot.mouseMove(from.x + (to.x - from.x) * i / steps, from.y + (to.y - from.y) * i / steps);
+        }
+        robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        robot.waitForIdle();
+    }
+
+    /** Presses a key with modifiers. */
+    void key(int code, int... modifiers) {
+        for (int modifier : modifiers) {
+            robot.keyPress(modifier);
+        }
+        robot.keyPress(code);
+        robot.keyRelease(code);
+        for (int modifier : modifiers) {
+            robot.keyRelease(modifier);
+        }
+        robot.waitForIdle();
+    }
+
+    void hold(int code) {
+        robot.keyPress(code);
+        robot.waitForIdle();
+    }
+
+    void release(int code) {
+        robot.keyRelease(code);
+        robot.waitForIdle();
+    }
+
+    /** Clicks into a field, replaces its text by digits, points and minus signs, and presses Enter. */
+    void type(JComponent field, String text) {
+        click(field);
+        await(
+                "the focus",
+                () -> KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner() == field);
+        key(KeyEvent.VK_A, KeyEvent.VK_CONTROL);
+        for (char letter : text.toCharArray()) {
+            key(KeyEvent.getExtendedKeyCodeForChar(letter));
+        }
+        key(KeyEvent.VK_ENTER);
+    }
+
+    @Override
+    public void close() {
+        onEventThread(() -> {
+            window.frame().dispose();
+            return null;
+        });
+    }
+}

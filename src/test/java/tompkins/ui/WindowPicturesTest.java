@@ -1,0 +1,136 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageWriter;
+import javax.imageio.stream.ImageOutputStream;
+import javax.swing.AbstractButton;
+import javax.swing.JComboBox;
+import javax.swing.JMenuItem;
+import javax.swing.JTextField;
+import javax.swing.JToggleButton;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import tompkins.io.StudioReader;
+import tompkins.studio.Studio;
+
+/**
+ * The pictures of the window in {@code docs/pictures}: with {@code -Dtompkins.regenerate=true} and a display they are taken
+ * again; without, they must be there and small.
+ */
+@Timeout(300)
+class WindowPicturesTest {
+
+    private static final Path BASE = Path.of(System.getProperty("basedir", ""));
+    private static final long LARGEST = 250_000;
+
+    /** The pictures. */
+    enum Shot {
+        DEFAULT("fig1b"),
+        DARK("fig1b"),
+        PROJECTOR("fig1b"),
+        WIDE_APERTURE("fig3a"),
+        SPLIT("fig1b"),
+        ERROR("fig1b");
+
+        private final String scene;
+
+        Shot(String scene) {
+            this.scene = scene;
+        }
+
+        Path file() {
+            return BASE.resolve(
+                    "docs/pictures/window-" + name().toLowerCase(Locale.ROOT).replace('_', '-') + ".png");
+        }
+    }
+
+    @TempDir
+    private Path folder;
+
+    @ParameterizedTest
+    @EnumSource
+    void pictureIsThereAndSmall(Shot shot) throws Exception {
+        if (Boolean.getBoolean("tompkins.regenerate")) {
+            WindowDriver.requireDisplay();
+            take(shot);
+        }
+        assertThat(shot.file()).exists();
+        assertThat(Files.size(shot.file())).isLessThan(LARGEST);
+    }
+
+    private void take(Shot shot) throws Exception {
+        System.setProperty("tompkins.settings", folder.toString());
+        Studio studio = StudioReader.read(BASE.resolve("scenes/" + shot.scene + ".json"));
+        if (shot == Shot.WIDE_APERTURE) {
+            // without noise, which would make a large file
+            studio = studio.withSettings(studio.settings().withSize(320, 240).withSamples(400));
+        }
+        try (WindowDriver driver = new WindowDriver(studio, null, List.of())) {
+            arrange(shot, driver);
+            driver.completePicture();
+            Thread.sleep(500);
+            Rectangle bounds =
+                    WindowDriver.onEventThread(() -> driver.window().frame().getBounds());
+            write(new Robot().createScreenCapture(bounds), shot.file());
+        }
+    }
+
+    private static void arrange(Shot shot, WindowDriver driver) {
+        switch (shot) {
+            case DARK, PROJECTOR -> press(driver, JMenuItem.class, "look." + shot.name());
+            case SPLIT -> {
+                press(driver, JToggleButton.class, "Shutter");
+                press(driver, JToggleButton.class, "Lens");
+                press(driver, JToggleButton.class, "Compare");
+                press(driver, JToggleButton.class, "What this picture models");
+                JComboBox<?> other = driver.find(JComboBox.class, "Compare with");
+                WindowDriver.onEventThread(() -> {
+                    other.setSelectedItem(ComparePanel.Other.AT_REST);
+                    return null;
+                });
+                WindowDriver.await(
+                        "the other picture",
+                        () -> driver.window().view().canvas().shown().other() != null
+                                && driver.window()
+                                        .view()
+                                        .canvas()
+                                        .shown()
+                                        .other()
+                                        .complete());
+            }
+            case ERROR -> driver.type(driver.find(JTextField.class, "Speed"), "1.2");
+            default -> {}
+        }
+    }
+
+    private static void press(WindowDriver driver, Class<? extends AbstractButton> type, String name) {
+        AbstractButton button = driver.find(type, name);
+        WindowDriver.onEventThread(() -> {
+            button.doClick();
+            return null;
+        });
+    }
+
+    private static void write(BufferedImage picture, Path file) throws IOException {
+        Files.createDirectories(file.getParent());
+        ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
+        try (ImageOutputStream out = ImageIO.createImageOutputStream(Files.newOutputStream(file))) {
+            writer.setOutput(out);
+            writer.write(picture);
+        } finally {
+            writer.dispose();
+        }
+    }
+}

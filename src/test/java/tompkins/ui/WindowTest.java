@@ -1,0 +1,318 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Toolkit;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.AbstractButton;
+import javax.swing.JComboBox;
+import javax.swing.JFileChooser;
+import javax.swing.JLabel;
+import javax.swing.JMenuItem;
+import javax.swing.JRadioButton;
+import javax.swing.JSlider;
+import javax.swing.JTextArea;
+import javax.swing.JTextField;
+import javax.swing.JToggleButton;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import tompkins.image.PhotographFile;
+import tompkins.io.StudioReader;
+import tompkins.io.StudioWriter;
+import tompkins.render.Renderer;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+
+/** The real window, used with mouse and keys. */
+@Timeout(600)
+class WindowTest {
+
+    private static final Path SCENES = Path.of(System.getProperty("basedir", ""), "scenes");
+
+    @TempDir
+    private Path folder;
+
+    private WindowDriver driver;
+
+    @BeforeEach
+    void open() throws IOException {
+        WindowDriver.requireDisplay();
+        System.setProperty("tompkins.settings", folder.toString());
+        Path file = folder.resolve("lattice.json");
+        Studio studio = Studios.lattice().withSettings(Studio.DEFAULT.settings().withSize(320, 240));
+        StudioWriter.save(studio, file);
+        driver = new WindowDriver(studio, file, examples());
+    }
+
+    @AfterEach
+    void close() {
+        if (driver != null) {
+            driver.close();
+        }
+    }
+
+    /** The scenes of the project, small, so that they are quick. */
+    private static List<Studio> examples() throws IOException {
+        try (Stream<Path> files = Files.list(SCENES)) {
+            return files.filter(file -> file.toString().endsWith(".json"))
+                    .sorted()
+                    .map(StudioReader::read)
+                    .map(studio -> studio.withSettings(
+                            studio.settings().withSize(48, 36).withSamples(1)))
+                    .toList();
+        }
+    }
+
+    private void menu(String item) {
+        AbstractButton button = driver.find(JMenuItem.class, item);
+        WindowDriver.onEventThread(() -> {
+            SwingUtilities.invokeLater(button::doClick);
+            return null;
+        });
+    }
+
+    @Test
+    void startsWithThePictureOfTheScene() throws InterruptedException {
+        Picture picture = driver.completePicture();
+        try (Renderer renderer = new Renderer(1)) {
+            float[] expected =
+                    renderer.render(RenderPlan.of(driver.studio())).image().rgb();
+            assertThat(picture.image().rgb()).isEqualTo(expected);
+        }
+        assertThat(driver.window().frame().getTitle()).isEqualTo("Untitled \u2013 Tompkins");
+    }
+
+    @Test
+    void draggingTheSpeedSliderChangesTheSpeedInOneStep() {
+        JSlider slider = driver.find(JSlider.class, "Speed, slider");
+        Velocity before = driver.studio().velocity();
+        Point middle = driver.centre(slider);
+        int left = WindowDriver.onEventThread(() -> slider.getLocationOnScreen().x);
+        double share = before.rapidity() / 6;
+        int knob = left + 8 + (int) (share * (slider.getWidth() - 16));
+        driver.drag(new Point(knob, middle.y), new Point(left - 20, middle.y), 30);
+        assertThat(driver.studio().velocity().isRest())
+                .as("exactly at rest at the left end")
+                .isTrue();
+        assertThat(driver.completePicture().plan().isAtRest()).isTrue();
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(driver.studio().velocity()).isEqualTo(before);
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
+        assertThat(driver.studio().velocity().isRest()).isTrue();
+    }
+
+    @Test
+    void aTypedTimeIsTaken() {
+        driver.type(driver.find(JTextField.class, "Opens at"), "-2.5");
+        assertThat(driver.studio().camera().shutter().openingTime()).isEqualTo(-2.5);
+        assertThat(driver.completePicture().studio()).isEqualTo(driver.studio());
+    }
+
+    @Test
+    void aWrongValueIsMarkedAndTheLastPictureStays() {
+        Picture before = driver.completePicture();
+        JTextField speed = driver.find(JTextField.class, "Speed");
+        driver.type(speed, "1.2");
+        assertThat(Components.isMarked(speed)).isTrue();
+        assertThat(driver.picture()).isSameAs(before);
+        driver.type(speed, "0.5");
+        assertThat(Components.isMarked(speed)).isFalse();
+        assertThat(driver.studio().velocity().speed()).isEqualTo(0.5);
+    }
+
+    @Test
+    void everyShutterCanBeChosen() {
+        JComboBox<?> models = driver.find(JComboBox.class, "Shutter model");
+        driver.click(models);
+        driver.key(KeyEvent.VK_HOME);
+        driver.key(KeyEvent.VK_ENTER);
+        for (int i = 0; i < models.getItemCount(); i++) {
+            Class<?> model = (Class<?>) models.getItemAt(i);
+            int index = i;
+            WindowDriver.onEventThread(() -> {
+                models.setSelectedIndex(index);
+                return null;
+            });
+            assertThat(driver.studio().camera().shutter()).isInstanceOf(model);
+            driver.completePicture();
+        }
+    }
+
+    @Test
+    void everyExampleOpens() throws IOException {
+        List<Studio> examples = examples();
+        WindowDriver.await(
+                "the examples",
+                () -> Components.all(driver.window().frame())
+                        .anyMatch(item -> examples.get(0).title().equals(item.getName())));
+        for (Studio example : examples) {
+            menu(example.title());
+            WindowDriver.await(
+                    example.title(), () -> driver.window().model().studio().equals(example));
+            driver.completePicture();
+        }
+    }
+
+    @Test
+    void theMouseReadsPixelsAndAClickPinsOne() {
+        driver.completePicture();
+        PictureCanvas canvas = driver.find(PictureCanvas.class, "picture");
+        Point middle = driver.centre(canvas);
+        driver.move(middle);
+        JLabel what = driver.find(JLabel.class, "status.what");
+        WindowDriver.await("the reading", () -> what.getText().startsWith("Pixel 160, 120"));
+        assertThat(what.getText()).contains("to the velocity").contains("frequency camera/scene");
+        driver.click(middle);
+        WindowDriver.await(
+                "the pinned ray",
+                () -> Components.find(driver.window().frame(), JTextArea.class, "ray.story")
+                        .getText()
+                        .contains("Pixel 160, 120"));
+    }
+
+    @Test
+    void thePictureIsSplitByADividerThatCanBeDragged() {
+        driver.completePicture();
+        JComboBox<?> other = driver.find(JComboBox.class, "Compare with");
+        driver.click(driver.find(JToggleButton.class, "Compare"));
+        WindowDriver.onEventThread(() -> {
+            other.setSelectedItem(ComparePanel.Other.AT_REST);
+            return null;
+        });
+        PictureCanvas canvas = driver.find(PictureCanvas.class, "picture");
+        WindowDriver.await(
+                "the other picture",
+                () -> canvas.shown().other() != null && canvas.shown().other().complete());
+        assertThat(canvas.shown().other().plan().isAtRest()).isTrue();
+        Rectangle bounds = WindowDriver.onEventThread(canvas::pictureBounds);
+        Point corner = WindowDriver.onEventThread(canvas::getLocationOnScreen);
+        Point divider = new Point(corner.x + bounds.x + bounds.width / 2, corner.y + bounds.y + bounds.height / 2);
+        driver.drag(divider, new Point(divider.x - bounds.width / 4, divider.y), 10);
+        assertThat(canvas.divider()).isCloseTo(0.25, within(0.02));
+        driver.hold(KeyEvent.VK_F8);
+        driver.release(KeyEvent.VK_F8);
+        WindowDriver.onEventThread(() -> {
+            Components.find(driver.window().frame(), JRadioButton.class, "Difference")
+                    .doClick();
+            return null;
+        });
+        WindowDriver.await("the difference", () -> canvas.shown().difference() != null);
+    }
+
+    @Test
+    void whatWasSavedOpensAndGivesTheSameBytes() throws InterruptedException {
+        driver.type(driver.find(JTextField.class, "Speed"), "0.9");
+        float[] before = driver.completePicture().image().rgb();
+        driver.key(KeyEvent.VK_S, KeyEvent.VK_CONTROL);
+        WindowDriver.await("the saved file", () -> !driver.window().model().isModified());
+        Studio read = StudioReader.read(folder.resolve("lattice.json"));
+        assertThat(read).isEqualTo(driver.studio());
+        try (Renderer renderer = new Renderer(2)) {
+            assertThat(renderer.render(RenderPlan.of(read)).image().rgb()).isEqualTo(before);
+        }
+    }
+
+    @Test
+    void thePhotographIsSavedWithItsScene() throws IOException {
+        driver.completePicture();
+        driver.key(KeyEvent.VK_P, KeyEvent.VK_CONTROL);
+        WindowDriver.await(
+                "the file chooser",
+                () -> Components.all(driver.window().frame()).anyMatch(JFileChooser.class::isInstance));
+        Path file = folder.resolve("photograph.png");
+        JFileChooser chooser = driver.find(JFileChooser.class, "chooser");
+        WindowDriver.onEventThread(() -> {
+            chooser.setSelectedFile(file.toFile());
+            SwingUtilities.invokeLater(chooser::approveSelection);
+            return null;
+        });
+        JLabel what = driver.find(JLabel.class, "status.what");
+        WindowDriver.await("the photograph", () -> what.getText().startsWith("Saved"));
+        String scene = PhotographFile.readScene(file).orElseThrow();
+        assertThat(StudioReader.read(scene, "photograph", folder)).isEqualTo(driver.studio());
+        assertThat(new File(file.toString())).isNotEmpty();
+    }
+
+    @Test
+    void pictureAndCommandLineGoToTheClipboard() throws Exception {
+        Picture picture = driver.completePicture();
+        driver.key(KeyEvent.VK_C, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
+        BufferedImage copy =
+                (BufferedImage) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.imageFlavor);
+        assertThat(copy.getWidth()).isEqualTo(320);
+        assertThat(copy.getRGB(160, 120))
+                .isEqualTo(ScreenPicture.levels(picture).getRGB(160, 120));
+        driver.key(KeyEvent.VK_L, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
+        assertThat(Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor))
+                .isEqualTo("tompkins render " + folder.resolve("lattice.json"));
+    }
+
+    @Test
+    void escapeEndsASlowPicture() {
+        showSlowPicture();
+        driver.click(driver.find(PictureCanvas.class, "picture"));
+        driver.key(KeyEvent.VK_ESCAPE);
+        WindowDriver.await(
+                "the end of the work",
+                () -> !driver.window().view().controller().isBusy());
+        assertThat(driver.picture().complete()).isFalse();
+    }
+
+    @Test
+    void closingEndsTheThreadsOfASlowPicture() throws InterruptedException {
+        showSlowPicture();
+        driver.close();
+        driver = null;
+        long end = System.nanoTime() + 20_000_000_000L;
+        while (System.nanoTime() < end && ownThreads().findAny().isPresent()) {
+            Thread.sleep(20);
+        }
+        assertThat(ownThreads().map(Thread::getName)).isEmpty();
+    }
+
+    private void showSlowPicture() {
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().set(Studios.slow());
+            return null;
+        });
+        WindowDriver.await("the slow picture", () -> driver.picture().studio().equals(Studios.slow()));
+    }
+
+    private static Stream<Thread> ownThreads() {
+        return Thread.getAllStackTraces().keySet().stream()
+                .filter(Thread::isAlive)
+                .filter(thread -> thread.getName().startsWith("tompkins-"));
+    }
+
+    @Test
+    void playRunsTheSpeed() {
+        driver.completePicture();
+        menu("menu.playSpeed");
+        double before = driver.studio().velocity().speed();
+        WindowDriver.await(
+                "another speed",
+                () -> Math.abs(driver.window().model().studio().velocity().speed() - before) > 0.05);
+        driver.key(KeyEvent.VK_F9);
+        Studio paused = driver.studio();
+        driver.completePicture();
+        assertThat(driver.studio()).isEqualTo(paused);
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(driver.studio().velocity().speed()).as("one step").isCloseTo(before, within(1e-12));
+    }
+}
