@@ -20,7 +20,7 @@ final class NumberField {
     NumberField(String property, String name, String tip, Note note, DoubleConsumer commit) {
         this.commit = commit;
         entry = new EntryField(name, tip, note, text -> commit.accept(Numbers.parse(property, text)));
-        entry.field().setColumns(5);
+        entry.field().setColumns(6);
         step("UP", 1);
         step("DOWN", -1);
         step("shift UP", 10);
