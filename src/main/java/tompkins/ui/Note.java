@@ -5,6 +5,7 @@ import javax.swing.JComponent;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
+import javax.swing.text.DefaultCaret;
 
 /** A line of explanation or a message beneath a field, as high as its text needs. */
 final class Note {
@@ -15,6 +16,8 @@ final class Note {
             super.updateUI();
             setFont(UIManager.getFont("small.font"));
             setBorder(null);
+            // a text that nobody edits has no use for a caret that follows it
+            ((DefaultCaret) getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
             setOpaque(false);
             setDisabledTextColor(colour());
             setForeground(colour());
