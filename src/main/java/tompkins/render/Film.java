@@ -17,13 +17,17 @@ final class Film {
     /** The sums when a pixel had half of its samples: as many as the greatest power of two below their number. */
     private final float[] halfSums;
 
-    /** A film; one that will get only one sample of each pixel has nothing to compare. */
-    Film(int width, int height, boolean oneSample) {
+    /**
+     * A film.
+     *
+     * @param comparesHalves whether it can tell the variance of pixels with several samples, for twice the memory
+     */
+    Film(int width, int height, boolean comparesHalves) {
         this.width = width;
         this.height = height;
         sums = new float[Math.multiplyExact(3, width * height)];
         samples = new int[width * height];
-        halfSums = oneSample ? null : new float[sums.length];
+        halfSums = comparesHalves ? new float[sums.length] : null;
     }
 
     int width() {
@@ -37,13 +41,18 @@ final class Film {
     void add(int column, int row, Colour colour) {
         int pixel = row * width + column;
         int count = samples[pixel];
-        if (count > 0 && (count & (count - 1)) == 0) {
+        if (halfSums != null && count > 0 && (count & (count - 1)) == 0) {
             System.arraycopy(sums, 3 * pixel, halfSums, 3 * pixel, 3);
         }
         sums[3 * pixel] += (float) colour.red();
         sums[3 * pixel + 1] += (float) colour.green();
         sums[3 * pixel + 2] += (float) colour.blue();
         samples[pixel]++;
+    }
+
+    /** Whether {@link #halvesVariance} can be asked. */
+    boolean comparesHalves() {
+        return halfSums != null;
     }
 
     /** Takes the samples of a pixel away. */

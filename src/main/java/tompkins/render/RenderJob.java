@@ -263,7 +263,9 @@ public final class RenderJob {
     }
 
     private double estimatedError() {
-        if (plan.studio().camera().hasWideLens() && film.samples(0) == 1) {
+        boolean blurUnknown = plan.studio().camera().hasWideLens() && film.samples(0) == 1;
+        boolean varianceUnknown = film.samples(0) > 1 && !film.comparesHalves();
+        if (blurUnknown || varianceUnknown) {
             return Double.NaN;
         }
         return plan.exposure() * new Roughness(film).rootMeanSquare();

@@ -16,6 +16,9 @@ public final class Renderer implements AutoCloseable {
     /** Enough for the deepest recursion that surfaces ask for. */
     private static final long STACK_BYTES = 16 << 20;
 
+    /** Larger pictures with a fixed number of samples come without an estimate of their error. */
+    private static final long MOST_PIXELS_WITH_ESTIMATE = 4_000_000;
+
     private final int threads;
     private final ExecutorService pool;
     private final Set<RenderJob> jobs = ConcurrentHashMap.newKeySet();
@@ -65,8 +68,7 @@ public final class Renderer implements AutoCloseable {
 
     /** Starts some tiles of a picture. */
     RenderJob start(RenderPlan plan, Quality quality, boolean coarseFirst, List<Tile> tiles, RenderListener listener) {
-        boolean oneSample = quality instanceof Quality.Samples fixed && fixed.samples() == 1;
-        Film film = new Film(plan.width(), plan.height(), oneSample);
+        Film film = new Film(plan.width(), plan.height(), needsHalves(plan, quality));
         Schedule schedule = schedule(plan, quality, coarseFirst);
         RenderJob job = new RenderJob(plan, schedule, film, tiles, threads, listener, jobs::remove);
         jobs.add(job);
@@ -81,6 +83,15 @@ public final class Renderer implements AutoCloseable {
             throw new IllegalStateException("the renderer is closed", closed);
         }
         return job;
+    }
+
+    /**
+     * Whether the film has to compare halves of a pixel's samples: not for a single sample, and not for the error estimate
+     * alone where the picture is so large that memory matters more.
+     */
+    private static boolean needsHalves(RenderPlan plan, Quality quality) {
+        return !(quality instanceof Quality.Samples fixed)
+                || (fixed.samples() > 1 && (long) plan.width() * plan.height() <= MOST_PIXELS_WITH_ESTIMATE);
     }
 
     private static Schedule schedule(RenderPlan plan, Quality quality, boolean coarseFirst) {

@@ -10,7 +10,7 @@ class FilmTest {
 
     @Test
     void aPixelIsTheMeanOfItsSamplesTimesTheExposure() {
-        Film film = new Film(3, 2, false);
+        Film film = new Film(3, 2, true);
         film.add(1, 1, new Colour(0.25, 0.5, 1));
         film.add(1, 1, new Colour(0.75, 0, 3));
 
@@ -23,7 +23,7 @@ class FilmTest {
 
     @Test
     void withoutSamplesAPixelIsBlack() {
-        LinearImage image = new Film(2, 2, false).image(1);
+        LinearImage image = new Film(2, 2, true).image(1);
 
         assertThat(image.value(1, 1, 0) + image.value(1, 0, 1) + image.value(0, 1, 2))
                 .isZero();
@@ -31,7 +31,7 @@ class FilmTest {
 
     @Test
     void aPixelWithoutSampleShowsTheNearestCoarseOne() {
-        Film film = new Film(20, 20, false);
+        Film film = new Film(20, 20, true);
         film.add(0, 0, Colour.grey(1));
         film.add(8, 0, Colour.grey(2));
         film.add(8, 8, Colour.grey(3));

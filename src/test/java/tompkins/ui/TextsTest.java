@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.ResourceBundle;
 import java.util.Set;
 import java.util.TreeSet;
@@ -43,7 +44,8 @@ class TextsTest {
             for (Path file : files.toList()) {
                 Matcher matcher = use.matcher(Files.readString(file));
                 while (matcher.find()) {
-                    if (!ResourceBundle.getBundle("tompkins.ui.Labels").containsKey(matcher.group(1))) {
+                    if (!ResourceBundle.getBundle("tompkins.ui.Labels", Locale.ROOT)
+                            .containsKey(matcher.group(1))) {
                         missing.add(file.getFileName() + ": " + matcher.group(1));
                     }
                 }
@@ -55,7 +57,7 @@ class TextsTest {
     @Test
     void noTextIsLeftOver() throws IOException {
         Set<String> literals = literals();
-        List<String> unused = ResourceBundle.getBundle("tompkins.ui.Labels").keySet().stream()
+        List<String> unused = ResourceBundle.getBundle("tompkins.ui.Labels", Locale.ROOT).keySet().stream()
                 .filter(key -> !literals.contains(key))
                 .filter(key -> !literals.contains(key.replaceAll("Tip$", "")))
                 .filter(key -> literals.stream().noneMatch(start -> start.endsWith(".") && key.startsWith(start)))
