@@ -23,6 +23,9 @@ public final class LightGrid {
     /** More primitives than this are left to the tree: the grid would be large, and a cell long. */
     private static final int MOST_PRIMITIVES = 20_000;
 
+    /** With more primitives than this in the mean cell the tree is faster. */
+    private static final int MOST_IN_MEAN_CELL = 8;
+
     private static final Primitive[] NONE = {};
 
     private final double x;
@@ -50,6 +53,8 @@ public final class LightGrid {
     private final double forwardZ;
 
     private final Primitive[] everywhere;
+    private final boolean complete;
+    private int entries;
     private final Primitive[][] cells = new Primitive[SIDE * SIDE][];
 
     private LightGrid(Vector3dc position, Vector3dc forward, ObjectTree objects, double[] extent) {
@@ -75,7 +80,7 @@ public final class LightGrid {
         forwardY = forward.y();
         forwardZ = forward.z();
         everywhere = objects.unbounded().toArray(Primitive[]::new);
-        fill(0, 0, DEPTH, objects.bounded());
+        complete = fill(0, 0, DEPTH, objects.bounded());
     }
 
     /**
@@ -98,7 +103,11 @@ public final class LightGrid {
         }
         Vector3d forward = Vectors.unit(toCentre);
         double[] extent = extent(all, position, forward);
-        return extent == null ? null : new LightGrid(position, forward, objects, extent);
+        if (extent == null) {
+            return null;
+        }
+        LightGrid grid = new LightGrid(position, forward, objects, extent);
+        return grid.complete ? grid : null;
     }
 
     /** Range of the slopes to the right and up under which a box is seen; null if it reaches beside or behind the lamp. */
@@ -126,14 +135,15 @@ public final class LightGrid {
         return extent;
     }
 
-    /** Hands primitives down to the quarters of a square of cells that they can be seen in. */
-    private void fill(int column, int row, int depth, List<Primitive> primitives) {
+    /** Hands primitives down to the quarters of a square of cells that they can be seen in; false if they are too many. */
+    private boolean fill(int column, int row, int depth, List<Primitive> primitives) {
         if (primitives.isEmpty()) {
-            return;
+            return true;
         }
         if (depth == 0) {
             cells[row * SIDE + column] = primitives.toArray(Primitive[]::new);
-            return;
+            entries += primitives.size();
+            return entries <= MOST_IN_MEAN_CELL * cells.length;
         }
         int half = 1 << (depth - 1);
         for (int quarter = 0; quarter < 4; quarter++) {
@@ -145,8 +155,11 @@ public final class LightGrid {
                     seen.add(primitive);
                 }
             }
-            fill(first, lowest, depth - 1, seen);
+            if (!fill(first, lowest, depth - 1, seen)) {
+                return false;
+            }
         }
+        return true;
     }
 
     private boolean isSeen(Primitive primitive, int column, int row, int side) {
