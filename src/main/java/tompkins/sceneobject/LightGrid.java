@@ -24,7 +24,7 @@ public final class LightGrid {
     private static final int MOST_PRIMITIVES = 20_000;
 
     /** With more primitives than this in the mean cell the tree is faster. */
-    private static final int MOST_IN_MEAN_CELL = 8;
+    private static final int MOST_IN_MEAN_CELL = 24;
 
     private static final Primitive[] NONE = {};
 
