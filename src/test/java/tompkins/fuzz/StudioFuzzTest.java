@@ -19,7 +19,7 @@ import tompkins.trace.SampleTracer;
 
 /**
  * Random studios render without an exception, without a colour that is no number, and soon. Long form:
- * {@code mvn test -Dtest=StudioFuzzTest -DargLine=-Dtompkins.fuzz=10000}; the first studio is that of
+ * {@code mvn test -Dtest=StudioFuzzTest -Dtompkins.fuzz=10000}; the first studio is that of
  * {@code -Dtompkins.fuzz.seed}.
  */
 class StudioFuzzTest {

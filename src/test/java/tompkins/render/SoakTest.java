@@ -13,7 +13,7 @@ import tompkins.trace.RenderPlan;
 
 /**
  * Many renders, cancelled at random moments, leave nothing behind. Long form:
- * {@code mvn test -Dtest=SoakTest -DargLine=-Dtompkins.soak=1000}.
+ * {@code mvn test -Dtest=SoakTest -Dtompkins.soak=1000}.
  */
 class SoakTest {
 

@@ -10,13 +10,13 @@ import tompkins.golden.Worst;
 
 /** The quantities of a change of frame that the reference data hold, each with its limit. */
 public enum FrameQuantity {
-    GAMMA("a_events_directions") {
+    GAMMA("a_events_directions", "4 u") {
         @Override
         double excess(FrameMethod method, GoldenRow row) {
             return Worst.share(row.relativeDifference(method.gamma(beta(row)), "gamma"), 4 * U);
         }
     },
-    GAMMA_MINUS_ONE("a_events_directions") {
+    GAMMA_MINUS_ONE("a_events_directions", "16 u") {
         @Override
         double excess(FrameMethod method, GoldenRow row) {
             boolean subnormal = beta(row).length() < 1e-145;
@@ -25,35 +25,35 @@ public enum FrameQuantity {
                     : row.relativeDifference(method.gammaMinusOne(beta(row)), "gamma_minus_1") / (16 * U);
         }
     },
-    PLACE("a_events_directions") {
+    PLACE("a_events_directions", "4 u acond") {
         @Override
         double excess(FrameMethod method, GoldenRow row) {
             Vector3d place = method.event(beta(row), event(row)).position();
             return Worst.share(row.distance(place, "xp", "yp", "zp"), 4 * U * row.number("acond_x_u"));
         }
     },
-    TIME("a_events_directions") {
+    TIME("a_events_directions", "4 u acond") {
         @Override
         double excess(FrameMethod method, GoldenRow row) {
             double time = method.event(beta(row), event(row)).time();
             return Worst.share(row.difference(time, "tp"), 4 * U * row.number("acond_t_u"));
         }
     },
-    PLACE_BACK("a_events_directions") {
+    PLACE_BACK("a_events_directions", "4 u acond") {
         @Override
         double excess(FrameMethod method, GoldenRow row) {
             Vector3d place = method.event(beta(row).negate(), event(row)).position();
             return Worst.share(row.distance(place, "inv_"), 4 * U * row.number("acond_ix_u"));
         }
     },
-    TIME_BACK("a_events_directions") {
+    TIME_BACK("a_events_directions", "4 u acond") {
         @Override
         double excess(FrameMethod method, GoldenRow row) {
             double time = method.event(beta(row).negate(), event(row)).time();
             return Worst.share(row.difference(time, "inv_t"), 4 * U * row.number("acond_it_u"));
         }
     },
-    DIRECTION("a_events_directions") {
+    DIRECTION("a_events_directions", "8 gamma u") {
         @Override
         double excess(FrameMethod method, GoldenRow row) {
             Vector3d direction = new Vector3d();
@@ -61,7 +61,7 @@ public enum FrameQuantity {
             return row.distance(direction, "dph") / (8 * U * row.number("gamma"));
         }
     },
-    DIRECTION_BACK("a_events_directions") {
+    DIRECTION_BACK("a_events_directions", "8 gamma u") {
         @Override
         double excess(FrameMethod method, GoldenRow row) {
             Vector3d direction = new Vector3d();
@@ -69,21 +69,21 @@ public enum FrameQuantity {
             return row.distance(direction, "inv_dh") / (8 * U * row.number("gamma"));
         }
     },
-    FREQUENCY_RATIO("a_events_directions") {
+    FREQUENCY_RATIO("a_events_directions", "8 gamma u") {
         @Override
         double excess(FrameMethod method, GoldenRow row) {
             double ratio = method.direction(beta(row), direction(row), new Vector3d());
             return row.relativeDifference(ratio, "dp_len") / (8 * U * row.number("gamma"));
         }
     },
-    FREQUENCY_RATIO_BACK("a_events_directions") {
+    FREQUENCY_RATIO_BACK("a_events_directions", "8 gamma u") {
         @Override
         double excess(FrameMethod method, GoldenRow row) {
             double ratio = method.direction(beta(row).negate(), direction(row), new Vector3d());
             return row.relativeDifference(ratio, "inv_d_len") / (8 * U * row.number("gamma"));
         }
     },
-    ROUND_TRIP_OF_EVENTS("a_events_directions") {
+    ROUND_TRIP_OF_EVENTS("a_events_directions", "32 gamma^2 u") {
         @Override
         double excess(FrameMethod method, GoldenRow row) {
             Event event = event(row);
@@ -94,7 +94,7 @@ public enum FrameQuantity {
             return Worst.share(error, 32 * gamma * gamma * U * size);
         }
     },
-    ROUND_TRIP_OF_DIRECTIONS("a_events_directions") {
+    ROUND_TRIP_OF_DIRECTIONS("a_events_directions", "16 gamma u") {
         @Override
         double excess(FrameMethod method, GoldenRow row) {
             Vector3d start = direction(row).normalize();
@@ -104,7 +104,7 @@ public enum FrameQuantity {
             return there.distance(start) / (16 * U * row.number("gamma"));
         }
     },
-    WINDOW("c_lorentz_window") {
+    WINDOW("c_lorentz_window", "8 (gamma + gamma) u") {
         @Override
         double excess(FrameMethod method, GoldenRow row) {
             Vector3d direction = new Vector3d();
@@ -112,7 +112,7 @@ public enum FrameQuantity {
             return row.distance(direction, "w") / (8 * U * (gammaOf(row, "bw_") + gammaOf(row, "bc_")));
         }
     },
-    WINDOW_AND_CAMERA("c_lorentz_window") {
+    WINDOW_AND_CAMERA("c_lorentz_window", "8 (gamma + gamma) u") {
         @Override
         double excess(FrameMethod method, GoldenRow row) {
             Vector3d direction = new Vector3d();
@@ -123,9 +123,16 @@ public enum FrameQuantity {
     };
 
     private final String file;
+    private final String limit;
 
-    FrameQuantity(String file) {
+    FrameQuantity(String file, String limit) {
         this.file = file;
+        this.limit = limit;
+    }
+
+    /** The limit in words. */
+    public String limit() {
+        return limit;
     }
 
     /** Error of the method on a row, divided by the limit. */

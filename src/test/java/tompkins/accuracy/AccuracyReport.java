@@ -1,0 +1,183 @@
+package tompkins.accuracy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import tompkins.golden.GoldenTable;
+import tompkins.golden.Worst;
+import tompkins.sceneobject.GoldenHits;
+import tompkins.sceneobject.HitMethod;
+import tompkins.sceneobject.NaiveHits;
+import tompkins.shutter.GoldenShutters;
+import tompkins.spacetime.FrameMethod;
+import tompkins.spacetime.FrameQuantity;
+import tompkins.spacetime.NaiveFrames;
+import tompkins.spacetime.Velocity;
+
+/** The page docs/accuracy.md, with all numbers measured while it is written. */
+final class AccuracyReport {
+
+    static final String COMMAND = "mvn -q test -Dtest=AccuracyReportTest -Dtompkins.regenerate=true";
+
+    private static final double U = GoldenTable.U;
+
+    private final StringBuilder text = new StringBuilder();
+
+    static String markdown() {
+        AccuracyReport report = new AccuracyReport();
+        report.introduction();
+        report.referenceTable();
+        report.failureModes();
+        report.pixelBudget();
+        report.limits();
+        report.commands();
+        return report.text.toString();
+    }
+
+    /** One line of the comparison with the reference data. */
+    record Comparison(String quantity, String limit, Worst naive, Worst ours) {
+
+        static List<Comparison> all() {
+            List<Comparison> all = new ArrayList<>();
+            for (FrameQuantity quantity : FrameQuantity.values()) {
+                String name = quantity.name().toLowerCase(Locale.ROOT).replace('_', ' ');
+                all.add(new Comparison(
+                        name,
+                        quantity.limit(),
+                        quantity.worst(new NaiveFrames()),
+                        quantity.worst(FrameMethod.PROGRAM)));
+            }
+            for (String model : List.of("detector_ideal", "fixed_point")) {
+                all.add(new Comparison(
+                        "shutter time, " + model.replace('_', ' '),
+                        "4 u acond",
+                        GoldenShutters.worstNaive(model),
+                        GoldenShutters.worst(model)));
+            }
+            for (String shape : List.of("sphere", "plane", "cylinder")) {
+                var rows = GoldenTable.rows(GoldenHits.FILE, row -> row.has("shape", shape));
+                all.add(new Comparison(
+                        "hit of a " + shape,
+                        "4 u cond",
+                        GoldenHits.worst(rows, new NaiveHits()),
+                        GoldenHits.worst(rows, HitMethod.PROGRAM)));
+            }
+            return all;
+        }
+    }
+
+    private void introduction() {
+        line("# Accuracy");
+        line("");
+        line("Written by `" + COMMAND + "`; a test fails when its numbers no longer hold.");
+        line("");
+        line("All numbers are doubles; u = 2^-53 = 1.1e-16 is the relative error of one rounding. Units have c = 1.");
+        line("*Naive* is the form that textbooks and the paper give, kept in the test sources as `Naive...`.");
+        line("Errors are relative unless the line says otherwise; *none* means that not one digit differs from the");
+        line("reference, *no number* that the form gives infinity or NaN.");
+        line("");
+    }
+
+    private void referenceTable() {
+        line("## Against reference data");
+        line("");
+        line("Numbers worked out with 80 digits by another program (`src/test/resources/golden`): the worst row, as a");
+        line("multiple of the limit that the row allows. *acond* and *cond* say how far the result moves with its");
+        line("inputs, gamma is the Lorentz factor. A method passes with 1 or less.");
+        line("");
+        line("| quantity | limit | rows | naive | Tompkins |");
+        line("|---|---|---|---|---|");
+        for (Comparison comparison : Comparison.all()) {
+            line("| " + comparison.quantity() + " | " + comparison.limit() + " | "
+                    + comparison.ours().rows() + " | "
+                    + number(comparison.naive().excess()) + " | "
+                    + number(comparison.ours().excess()) + " |");
+        }
+        line("");
+    }
+
+    private void failureModes() {
+        line("## Where methods fail");
+        line("");
+        line("| quantity and naive form | where | naive error | error of Tompkins |");
+        line("|---|---|---|---|");
+        for (FailureMode mode : FailureMode.all()) {
+            line("| " + mode.quantity() + " | " + mode.where() + " | " + number(mode.naive()) + " | "
+                    + number(mode.ours()) + " |");
+        }
+        line("");
+    }
+
+    private void pixelBudget() {
+        double gamma = Velocity.of(0.2, -0.1, 0.97).gamma();
+        double pixel = Math.toRadians(20) / 640;
+        line("## Error budget of a pixel");
+        line("");
+        line("For the paper's camera: 640 pixels for 20 degrees, velocity (0.2, -0.1, 0.97), so gamma is "
+                + String.format(Locale.ROOT, "%.2f", gamma) + " and a pixel");
+        line(String.format(Locale.ROOT, "sees %.2g radians. Largest first:", pixel));
+        line("");
+        line("| source | size |");
+        line("|---|---|");
+        line("| an edge through the pixel, one sample | 0.5 of full scale |");
+        line("| the same with n samples spread evenly | falls as n^(-3/4) |");
+        line("| rounding to 8 bits | " + number(0.5 / 255) + " of full scale |");
+        line("| light given up below 1/1024 of the sample | " + number(1.0 / 1024) + " of the brightest source |");
+        line("| sums of samples in single precision | " + number(0x1p-24) + " of the value, for each sample |");
+        line("| direction in the scene, 8 gamma u | " + number(8 * gamma * U / pixel) + " pixels |");
+        line("| the same at gamma 1e6 | " + number(8e6 * U / pixel) + " pixels |");
+        line("| distance of a hit 10 away | " + number(40 * U) + " lengths |");
+        line("");
+    }
+
+    private void limits() {
+        line("## What double precision can and cannot do");
+        line("");
+        line("- Up to gamma = 1e6 directions are right to 8 gamma u radians, 1e-9; above it, the plan of a picture");
+        line("  warns. Velocities of any gamma give finite pictures.");
+        line("- A velocity written as decimals says less than one thinks: rounding its components changes gamma by");
+        line("  gamma^2 u; at gamma = 1e8 nothing is left of it. Write `gamma`, `rapidity` or `oneMinusBeta` instead.");
+        line(
+                "- An event that lies on the light cone of the origin loses gamma^2 u when it is taken to another frame and");
+        line("  back: the other frame's coordinates are that much larger. Nothing helps, so each ray crosses once.");
+        line("- A camera far from the origin sees objects beside it as sharply as at the origin, if their coordinates");
+        line("  say where they are: near 1e12 neighbouring doubles are 1.2e-4 apart.");
+        line(
+                "- Whether a ray that grazes an object hits it is open within some u of the ray's length; so is whether light");
+        line("  is totally reflected within u of the critical angle, where nothing is transmitted anyway.");
+        line(
+                "- Tiles alternate up to 2^53 of them from the start of the coordinates; beyond, and wherever a pixel sees very");
+        line(
+                "  many, a filtered tiling is the mean of its surfaces. The filter is a box around the spot of the pixel on the");
+        line("  surface: in pixels that see one or two tiles it may be wrong by some hundredths of the contrast.");
+        line(
+                "- A point in focus at infinity has no time for a shutter on the focus surface, and a ray parallel to the plane");
+        line("  of a shutter never crosses it: such samples stay black and are counted.");
+        line("");
+    }
+
+    private void commands() {
+        line("## How it is tested");
+        line("");
+        line("| what | command |");
+        line("|---|---|");
+        line("| reference data, closed forms, failure modes | `mvn test` |");
+        line("| 10 000 random studios | `mvn test -Dtest=StudioFuzzTest -Dtompkins.fuzz=10000` |");
+        line("| 1000 cancelled renders | `mvn test -Dtest=SoakTest -Dtompkins.soak=1000` |");
+        line("| mutations of the physics | `mvn -Pmutation test`, see `target/pit-reports` |");
+    }
+
+    private void line(String line) {
+        text.append(line).append('\n');
+    }
+
+    /** Two digits are enough, and as much as other machines repeat. */
+    static String number(double value) {
+        if (value == 0) {
+            return "none";
+        }
+        return Double.isInfinite(value) || Double.isNaN(value)
+                ? "no number"
+                : String.format(Locale.ROOT, value >= 0.01 && value < 1000 ? "%.2g" : "%.1e", value);
+    }
+}
