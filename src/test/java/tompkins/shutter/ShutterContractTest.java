@@ -1,0 +1,97 @@
+package tompkins.shutter;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.lang.reflect.Field;
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.math.Vectors;
+import tompkins.spacetime.SpaceTimeTransformation;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+
+/** What every shutter promises. */
+class ShutterContractTest {
+
+    private static final SpaceTimeTransformation MOVING =
+            TransformationLaw.LORENTZ.sceneFromCamera(Velocity.of(0.2, -0.1, 0.97));
+
+    private final SplittableRandom random = new SplittableRandom(9);
+
+    static Stream<Shutter> shutters() {
+        return Arrays.stream(Shutter.class.getPermittedSubclasses()).map(ShutterContractTest::standard);
+    }
+
+    private static Shutter standard(Class<?> type) {
+        try {
+            Field constant = type.getField("DEFAULT");
+            return (Shutter) constant.get(null);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private LensRay lensRay(double inverseFocusDistance) {
+        Vector3d chief = Vectors.unit(new Vector3d(random.nextDouble() - 0.5, random.nextDouble() - 0.5, 1));
+        Vector3d centre = new Vector3d(1, 2, 3);
+        Vector3d pupil = new Vector3d(random.nextDouble() - 0.5, random.nextDouble() - 0.5, 0)
+                .mul(0.1)
+                .add(centre);
+        return new LensRay(centre, pupil, chief, inverseFocusDistance, new Vector3d(0, 0, 1));
+    }
+
+    @ParameterizedTest
+    @MethodSource("shutters")
+    void timesAreFiniteInFrontAndBehind(Shutter shutter) {
+        for (double inverse : new double[] {1e-6, 0.1, 3, -3, -0.1, -1e-6}) {
+            for (int i = 0; i < 50; i++) {
+                assertThat(shutter.transmissionTime(lensRay(inverse), MOVING)).isFinite();
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("shutters")
+    void onlyShuttersThatNeedAFocusHaveNoTimeAtInfinity(Shutter shutter) {
+        assertThat(Double.isFinite(shutter.transmissionTime(lensRay(0), MOVING)))
+                .isEqualTo(!shutter.needsFocus());
+    }
+
+    @ParameterizedTest
+    @MethodSource("shutters")
+    void openingLaterMovesAllTimes(Shutter shutter) {
+        Shutter later = shutter.openedAt(shutter.openingTime() + 2.5);
+        assertThat(later).isInstanceOf(shutter.getClass());
+        LensRay ray = lensRay(0.2);
+        double expected = shutter instanceof FixedPointSurfaceShutter ? 0 : 2.5;
+        double moved = later.transmissionTime(ray, MOVING) - shutter.transmissionTime(ray, MOVING);
+        assertThat(moved).isCloseTo(expected, within(1e-14));
+        assertThat(later.openingTime() - shutter.openingTime()).isEqualTo(expected);
+    }
+
+    /** All rays of a pixel reach its image point after the same time: both models differ by a constant. */
+    @Test
+    void idealLensIsTheFocusSurfaceUpToAConstant() {
+        for (double inverse : new double[] {0.1, 2, -0.1, -2}) {
+            LensRay middle = lensRay(inverse);
+            double constant = difference(middle);
+            for (int i = 0; i < 20; i++) {
+                Vector3d pupil = new Vector3d(random.nextDouble(), random.nextDouble(), 0).add(middle.centre());
+                LensRay ray =
+                        new LensRay(middle.centre(), pupil, middle.chiefDirection(), inverse, middle.viewDirection());
+                assertThat(difference(ray)).isCloseTo(constant, within(1e-13));
+            }
+        }
+    }
+
+    private static double difference(LensRay ray) {
+        return new DetectorPlaneShutter(1, 1).transmissionTime(ray, MOVING)
+                - new FocusSurfaceShutter(0).transmissionTime(ray, MOVING);
+    }
+}

@@ -1,0 +1,145 @@
+package tompkins.spacetime;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.ray.Ray;
+
+/** What all changes of frame have in common, and what the simple ones are. */
+class TransformationTest {
+
+    private static final Vector3d BETA = new Vector3d(0.2, -0.1, 0.7);
+    private static final Event EVENT = new Event(3, -2, 5, 7);
+
+    private static Ray ray() {
+        return Ray.fromCamera(3, -2, 5, 0.48, 0.6, 0.64, 7, 1e-3);
+    }
+
+    private static Vector3d start(Ray ray) {
+        return new Vector3d(ray.x, ray.y, ray.z);
+    }
+
+    private static Vector3d direction(Ray ray) {
+        return new Vector3d(ray.dx, ray.dy, ray.dz);
+    }
+
+    private static SpaceTimeTransformation transformation(TransformationLaw law) {
+        return law.sceneFromCamera(Velocity.of(BETA));
+    }
+
+    /** A ray is two events: its start, and one on its way. */
+    @ParameterizedTest
+    @EnumSource
+    void raysGoWhereTheirEventsGo(TransformationLaw law) {
+        SpaceTimeTransformation transformation = transformation(law);
+        Ray moved = transformation.transform(ray());
+        Event first = transformation.transform(EVENT);
+        double way = 2.5;
+        Event second = transformation.transform(new Event(3 + way * 0.48, -2 + way * 0.6, 5 + way * 0.64, 7 - way));
+        assertThat(start(moved).distance(first.position())).isLessThan(1e-14);
+        assertThat(moved.time).isCloseTo(first.time(), within(1e-14));
+        double length = second.position().distance(first.position());
+        assertThat(start(moved).add(direction(moved).mul(length)).distance(second.position()))
+                .isLessThan(1e-13);
+        assertThat(moved.timeAt(length)).isCloseTo(second.time(), within(1e-13));
+        assertThat(direction(moved).length()).isCloseTo(1, within(1e-15));
+        assertThat(moved.frequency * moved.spread).isCloseTo(1e-3, within(1e-17));
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void inverseGoesBack(TransformationLaw law) {
+        SpaceTimeTransformation transformation = transformation(law);
+        Event back = transformation.inverse().transform(transformation.transform(EVENT));
+        assertThat(back.position().distance(EVENT.position())).isLessThan(1e-13);
+        assertThat(back.time()).isCloseTo(7, within(1e-13));
+        Ray rayBack = transformation.inverse().transform(transformation.transform(ray()));
+        assertThat(direction(rayBack).distance(direction(ray()))).isLessThan(1e-14);
+        assertThat(rayBack.slowness).isCloseTo(1, within(1e-14));
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void fixedPointsKeepTheirPlace(TransformationLaw law) {
+        SpaceTimeTransformation transformation = transformation(law);
+        double time = transformation.fixedPointTime(EVENT.position());
+        Event moved = transformation.transform(new Event(3, -2, 5, time));
+        assertThat(moved.position().distance(EVENT.position())).isLessThan(1e-14);
+    }
+
+    /** The window of the paper: beta = (0.1, 0, 0.99) and its plane. */
+    @Test
+    void fixedPointTimeOfTheWindow() {
+        LorentzTransformation transformation = new LorentzTransformation(Velocity.of(0.1, 0, 0.99));
+        assertThat(transformation.fixedPointTime(new Vector3d(0.111049, 0, 1.09939)))
+                .isCloseTo(-1.000002, within(1e-6));
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void placesFromNearbyAreThoseFromTheOrigin(TransformationLaw law) {
+        SpaceTimeTransformation transformation = transformation(law);
+        Vector3d near = new Vector3d(1, 2, 3);
+        Vector3d expected = transformation.transform(EVENT).position().sub(near);
+        assertThat(transformation.placeFrom(near, EVENT).distance(expected)).isLessThan(1e-13);
+        Vector3d back = transformation.inverse().transform(EVENT).position().sub(near);
+        assertThat(transformation.inverse().placeFrom(near, EVENT).distance(back))
+                .isLessThan(1e-13);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.9, 1.7, 20})
+    void placesFromNearbyKnowEveryScale(double rapidity) {
+        Velocity[] same = {
+            Velocity.of(SpeedScale.RAPIDITY, rapidity, new Vector3d(1, 2, -2)),
+            Velocity.of(SpeedScale.GAMMA, Math.cosh(rapidity), new Vector3d(1, 2, -2)),
+            Velocity.of(SpeedScale.ONE_MINUS_BETA, 2 / (Math.exp(2 * rapidity) + 1), new Vector3d(1, 2, -2)),
+            Velocity.of(SpeedScale.BETA, Math.tanh(Math.min(rapidity, 5)), new Vector3d(1, 2, -2))
+        };
+        for (Velocity velocity : same) {
+            LorentzTransformation transformation = new LorentzTransformation(velocity);
+            Vector3d expected = transformation.transform(EVENT).position();
+            assertThat(transformation.placeFrom(new Vector3d(), EVENT).distance(expected))
+                    .isLessThan(1e-14 * (10 + expected.length()));
+        }
+    }
+
+    @Test
+    void restIsNoChange() {
+        LorentzTransformation rest = new LorentzTransformation(Velocity.REST);
+        assertThat(rest.placeFrom(new Vector3d(1, 1, 1), EVENT)).isEqualTo(new Vector3d(2, -3, 4));
+        for (TransformationLaw law : TransformationLaw.values()) {
+            assertThat(law.sceneFromCamera(Velocity.REST)).isInstanceOf(IdentityTransformation.class);
+        }
+        IdentityTransformation identity = new IdentityTransformation();
+        Ray ray = ray();
+        assertThat(identity.transform(ray)).isSameAs(ray);
+        assertThat(identity.transform(EVENT)).isSameAs(EVENT);
+        assertThat(identity.inverse()).isEqualTo(identity);
+    }
+
+    @Test
+    void galileanLightIsSlowAhead() {
+        GalileanTransformation transformation = new GalileanTransformation(Velocity.of(0, 0, 0.6));
+        // against the light that comes from ahead: it travels at 1 - 0.6 in the scene
+        Ray ahead = transformation.transform(Ray.fromCamera(0, 0, 0, 0, 0, 1, 2));
+        assertThat(1 / ahead.slowness).isCloseTo(0.4, within(1e-15));
+        assertThat(ahead.frequency).isEqualTo(1);
+        assertThat(ahead.z).isCloseTo(1.2, within(1e-15));
+    }
+
+    @Test
+    void lengthOfTheDirectionDoesNotMatter() {
+        LorentzTransformation transformation = new LorentzTransformation(Velocity.of(BETA));
+        Vector3d one = new Vector3d();
+        Vector3d other = new Vector3d();
+        double ratio = transformation.direction(new Vector3d(0.48, 0.6, 0.64), one);
+        assertThat(transformation.direction(new Vector3d(48, 60, 64), other)).isCloseTo(ratio, within(1e-15));
+        assertThat(one.distance(other)).isLessThan(1e-15);
+    }
+}
