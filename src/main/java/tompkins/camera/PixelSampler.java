@@ -6,6 +6,8 @@ package tompkins.camera;
  *
  * <p>The places are the points of a four-dimensional Sobol sequence, scrambled differently in each pixel (Owen scrambling by
  * hashing: Laine and Karras 2011): every power of two of first samples fills pixel and lens evenly.
+ * Of the samplers that were compared it needs the least time for the same error of a picture (see the charts of the aperture
+ * in docs/speed-and-accuracy.md).
  */
 public final class PixelSampler {
 

@@ -13,7 +13,7 @@ import java.util.TreeMap;
  */
 final class AdaptiveSchedule implements Schedule {
 
-    /** Fewer samples miss what is small, and then take it for settled (see the chart in docs/speed-and-accuracy.md). */
+    /** Fewer samples miss what is small, and then take it for settled (see the chart of honesty in docs/speed-and-accuracy.md). */
     static final int FIRST_SAMPLES = 16;
 
     private static final int MOST_SAMPLES = 1 << 16;

@@ -10,7 +10,7 @@ import tompkins.ray.Ray;
  */
 public final class ObjectTree {
 
-    /** From this number of primitives a tree is faster than a list. */
+    /** From this number of primitives a tree is faster than a list (see the chart of the tree in docs/speed-and-accuracy.md). */
     public static final int SMALLEST_TREE = 100;
 
     private final Primitive[] listed;

@@ -14,7 +14,8 @@ import tompkins.ray.Ray;
  * which the light travels.) Example: beta = (0, 0, 0.9), looking along +x, gives (0.43589, 0, -0.9).
  *
  * <p>Directions are evaluated by half angles: the difference of d and the direction of motion is stretched, not d itself,
- * which costs an error of a few gamma u (u = 2^-53) where the plain formula has gamma^2 u.
+ * which costs an error of a few gamma u (u = 2^-53) where the plain formula has gamma^2 u (see the charts of the precision in
+ * docs/speed-and-accuracy.md).
  */
 public final class LorentzTransformation implements SpaceTimeTransformation {
 

@@ -175,6 +175,15 @@ public final class ChartDrawing {
         return front;
     }
 
+    /** The measurement that is drawn at a place; null if there is none. */
+    public static Measurement pointAt(Chart chart, List<Measurement> all, double x, double y) {
+        return chart.shown(all).stream()
+                .filter(point -> chart.across().value().apply(point) == x
+                        && chart.up().value().apply(point).middle() == y)
+                .findFirst()
+                .orElse(null);
+    }
+
     private static void addFront(Chart chart, List<Measurement> shown, XYPlot plot) {
         XYIntervalSeries series = new XYIntervalSeries("Pareto front");
         for (Measurement point : front(chart, shown)) {

@@ -32,6 +32,18 @@ public final class StudyPage {
                 axes; the number in brackets is the slope of the curve (against the number of rays, where the time is drawn), the
                 yellow band the Pareto front: the points that no other beats in both. Bars show the smallest and the largest of several runs. This page, its charts and its
                 figures are made by `tompkins study all -o docs`.
+
+                What the program does because of them:
+
+                | choice | default | study |
+                |---|---|---|
+                | places in pixel and lens | Sobol points, Owen-scrambled in each pixel | aperture |
+                | number of samples | what the scene says; `--error` and `--seconds` put them where they are needed | antialiasing |
+                | first samples of `--error` | 16 through a wide lens, 1 through a pinhole, 16 where neighbours differ | antialiasing |
+                | form of the Lorentz transformation | half angles in double precision | precision |
+                | search for the nearest object | list below 100 objects, tree from there on | tree |
+                | end of a ray between mirrors | when it brings less than 1/1024 of the light | depth |
+                | previews | every 8th, 4th, 2nd pixel, interpolated | preview |
                 """;
     }
 

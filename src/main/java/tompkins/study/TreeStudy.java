@@ -24,7 +24,7 @@ final class TreeStudy implements Study {
     private static final String PROGRAM = "the program's choice";
     private static final int RAYS = 20_000;
     private static final int LONGEST_LIST = 10_000;
-    private static final int REPEATS = 5;
+    private static final int REPEATS = 3;
     private static final double TOLERANCE = 1.3;
 
     private final long seed;

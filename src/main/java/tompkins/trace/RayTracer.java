@@ -20,7 +20,10 @@ import tompkins.surface.Tracer;
  */
 final class RayTracer implements Tracer {
 
-    /** A ray that can bring less than this share of the sample's light is ended. */
+    /**
+     * A ray that can bring less than this share of the sample's light is ended (see the charts of the depth in
+     * docs/speed-and-accuracy.md).
+     */
     private static final double FAINTEST = 1.0 / 1024;
 
     private final Frame frame;

@@ -3,6 +3,7 @@ package tompkins.ui;
 import java.awt.geom.Point2D;
 import java.util.function.DoubleConsumer;
 import javax.swing.SwingUtilities;
+import tompkins.render.Quality;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
@@ -66,6 +67,12 @@ final class PhotographView implements AutoCloseable {
 
     RenderController controller() {
         return controller;
+    }
+
+    /** Makes the picture again with a quality; null for what the scene says. */
+    void setQuality(Quality quality) {
+        controller.setQuality(quality);
+        render();
     }
 
     /** Makes the picture of the current studio. */

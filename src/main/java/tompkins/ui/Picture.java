@@ -13,9 +13,18 @@ import tompkins.trace.RenderPlan;
  * @param image its light
  * @param complete whether all samples were taken
  * @param time since the change that it answers
+ * @param samples mean number of samples of a pixel
+ * @param error estimated root mean square error; NaN while it is not known
  * @param warnings what went wrong; known when it is complete
  */
-record Picture(RenderPlan plan, LinearImage image, boolean complete, Duration time, List<String> warnings) {
+record Picture(
+        RenderPlan plan,
+        LinearImage image,
+        boolean complete,
+        Duration time,
+        double samples,
+        double error,
+        List<String> warnings) {
 
     Studio studio() {
         return plan.studio();

@@ -2,8 +2,10 @@ package tompkins.ui;
 
 import java.time.Duration;
 import java.util.List;
+import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderListener;
+import tompkins.render.RenderReport;
 import tompkins.render.Renderer;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
@@ -42,6 +44,7 @@ final class RenderController implements AutoCloseable {
     private final Listener listener;
     private final NewestFirst<Request> planner;
     private volatile Run run;
+    private volatile Quality quality;
 
     RenderController(Listener listener) {
         this.listener = listener;
@@ -51,6 +54,11 @@ final class RenderController implements AutoCloseable {
     /** Asks for the picture of a studio instead of all that were asked for before. Returns at once. */
     void show(Studio studio) {
         planner.submit(new Request(studio, System.nanoTime()));
+    }
+
+    /** The quality of the next pictures; null for what their scenes say. */
+    void setQuality(Quality wish) {
+        quality = wish;
     }
 
     /** Ends the work on the picture; what is there stays. */
@@ -82,7 +90,7 @@ final class RenderController implements AutoCloseable {
             RenderPlan plan = RenderPlan.of(request.studio);
             if (!planner.hasNewer()) {
                 Run next = new Run(request.time);
-                next.job = renderer.startCoarse(plan, next);
+                next.job = renderer.startCoarse(plan, quality == null ? Quality.of(plan) : quality, next);
                 run = next;
             }
         } catch (InterruptedException closing) {
@@ -157,8 +165,19 @@ final class RenderController implements AutoCloseable {
 
         private void deliver(RenderJob rendered, boolean complete) {
             Duration time = Duration.ofNanos(System.nanoTime() - changeTime);
-            List<String> warnings = complete ? rendered.report().warnings() : List.of();
-            listener.picture(new Picture(rendered.plan(), rendered.image(), complete, time, warnings));
+            // the error takes a moment to work out: not while the picture follows a hand
+            boolean tellsError = complete || System.nanoTime() - startTime > LONGEST_WAIT.toNanos();
+            RenderReport report = tellsError ? rendered.report() : null;
+            double samples = (double) rendered.samples()
+                    / ((double) rendered.plan().width() * rendered.plan().height());
+            listener.picture(new Picture(
+                    rendered.plan(),
+                    rendered.image(),
+                    complete,
+                    time,
+                    samples,
+                    tellsError ? report.error() : Double.NaN,
+                    complete ? report.warnings() : List.of()));
             shown = true;
         }
     }

@@ -33,6 +33,7 @@ final class SidePanel {
         add("section.compare", compare.component(), false);
         add("section.transformation", new TransformationPanel(model).component(), false);
         add("section.window", new WindowPanel(model).component(), false);
+        add("section.quality", new QualityPanel(model, view::setQuality).component(), false);
         add("section.plan", plan.component(), false);
         panel.add(ray.component());
         scroll = new JScrollPane(

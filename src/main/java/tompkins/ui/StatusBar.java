@@ -84,14 +84,15 @@ final class StatusBar {
 
     /** Shows what the picture on the screen is. */
     void show(Picture shown) {
-        int samples = shown.studio().settings().samples();
         long milliseconds = shown.time().toMillis();
         picture.setText(Texts.get(
                 shown.complete() ? "status.complete" : "status.refining",
                 shown.image().width(),
                 shown.image().height(),
-                Texts.get(samples == 1 ? "status.sample" : "status.samples", samples),
-                milliseconds < 1000 ? milliseconds + " ms" : Numbers.brief(milliseconds / 1000.0, 3) + " s"));
+                Texts.get(shown.samples() == 1 ? "status.sample" : "status.samples", Numbers.brief(shown.samples(), 3)),
+                milliseconds < 1000 ? milliseconds + " ms" : Numbers.brief(milliseconds / 1000.0, 3) + " s",
+                Double.isNaN(shown.error()) ? "?" : Numbers.brief(shown.error(), 2)));
+        picture.setToolTipText(Tips.html(Texts.get("status.errorTip")));
     }
 
     /** Shows one line of text, until the mouse moves. */

@@ -80,7 +80,7 @@ class AdaptiveRenderTest {
         assertThat(job.isComplete()).isTrue();
         assertThat(job.report().time().toMillis()).isBetween(250L, 2000L);
         double error = trueError(studio(spheres(), 0.1), job);
-        assertThat(job.report().error()).isBetween(0.7 * error, 3 * error);
+        assertThat(job.report().error()).isBetween(0.4 * error, 3 * error);
     }
 
     @Test

@@ -12,18 +12,30 @@ import tompkins.trace.RenderPlan;
 /** What is foretold comes true, within a factor of two. */
 class CostForecastTest {
 
+    /** A clock decides, and others use the machine too: the best of some attempts counts. */
+    private static final int ATTEMPTS = 5;
+
     @ParameterizedTest
     @MethodSource("qualities")
     void foretellsSamplesAndTime(Quality quality) throws InterruptedException {
         Studio studio = PaperStudios.fig1b();
         RenderPlan plan = RenderPlan.of(studio.withSettings(studio.settings().withSize(320, 240)));
+        double best = Double.POSITIVE_INFINITY;
         try (Renderer renderer = new Renderer(2)) {
-            CostForecast forecast = CostForecast.of(plan, quality, renderer);
-            RenderReport report = renderer.render(plan, quality).report();
-            assertThat(forecast.samplesPerPixel() / report.samplesPerPixel()).isBetween(0.5, 2.0);
-            // the clock of a busy machine: a little more than the factor of two that holds on an idle one
-            assertThat(forecast.seconds() / (report.time().toNanos() / 1e9)).isBetween(0.3, 3.0);
+            for (int attempt = 0; attempt < ATTEMPTS && best > 2; attempt++) {
+                CostForecast forecast = CostForecast.of(plan, quality, renderer);
+                RenderReport report = renderer.render(plan, quality).report();
+                double samples = factor(forecast.samplesPerPixel() / report.samplesPerPixel());
+                double time = factor(forecast.seconds() / (report.time().toNanos() / 1e9));
+                best = Math.min(best, Math.max(samples, time));
+            }
         }
+        assertThat(best).isLessThanOrEqualTo(2);
+    }
+
+    /** How many times two numbers with this ratio differ. */
+    private static double factor(double ratio) {
+        return Math.max(ratio, 1 / ratio);
     }
 
     static Stream<Quality> qualities() {

@@ -30,18 +30,19 @@ class FilmTest {
     }
 
     @Test
-    void aPixelWithoutSampleShowsTheNearestCoarseOne() {
+    void aPixelWithoutSampleIsInterpolatedBetweenCoarseOnes() {
         Film film = new Film(20, 20, true);
         film.add(0, 0, Colour.grey(1));
         film.add(8, 0, Colour.grey(2));
-        film.add(8, 8, Colour.grey(3));
-        film.add(12, 8, Colour.grey(4));
+        film.add(0, 8, Colour.grey(4));
+        film.add(8, 8, Colour.grey(9));
 
         LinearImage image = film.image(1);
 
-        assertThat(image.value(7, 7, 0)).isEqualTo(1f);
-        assertThat(image.value(15, 7, 0)).isEqualTo(2f);
-        assertThat(image.value(11, 15, 0)).isEqualTo(3f);
-        assertThat(image.value(13, 11, 0)).isEqualTo(4f);
+        assertThat(image.value(4, 0, 0)).isEqualTo(1.5f);
+        assertThat(image.value(0, 2, 0)).isEqualTo(1.75f);
+        assertThat(image.value(4, 4, 0)).isEqualTo(4f);
+        assertThat(image.value(15, 0, 0)).as("at the edge of what is there").isEqualTo(2f);
+        assertThat(image.value(19, 19, 0)).as("nothing near").isZero();
     }
 }

@@ -44,7 +44,7 @@ class StudiesTest {
                 new DepthStudy(),
                 new StabilityStudy(3),
                 new AntialiasingStudy(
-                        Map.of("fig1b", PaperStudios.fig1b()), Map.of("fig1b", PaperStudios.fig1b()), 3, 32, 1024));
+                        Map.of("fig1b", PaperStudios.fig1b()), Map.of("fig1b", PaperStudios.fig1b()), 3, 24, 1024));
     }
 
     @Test
