@@ -109,13 +109,29 @@ final class Film {
         return new LinearImage(width, height, rgb);
     }
 
-    /** Distance of the coarse pixels with samples around a pixel: 1 if it has samples itself. */
+    /**
+     * Distance of the coarse pixels around a pixel: the smallest at which the two next to the nearest have samples too, or
+     * else at which the nearest has; 1 if the pixel has samples itself.
+     */
     private int stride(int column, int row) {
-        int stride = 1;
-        while (stride < Tile.SIZE && samples[coarse(column, row, stride)] == 0) {
-            stride *= 2;
+        int nearest = Tile.SIZE;
+        for (int stride = 1; stride < Tile.SIZE; stride *= 2) {
+            int pixel = coarse(column, row, stride);
+            if (samples[pixel] > 0) {
+                boolean alone = stride > 1
+                        && (isMissing(pixel, pixel % width + stride < width, stride)
+                                || isMissing(pixel, pixel / width + stride < height, stride * width));
+                if (!alone) {
+                    return stride;
+                }
+                nearest = Math.min(nearest, stride);
+            }
         }
-        return stride;
+        return nearest;
+    }
+
+    private boolean isMissing(int pixel, boolean inPicture, int step) {
+        return inPicture && samples[pixel + step] == 0;
     }
 
     private int coarse(int column, int row, int stride) {

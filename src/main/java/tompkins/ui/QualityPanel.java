@@ -33,7 +33,7 @@ final class QualityPanel {
     private static final int CHART_HEIGHT = 520;
 
     private final JPanel panel = Rows.column();
-    private final JLabel chosen = new JLabel();
+    private final Note chosen = new Note("");
     private final JButton asScene = new JButton(Texts.get("quality.asScene"));
     private final JButton measure = new JButton(Texts.get("quality.measure"));
     private final StudioModel model;
@@ -52,7 +52,7 @@ final class QualityPanel {
         measure.setName(Texts.get("quality.measure"));
         measure.setToolTipText(Tips.html(Texts.get("quality.measureTip")));
         measure.addActionListener(event -> new ChartWindow(SwingUtilities.getWindowAncestor(panel)).start());
-        panel.add(chosen, "wmin 0");
+        panel.add(chosen.component(), "wmin 0");
         panel.add(asScene, "wmin 0");
         panel.add(measure, "wmin 0");
         show(null);
@@ -62,7 +62,8 @@ final class QualityPanel {
         return panel;
     }
 
-    private void set(Quality quality) {
+    /** Takes a quality: a number of samples goes into the scene, an error stays with the window; null is what the scene says. */
+    void set(Quality quality) {
         if (quality instanceof Quality.Samples fixed) {
             Studio studio = model.studio();
             show(null);

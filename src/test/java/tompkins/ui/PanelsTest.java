@@ -7,6 +7,7 @@ import java.awt.Container;
 import java.awt.Point;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
+import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
@@ -22,6 +23,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.render.Quality;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.FocusSurfaceShutter;
@@ -226,5 +228,21 @@ class PanelsTest {
         Components.find((Container) panel.component(), JRadioButton.class, "Difference")
                 .doClick();
         assertThat(panel.view()).isEqualTo(Comparison.DIFFERENCE);
+    }
+
+    @Test
+    void aPointOfTheChartSetsTheQuality() {
+        List<Quality> chosen = new ArrayList<>();
+        QualityPanel panel = new QualityPanel(model, chosen::add);
+        JButton asScene = Components.find((Container) panel.component(), JButton.class, "As the scene says");
+        assertThat(asScene.isEnabled()).isFalse();
+        Quality exact = new Quality.TargetError(0.005);
+        panel.set(exact);
+        assertThat(chosen).containsExactly(exact);
+        assertThat(asScene.isEnabled()).isTrue();
+        asScene.doClick();
+        assertThat(chosen).containsExactly(exact, null);
+        panel.set(new Quality.Samples(16));
+        assertThat(model.studio().settings().samples()).isEqualTo(16);
     }
 }
