@@ -1,0 +1,182 @@
+package tompkins.camera;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.HashSet;
+import java.util.Set;
+import java.util.function.ToIntFunction;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The places of samples: in their pixel and on the lens, evenly spread, the same again for the same seed. */
+class PixelSamplerTest {
+
+    private static final int SAMPLES = 256;
+
+    @Test
+    void placesLieInThePixelAndOnTheLens() {
+        PixelSampler sampler = new PixelSampler(1, true);
+        for (int sample = 0; sample < SAMPLES; sample++) {
+            sampler.start(17, 39, sample);
+            assertThat(sampler.x()).isGreaterThanOrEqualTo(17).isLessThan(18);
+            assertThat(sampler.y()).isGreaterThanOrEqualTo(39).isLessThan(40);
+            assertThat(Math.hypot(sampler.lensX(), sampler.lensY())).isLessThanOrEqualTo(1);
+        }
+    }
+
+    @Test
+    void centreIsTheCentre() {
+        PixelSampler sampler = new PixelSampler(1, true);
+        sampler.start(17, 39, 5);
+        sampler.start(17, 39, PixelSampler.firstOf(1));
+        assertThat(sampler.x()).isEqualTo(17.5);
+        assertThat(sampler.y()).isEqualTo(39.5);
+        assertThat(sampler.lensX()).isZero();
+        assertThat(sampler.lensY()).isZero();
+        assertThat(PixelSampler.firstOf(2)).isZero();
+    }
+
+    /** Every power of two of samples has one in each interval, in each direction. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 16, 64, 256})
+    void powersOfTwoFillEveryInterval(int count) {
+        PixelSampler sampler = new PixelSampler(5, true);
+        for (int column = 0; column < 4; column++) {
+            int pixel = column;
+            assertThat(intervals(sampler, pixel, count, each -> (int) ((each.x() - pixel) * count)))
+                    .hasSize(count);
+            assertThat(intervals(sampler, pixel, count, each -> (int) ((each.y() - 3) * count)))
+                    .hasSize(count);
+        }
+    }
+
+    private static Set<Integer> intervals(
+            PixelSampler sampler, int column, int count, ToIntFunction<PixelSampler> interval) {
+        Set<Integer> intervals = new HashSet<>();
+        for (int sample = 0; sample < count; sample++) {
+            sampler.start(column, 3, sample);
+            intervals.add(interval.applyAsInt(sampler));
+        }
+        return intervals;
+    }
+
+    /** The first two dimensions, those of the lens, fill squares and oblongs of any shape. */
+    @Test
+    void lensIsFilledInTwoDimensions() {
+        for (int columns = 1; columns <= 64; columns *= 2) {
+            int rows = 64 / columns;
+            Set<Integer> cells = new HashSet<>();
+            for (int sample = 0; sample < 64; sample++) {
+                int place = SobolPoints.shuffled(sample, 99);
+                int column = (int) (SobolPoints.coordinate(place, 0, 12) * columns);
+                int row = (int) (SobolPoints.coordinate(place, 1, 34) * rows);
+                cells.add(column * rows + row);
+            }
+            assertThat(cells).as("%d x %d", columns, rows).hasSize(64);
+        }
+    }
+
+    @Test
+    void discIsFilledEvenly() {
+        PixelSampler sampler = new PixelSampler(3, true);
+        double sumX = 0;
+        double sumY = 0;
+        double squares = 0;
+        double mixed = 0;
+        int inner = 0;
+        for (int sample = 0; sample < 4096; sample++) {
+            sampler.start(0, 0, sample);
+            double x = sampler.lensX();
+            double y = sampler.lensY();
+            sumX += x / 4096;
+            sumY += y / 4096;
+            squares += (x * x - y * y) / 4096;
+            mixed += x * y / 4096;
+            inner += x * x + y * y < 0.25 ? 1 : 0;
+        }
+        assertThat(sumX).isCloseTo(0, within(2e-3));
+        assertThat(sumY).isCloseTo(0, within(2e-3));
+        assertThat(squares).isCloseTo(0, within(2e-3));
+        assertThat(mixed).isCloseTo(0, within(2e-3));
+        assertThat(inner / 4096.0).isCloseTo(0.25, within(3e-3));
+    }
+
+    /** The concentric map takes the square's sides to the circle and keeps the axes. */
+    @Test
+    void concentricMapKeepsCentreAxesAndRim() {
+        double[][] places = {
+            {0.5, 0.5, 0, 0},
+            {1, 0.5, 1, 0},
+            {0, 0.5, -1, 0},
+            {0.5, 1, 0, 1},
+            {0.5, 0, 0, -1},
+            {0.75, 0.5, 0.5, 0},
+            {1, 1, Math.sqrt(0.5), Math.sqrt(0.5)},
+            {0, 1, -Math.sqrt(0.5), Math.sqrt(0.5)},
+            {1, 0.75, Math.cos(Math.PI / 8), Math.sin(Math.PI / 8)},
+            {0.75, 0, Math.sin(Math.PI / 8), -Math.cos(Math.PI / 8)}
+        };
+        for (double[] place : places) {
+            double radius = ConcentricMap.radius(place[0], place[1]);
+            double angle = ConcentricMap.angle(place[0], place[1]);
+            assertThat(radius * Math.cos(angle)).isCloseTo(place[2], within(1e-15));
+            assertThat(radius * Math.sin(angle)).isCloseTo(place[3], within(1e-15));
+        }
+    }
+
+    @Test
+    void pinholesHaveNoPlaceOnTheLens() {
+        PixelSampler sampler = new PixelSampler(3, false);
+        sampler.start(1, 2, 3);
+        assertThat(sampler.lensX()).isZero();
+        assertThat(sampler.lensY()).isZero();
+        assertThat(sampler.x()).isNotEqualTo(1.5);
+    }
+
+    @Test
+    void placesDependOnSeedAndPixelAlone() {
+        PixelSampler one = new PixelSampler(42, true);
+        PixelSampler same = new PixelSampler(42, true);
+        same.start(100, 200, 77);
+        one.start(8, 9, 10);
+        same.start(8, 9, 10);
+        assertThat(same.x()).isEqualTo(one.x());
+        assertThat(same.lensY()).isEqualTo(one.lensY());
+        Set<Double> firstPlaces = new HashSet<>();
+        for (long seed : new long[] {1, 2, 3, -1, 1L << 32, 1L << 40}) {
+            Set<Double> places = new HashSet<>();
+            for (int pixel = 0; pixel < 64; pixel++) {
+                PixelSampler sampler = new PixelSampler(seed, true);
+                sampler.start(pixel % 8, pixel / 8, 0);
+                places.add(sampler.x() - pixel % 8);
+                if (pixel == 9) {
+                    firstPlaces.add(sampler.x());
+                }
+            }
+            assertThat(places).hasSize(64);
+        }
+        assertThat(firstPlaces).hasSize(6);
+    }
+
+    /** A changed bit of the input changes about half of the bits of the output. */
+    @Test
+    void hashMixesAllBits() {
+        long changed = 0;
+        int[] byOutput = new int[32];
+        for (int value = 1; value <= 1000; value++) {
+            for (int bit = 0; bit < 32; bit++) {
+                int difference = PixelSampler.hash(value * 7919) ^ PixelSampler.hash(value * 7919 ^ 1 << bit);
+                changed += Integer.bitCount(difference);
+                for (int i = 0; i < 32; i++) {
+                    byOutput[i] += difference >>> i & 1;
+                }
+            }
+        }
+        assertThat(changed / 32_000.0).isCloseTo(16, within(0.2));
+        for (int count : byOutput) {
+            assertThat(count / 32_000.0).isCloseTo(0.5, within(0.03));
+        }
+    }
+}
