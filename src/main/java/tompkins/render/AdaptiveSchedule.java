@@ -74,9 +74,9 @@ final class AdaptiveSchedule implements Schedule {
         }
         chosen.forEach((samples, mask) -> {
             if (samples == 1) {
-                waiting.add(Pass.refining(0, FIRST_SAMPLES, mask, pixels));
+                waiting.add(Pass.refining(0, FIRST_SAMPLES, mask, roughness.sampled()));
             } else {
-                waiting.add(Pass.refining(samples, samples, mask, pixels));
+                waiting.add(Pass.refining(samples, samples, mask, roughness.sampled()));
             }
         });
     }

@@ -14,12 +14,12 @@ import tompkins.trace.RenderPlan;
 public record CostForecast(double samplesPerPixel, double seconds) {
 
     private static final double PATIENCE = 2;
-    private static final double FIRST_SHARE = 1.0 / 32;
+    private static final double FIRST_SHARE = 1.0 / 8;
     private static final double GOLDEN = (Math.sqrt(5) - 1) / 2;
 
     /**
      * Takes more and more of the picture's tiles, spread over it, until it knows enough. The machine gets faster while the
-     * program runs warm, so what lies beyond the last part is counted with the speed of that part.
+     * program runs warm, so what is left is counted with the speed of the fastest part.
      */
     public static CostForecast of(RenderPlan plan, Quality quality, Renderer renderer) throws InterruptedException {
         List<Tile> tiles = spread(Tile.of(plan.width(), plan.height()));
@@ -35,8 +35,7 @@ public record CostForecast(double samplesPerPixel, double seconds) {
             int to = Math.min(tiles.size(), Math.max(2 * from, (int) Math.ceil(tiles.size() * FIRST_SHARE)));
             List<Tile> part = tiles.subList(from, to);
             RenderJob job = renderer.start(plan, wish, false, part, RenderListener.NONE);
-            boolean ended = job.await(PATIENCE);
-            double progress = ended ? 1 : job.progress();
+            double progress = job.await(PATIENCE) ? 1 : job.progress();
             job.cancel();
             job.await();
             RenderReport report = job.report();
@@ -47,7 +46,7 @@ public record CostForecast(double samplesPerPixel, double seconds) {
                     .mapToDouble(tile -> tile.width() * tile.height())
                     .sum();
             seconds += time;
-            rate = report.samples() / time;
+            rate = Math.max(rate, report.samples() / time);
             from = to;
         }
         if (quality instanceof Quality.TimeLimit limit) {

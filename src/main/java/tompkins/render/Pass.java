@@ -14,7 +14,7 @@ import tompkins.camera.PixelSampler;
  * @param firstSample number of the first sample
  * @param samples samples for each pixel
  * @param chosen the pixels that get them, or null for all
- * @param share the share of the pixels that get them
+ * @param share the share of the pixels that get them, of those that are rendered
  */
 record Pass(int stride, int coarserStride, int firstSample, int samples, BitSet chosen, double share) {
 
@@ -57,7 +57,7 @@ record Pass(int stride, int coarserStride, int firstSample, int samples, BitSet 
         return coarserStride == 0 || column % coarserStride != 0 || row % coarserStride != 0;
     }
 
-    /** Samples of this pass, divided by the number of pixels of the picture. */
+    /** Samples of this pass, divided by the number of pixels that are rendered. */
     double work() {
         return samples * share;
     }

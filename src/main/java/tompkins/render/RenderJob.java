@@ -212,7 +212,10 @@ public final class RenderJob {
 
     /** About how many samples were taken so far. */
     public long samples() {
-        return (long) (workDone.sum() * plan.width() * plan.height());
+        return (long) (workDone.sum()
+                * tiles.stream()
+                        .mapToLong(tile -> (long) tile.width() * tile.height())
+                        .sum());
     }
 
     /**

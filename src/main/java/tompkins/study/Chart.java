@@ -49,10 +49,11 @@ public record Chart(String problem, String title, Axis<Double> across, Axis<Spre
         return across(label, Measurement::setting);
     }
 
-    /** The measurements that this chart shows. */
+    /** The measurements that this chart shows: those of its problem and of the parts of it, {@code problem:part}. */
     List<Measurement> shown(List<Measurement> all) {
         return all.stream()
-                .filter(measurement -> measurement.problem().equals(problem))
+                .filter(measurement -> measurement.problem().equals(problem)
+                        || measurement.problem().startsWith(problem + ":"))
                 .toList();
     }
 }

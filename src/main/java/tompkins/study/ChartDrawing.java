@@ -17,6 +17,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.TreeMap;
 import org.jfree.chart.ChartUtils;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.axis.LogAxis;
@@ -110,11 +111,19 @@ public final class ChartDrawing {
             XYErrorRenderer renderer) {
         int number = curves.getSeriesCount();
         XYIntervalSeries series = new XYIntervalSeries(name + slope(chart, points));
+        // points of one curve at one place are drawn as one, with bars from the smallest to the largest
+        Map<Double, List<Spread>> places = new TreeMap<>();
         for (Measurement point : points) {
-            double x = chart.across().value().apply(point);
-            Spread y = chart.up().value().apply(point);
-            series.add(x, x, x, y.middle(), y.low(), y.high());
+            places.computeIfAbsent(chart.across().value().apply(point), x -> new ArrayList<>())
+                    .add(chart.up().value().apply(point));
         }
+        places.forEach((x, values) -> {
+            Spread middle =
+                    Spread.of(values.stream().mapToDouble(Spread::middle).toArray());
+            double low = values.stream().mapToDouble(Spread::low).min().orElseThrow();
+            double high = values.stream().mapToDouble(Spread::high).max().orElseThrow();
+            series.add(x, x, x, middle.middle(), low, high);
+        });
         curves.addSeries(series);
         renderer.setSeriesPaint(number, COLOURS[number % COLOURS.length]);
         renderer.setSeriesStroke(number, new BasicStroke(1.6f));
