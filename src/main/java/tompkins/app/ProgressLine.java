@@ -1,6 +1,5 @@
 package tompkins.app;
 
-import java.io.Console;
 import java.io.PrintWriter;
 import java.util.Locale;
 import tompkins.render.RenderJob;
@@ -11,44 +10,25 @@ import tompkins.render.Tile;
 final class ProgressLine implements RenderListener {
 
     private static final long INTERVAL_NANOS = 200_000_000;
-    private static final int WIDTH = 72;
 
-    private final PrintWriter out;
-    private final boolean terminal = isTerminal();
+    private final ConsoleLine line;
     private final long start = System.nanoTime();
     private long last = start;
 
     ProgressLine(PrintWriter out) {
-        this.out = out;
-    }
-
-    /** From Java 22 on there is always a console, and it says itself whether somebody watches it. */
-    private static boolean isTerminal() {
-        Console console = System.console();
-        if (console == null) {
-            return false;
-        }
-        try {
-            return (boolean) Console.class.getMethod("isTerminal").invoke(console);
-        } catch (ReflectiveOperationException beforeJava22) {
-            return true;
-        }
+        line = new ConsoleLine(out);
     }
 
     @Override
     public synchronized void tileDone(RenderJob job, Tile tile) {
         long now = System.nanoTime();
-        if (!terminal || now - last < INTERVAL_NANOS) {
+        if (!line.watched() || now - last < INTERVAL_NANOS) {
             return;
         }
         last = now;
         double progress = job.progress();
         double seconds = (now - start) / 1e9;
-        long samples = (long) (progress
-                * job.plan().samples()
-                * job.plan().width()
-                * job.plan().height());
-        show(String.format(
+        line.show(String.format(
                 Locale.ROOT,
                 "%3.0f %%   %.2f million camera rays/s   %.0f s left",
                 100 * progress,
@@ -58,15 +38,6 @@ final class ProgressLine implements RenderListener {
 
     /** Takes the line away. */
     synchronized void clear() {
-        if (terminal && last != start) {
-            show("");
-            out.print("\r");
-            out.flush();
-        }
-    }
-
-    private void show(String text) {
-        out.print("\r" + text + " ".repeat(Math.max(0, WIDTH - text.length())));
-        out.flush();
+        line.clear();
     }
 }

@@ -33,7 +33,6 @@ final class StudyCommand implements Callable<Integer> {
 
     private static final String ALL = "all";
     private static final String PAGE_OF_ALL = "speed-and-accuracy";
-    private static final int WIDTH = 100;
 
     @Parameters(
             index = "0",
@@ -61,6 +60,8 @@ final class StudyCommand implements Callable<Integer> {
 
     @Spec
     private CommandSpec spec;
+
+    private ConsoleLine line;
 
     @Override
     public Integer call() throws Exception {
@@ -116,10 +117,7 @@ final class StudyCommand implements Callable<Integer> {
     }
 
     private void progress(Study study, Measurement point, int done, int count) {
-        if (System.console() == null) {
-            return;
-        }
-        String text = String.format(
+        line().show(String.format(
                 Locale.ROOT,
                 "%s %d/%d: %s, %s, %.6g",
                 study.name(),
@@ -127,17 +125,18 @@ final class StudyCommand implements Callable<Integer> {
                 count,
                 point.problem(),
                 point.method(),
-                point.setting());
-        PrintWriter err = spec.commandLine().getErr();
-        err.print("\r" + text + " ".repeat(Math.max(0, WIDTH - text.length())));
-        err.flush();
+                point.setting()));
     }
 
     private void progressEnds() {
-        if (System.console() != null) {
-            spec.commandLine().getErr().print("\r" + " ".repeat(WIDTH) + "\r");
-            spec.commandLine().getErr().flush();
+        line().clear();
+    }
+
+    private ConsoleLine line() {
+        if (line == null) {
+            line = new ConsoleLine(spec.commandLine().getErr());
         }
+        return line;
     }
 
     private static List<String> bundledNames() throws IOException {

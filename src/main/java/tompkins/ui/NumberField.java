@@ -13,12 +13,10 @@ final class NumberField {
     private static final int DIGITS = 7;
 
     private final EntryField entry;
-    private final DoubleConsumer commit;
     private double value;
 
     /** A field as {@link EntryField}, for the property of the given name. */
     NumberField(String property, String name, String tip, Note note, DoubleConsumer commit) {
-        this.commit = commit;
         entry = new EntryField(name, tip, note, text -> commit.accept(Numbers.parse(property, text)));
         entry.field().setColumns(6);
         step("UP", 1);

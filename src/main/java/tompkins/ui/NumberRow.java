@@ -8,8 +8,6 @@ import tompkins.studio.Studio;
 /** One number of the studio: its name, a slider, a field, and room for a message. */
 final class NumberRow {
 
-    private final StudioModel model;
-    private final DoubleFunction<Studio> change;
     private final JLabel label;
     private final ValueSlider slider;
     private final NumberField field;
@@ -24,8 +22,6 @@ final class NumberRow {
      */
     NumberRow(
             StudioModel model, String property, String title, String tip, Range range, DoubleFunction<Studio> change) {
-        this.model = model;
-        this.change = change;
         label = new JLabel(title);
         label.setToolTipText(Tips.html(tip));
         slider = new ValueSlider(
