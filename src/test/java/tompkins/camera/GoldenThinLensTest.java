@@ -29,6 +29,16 @@ class GoldenThinLensTest {
     }
 
     @Test
+    void placeAlongTheAxisDoesNotCount() {
+        Vector3d d = new Vector3d(0.2, -0.3, 0.9).normalize();
+        Vector3d axis = new Vector3d(2, -1, 2).div(3);
+        Vector3d across = new Vector3d(1, 2, 0).mul(0.1);
+        Vector3d expected = ThinLens.bend(d, axis, across, 0.7);
+        Vector3d shifted = ThinLens.bend(d, axis, new Vector3d(axis).mul(5).add(across), 0.7);
+        assertThat(shifted.distance(expected)).isLessThan(1e-14);
+    }
+
+    @Test
     void imagePositionFailsForObjectsInTheFocalPlane() {
         List<GoldenRow> inFocalPlane = ROWS.stream()
                 .filter(row -> row.has("class", "object_in_focal_plane"))

@@ -1,0 +1,293 @@
+package tompkins.sceneobject;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.ray.Colour;
+import tompkins.ray.Hit;
+import tompkins.ray.PixelPicture;
+import tompkins.ray.Ray;
+import tompkins.ray.SurfaceCoordinates;
+import tompkins.surface.Clear;
+import tompkins.surface.ColouredSurface;
+import tompkins.surface.CutOut;
+import tompkins.surface.LuminousSurface;
+import tompkins.surface.Surface;
+import tompkins.surface.Tiling;
+
+/** Placed objects, coordinates at known points, tight bounds, and shadows of surfaces with holes. */
+class ShapeGeometryTest {
+
+    private static final Surface TILED = Tiling.DEFAULT;
+    private static final double SMALL = 1e-12;
+
+    private final SplittableRandom random = new SplittableRandom(21);
+
+    private static Vector3d moved(double x, double y, double z) {
+        return new Vector3d(x, y, z).mul(2.5).add(1, -2, 3);
+    }
+
+    /** Each object scaled by 2.5 and moved, and the same object described where it then is. */
+    static Stream<Arguments> scaledObjects() {
+        return Stream.of(
+                Arguments.of(
+                        new Sphere("", new Vector3d(1, 2, 4), 1.5, TILED), new Sphere("", moved(1, 2, 4), 3.75, TILED)),
+                Arguments.of(
+                        new Box("", new Vector3d(-1, 0, 2), new Vector3d(1, 3, 5), TILED),
+                        new Box("", moved(-1, 0, 2), moved(1, 3, 5), TILED)),
+                Arguments.of(
+                        new Cylinder("", new Vector3d(-1, 0, 2), new Vector3d(1, 3, 5), 0.8, true, TILED),
+                        new Cylinder("", moved(-1, 0, 2), moved(1, 3, 5), 2, true, TILED)),
+                Arguments.of(
+                        new Cone("", new Vector3d(-1, 0, 2), new Vector3d(1, 3, 5), 2, true, TILED),
+                        new Cone("", moved(-1, 0, 2), moved(1, 3, 5), 5, true, TILED)),
+                Arguments.of(
+                        new Disc("", new Vector3d(1, 2, 4), new Vector3d(1, 1, -3), 2, TILED),
+                        new Disc("", moved(1, 2, 4), new Vector3d(1, 1, -3), 5, TILED)),
+                Arguments.of(
+                        new Triangle("", new Vector3d(0, 0, 4), new Vector3d(3, 0, 5), new Vector3d(0, 3, 4), TILED),
+                        new Triangle("", moved(0, 0, 4), moved(3, 0, 5), moved(0, 3, 4), TILED)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("scaledObjects")
+    void scaledAndMovedObjectsAreThoseDescribedThere(SceneObject object, SceneObject there) {
+        SceneObject placed = new Placed("", object, 2.5, new Vector3d(0, 0, 1), 0, new Vector3d(1, -2, 3));
+        List<Primitive> ones = PrimitiveCollector.primitivesOf(placed);
+        List<Primitive> others = PrimitiveCollector.primitivesOf(there);
+        assertThat(ones).hasSameSizeAs(others);
+        int hits = 0;
+        for (int i = 0; i < 600; i++) {
+            Ray ray = ray(vector(30), vector(6).add(2, 2, 12));
+            for (int k = 0; k < ones.size(); k++) {
+                double distance = ones.get(k).distance(ray, Primitive.NO_HIT);
+                double expected = others.get(k).distance(ray, Primitive.NO_HIT);
+                if (expected == Primitive.NO_HIT) {
+                    assertThat(distance).isEqualTo(Primitive.NO_HIT);
+                    continue;
+                }
+                hits++;
+                assertThat(distance).isCloseTo(expected, within(SMALL * 100));
+                SurfaceCoordinates one = ones.get(k).hit(ray, distance).coordinates;
+                SurfaceCoordinates other = others.get(k).hit(ray, expected).coordinates;
+                assertThat(one.u()).isCloseTo(other.u(), within(1e-9));
+                assertThat(one.v()).isCloseTo(other.v(), within(1e-9));
+                assertThat(one.uX() + one.uY() - one.uZ())
+                        .isCloseTo(other.uX() + other.uY() - other.uZ(), within(1e-9));
+                assertThat(one.vX() + one.vY() - one.vZ())
+                        .isCloseTo(other.vX() + other.vY() - other.vZ(), within(1e-9));
+            }
+        }
+        assertThat(hits).isGreaterThan(60);
+    }
+
+    @Test
+    void planesMeasureLengthsFromTheirPoint() {
+        Plane floor = new Plane("", new Vector3d(3, -1, 7), new Vector3d(0, 2, 0), TILED);
+        assertCoordinates(floor, new Vector3d(5.5, 4, 6), new Vector3d(0, -1, 0), 2.5, -1);
+        assertCoordinates(floor, new Vector3d(5.5, 1, 6), new Vector3d(0.5, -1, -0.25), 3.5, -1.5);
+        Placed large = new Placed("", floor, 2, new Vector3d(0, 1, 0), 0, new Vector3d(0, 0, 1));
+        // the point is (6, -2, 15) then
+        assertCoordinates(large, new Vector3d(8, 4, 10), new Vector3d(0, -1, 0), 1, -2.5);
+    }
+
+    @Test
+    void coordinatesOfKnownPoints() {
+        Sphere ball = new Sphere("", new Vector3d(1, 2, 3), 2, TILED);
+        assertCoordinates(ball, new Vector3d(1, 2, -9), new Vector3d(0, 0, 1), 0.5, 0.5);
+        assertCoordinates(ball, new Vector3d(9, 2, 3), new Vector3d(-1, 0, 0), 0.75, 0.5);
+        assertCoordinates(ball, new Vector3d(-9, 2, 3), new Vector3d(1, 0, 0), 0.25, 0.5);
+        assertCoordinates(
+                ball, new Vector3d(1, 2, -9), new Vector3d(0, Math.sqrt(2), 10 + 2 - Math.sqrt(2)), 0.5, 0.75);
+        Box box = new Box("", new Vector3d(1, 2, 3), new Vector3d(3, 6, 11), TILED);
+        assertCoordinates(box, new Vector3d(-5, 3, 5), new Vector3d(1, 0, 0), 0.25, 0.25);
+        assertCoordinates(box, new Vector3d(1.5, 9, 5), new Vector3d(0, -1, 0), 0.25, 0.25);
+        assertCoordinates(box, new Vector3d(2.5, 5, -9), new Vector3d(0, 0, 1), 0.75, 0.75);
+        Cylinder rod = new Cylinder("", new Vector3d(1, 0, 0), new Vector3d(1, 4, 0), 2, true, TILED);
+        assertCoordinates(rod, new Vector3d(9, 1, 0), new Vector3d(-1, 0, 0), 0.5, 0.25);
+        assertCoordinates(rod, new Vector3d(2, 9, 1), new Vector3d(0, -1, 0), 0.75, 0.75);
+        assertCoordinates(rod, new Vector3d(0, -9, 0.5), new Vector3d(0, 1, 0), 0.25, 0.625);
+        Cone cone = new Cone("", new Vector3d(1, 4, 0), new Vector3d(1, 0, 0), 2, false, TILED);
+        assertCoordinates(cone, new Vector3d(9, 1, 0), new Vector3d(-1, 0, 0), 0.5, 0.75);
+        Disc disc = new Disc("", new Vector3d(1, 2, 3), new Vector3d(0, 0, 1), 2, TILED);
+        assertCoordinates(disc, new Vector3d(2, 2.5, 0), new Vector3d(0, 0, 1), 0.75, 0.625);
+        Triangle triangle =
+                new Triangle("", new Vector3d(0, 0, 5), new Vector3d(4, 0, 5), new Vector3d(0, 2, 5), TILED);
+        assertCoordinates(triangle, new Vector3d(1, 0.5, 0), new Vector3d(0, 0, 1), 0.25, 0.25);
+    }
+
+    private static void assertCoordinates(SceneObject object, Vector3dc origin, Vector3dc d, double u, double v) {
+        Ray ray = ray(origin, d.add(origin, new Vector3d()));
+        Primitive primitive = PrimitiveCollector.primitivesOf(object).get(0);
+        SurfaceCoordinates found = primitive.hit(ray, primitive.distance(ray, Primitive.NO_HIT)).coordinates;
+        assertThat(found.u()).as("u of %s", object).isCloseTo(u, within(SMALL));
+        assertThat(found.v()).as("v of %s", object).isCloseTo(v, within(SMALL));
+    }
+
+    static Stream<SceneObject> shapes() {
+        Vector3d a = new Vector3d(1, -2, 3);
+        Vector3d b = new Vector3d(-2, 1, 7);
+        return Stream.of(
+                new Sphere("", a, 2.5, TILED),
+                new Placed(
+                        "",
+                        new Box("", new Vector3d(-1, -2, 3), b.add(4, 1, 0, new Vector3d()), TILED),
+                        1,
+                        new Vector3d(1, 2, 3),
+                        40,
+                        a),
+                new Cylinder("", a, b, 1.5, false, TILED),
+                new Cone("", a, b, 2, false, TILED),
+                new Disc("", a, b, 2, TILED),
+                new Parallelogram("", a, b, new Vector3d(1, 1, -2), TILED),
+                new Triangle("", a, b, new Vector3d(1, 1, -2), TILED));
+    }
+
+    /** Least values and boxes touch the object: neither too small nor needlessly large. */
+    @ParameterizedTest
+    @MethodSource("shapes")
+    void boundsAreTight(SceneObject shape) {
+        Primitive primitive = PrimitiveCollector.primitivesOf(shape).get(0);
+        Bounds box = primitive.bounds();
+        Vector3d low = new Vector3d(Double.POSITIVE_INFINITY);
+        Vector3d high = new Vector3d(Double.NEGATIVE_INFINITY);
+        Vector3d[] normals = new Vector3d[20];
+        double[] least = new double[normals.length];
+        for (int k = 0; k < normals.length; k++) {
+            normals[k] = vector(1).normalize().mul(0.5 + k);
+            least[k] = Double.POSITIVE_INFINITY;
+        }
+        for (int i = 0; i < 60_000; i++) {
+            Vector3d target =
+                    new Vector3d(mix(box.minX(), box.maxX()), mix(box.minY(), box.maxY()), mix(box.minZ(), box.maxZ()));
+            Ray ray = ray(vector(1).normalize().mul(20).add(target), target);
+            double distance = primitive.distance(ray, Primitive.NO_HIT);
+            if (distance < Primitive.NO_HIT) {
+                Hit hit = primitive.hit(ray, distance);
+                Vector3d place = new Vector3d(hit.x, hit.y, hit.z);
+                low.min(place);
+                high.max(place);
+                for (int k = 0; k < normals.length; k++) {
+                    least[k] = Math.min(least[k], normals[k].dot(place));
+                }
+            }
+        }
+        // the box of a disc is that of the square around it
+        double slack = shape instanceof Disc ? 1 : 0.5;
+        assertThat(low.distance(box.minX(), box.minY(), box.minZ())).isLessThan(slack);
+        assertThat(high.distance(box.maxX(), box.maxY(), box.maxZ())).isLessThan(slack);
+        for (int k = 0; k < normals.length; k++) {
+            Vector3d n = normals[k];
+            double claimed = primitive.least(n.x, n.y, n.z);
+            assertThat(claimed).isLessThanOrEqualTo(least[k] + 1e-9);
+            assertThat(claimed).isGreaterThan(least[k] - slack * n.length());
+            assertThat(primitive.isBeyond(n.x, n.y, n.z, claimed - 1e-6 * n.length()))
+                    .isTrue();
+            assertThat(primitive.isBeyond(n.x, n.y, n.z, claimed + 1e-6 * n.length()))
+                    .isFalse();
+        }
+    }
+
+    private static final PixelPicture HALF_DARK =
+            new PixelPicture("half.png", 2, 1, new float[] {0, 0, 0, 1, 1, 1, 1, 1}, new byte[0]);
+
+    @Test
+    void shadowsFallWhereThePictureIsDark() {
+        Surface cut = new CutOut(HALF_DARK, ColouredSurface.DEFAULT, Clear.DEFAULT);
+        Primitive sheet = PrimitiveCollector.primitivesOf(
+                        new Parallelogram("", new Vector3d(0, 0, 5), new Vector3d(2, 0, 0), new Vector3d(0, 2, 0), cut))
+                .get(0);
+        Ray dark = ray(new Vector3d(0.5, 1, 0), new Vector3d(0.5, 1, 5));
+        Ray bright = ray(new Vector3d(1.5, 1, 0), new Vector3d(1.5, 1, 5));
+        assertThat(sheet.shadows(dark, 10)).isTrue();
+        assertThat(sheet.shadows(dark, 4)).isFalse();
+        assertThat(sheet.shadows(bright, 10)).isFalse();
+        assertThat(sheet.shadows(ray(new Vector3d(3, 1, 0), new Vector3d(3, 1, 5)), 10))
+                .isFalse();
+    }
+
+    /** Light that gets in through the clear half of a ball and meets the dark half behind. */
+    @Test
+    void shadowsFallFromTheFarSideOfAHollowBall() {
+        Surface cut = new CutOut(HALF_DARK, ColouredSurface.DEFAULT, Clear.DEFAULT);
+        // dark where u < 1/2, which is the side of negative x
+        Primitive ball = PrimitiveCollector.primitivesOf(new Sphere("", new Vector3d(), 1, cut))
+                .get(0);
+        Ray fromTheRight = ray(new Vector3d(5, 0.1, 0.2), new Vector3d(0, 0.1, 0.2));
+        assertThat(ball.shadows(fromTheRight, 10)).isTrue();
+        assertThat(ball.shadows(fromTheRight, 5.5))
+                .as("the light stands inside")
+                .isFalse();
+        Ray onTheRight = ray(new Vector3d(0.5, 0.1, 5), new Vector3d(0.5, 0.1, 0));
+        assertThat(ball.shadows(onTheRight, 20)).isFalse();
+        assertThat(ball.shadows(ray(new Vector3d(-0.5, 0.1, 5), new Vector3d(-0.5, 0.1, 0)), 20))
+                .isTrue();
+    }
+
+    @Test
+    void clearThingsThrowNoShadowAndOthersDo() {
+        Ray ray = ray(new Vector3d(), new Vector3d(0, 0, 5));
+        for (Surface surface : List.of(Clear.DEFAULT, new LuminousSurface(Colour.WHITE, false))) {
+            assertThat(ball(surface).shadows(ray, 20)).isFalse();
+        }
+        assertThat(ball(ColouredSurface.DEFAULT).shadows(ray, 20)).isTrue();
+        assertThat(ball(ColouredSurface.DEFAULT).shadows(ray, 3)).isFalse();
+    }
+
+    private static Primitive ball(Surface surface) {
+        return PrimitiveCollector.primitivesOf(new Sphere("", new Vector3d(0, 0, 5), 1, surface))
+                .get(0);
+    }
+
+    @Test
+    void linesKnowWhatLiesBehind() {
+        Vector3d d = new Vector3d(1, 2, -2).div(3);
+        Vector3d behind = new Vector3d(d).mul(-10);
+        Primitive ball = PrimitiveCollector.primitivesOf(new Sphere("", behind, 2, TILED))
+                .get(0);
+        Ray line = Ray.fromCamera(0, 0, 0, d.x, d.y, d.z, 0);
+        assertThat(1 / ball.inverseDistance(line)).isCloseTo(-8, within(SMALL));
+        Primitive plane = PrimitiveCollector.primitivesOf(new Plane("", behind, new Vector3d(1, 0, 0), TILED))
+                .get(0);
+        assertThat(1 / plane.inverseDistance(line)).isCloseTo(-10, within(SMALL));
+        assertThat(ball.inverseDistance(Ray.fromCamera(0, 0, 0, d.y, -d.x, 0, 0)))
+                .isNaN();
+    }
+
+    /** What rounding cannot tell from a point or a line faces the ray. */
+    @Test
+    void hitsOfVanishingShapesHaveANormal() {
+        Vector3d far = new Vector3d(3e20, 4e20, 0);
+        Ray ray = ray(new Vector3d(), far);
+        Primitive ball = PrimitiveCollector.primitivesOf(new Sphere("", far, 1e-3, TILED))
+                .get(0);
+        Hit hit = ball.hit(ray, 5e20);
+        assertThat(new Vector3d(hit.normalX, hit.normalY, hit.normalZ).length()).isCloseTo(1, within(SMALL));
+        Cylinder rod = new Cylinder("", new Vector3d(3e20, 4e20, -1), new Vector3d(3e20, 4e20, 1), 1e-3, false, TILED);
+        Hit ofRod = PrimitiveCollector.primitivesOf(rod).get(0).hit(ray, 5e20);
+        assertThat(new Vector3d(ofRod.normalX, ofRod.normalY, ofRod.normalZ).length())
+                .isCloseTo(1, within(SMALL));
+    }
+
+    private static Ray ray(Vector3dc origin, Vector3dc target) {
+        Vector3d d = target.sub(origin, new Vector3d()).normalize();
+        return Ray.fromCamera(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 0);
+    }
+
+    private Vector3d vector(double reach) {
+        return new Vector3d(mix(-reach, reach), mix(-reach, reach), mix(-reach, reach));
+    }
+
+    private double mix(double low, double high) {
+        return low + (high - low) * random.nextDouble();
+    }
+}
