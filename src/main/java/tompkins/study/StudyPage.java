@@ -41,7 +41,7 @@ public final class StudyPage {
                 | number of samples | what the scene says; `--error` and `--seconds` put them where they are needed | antialiasing |
                 | first samples of `--error` | 16 through a wide lens, 1 through a pinhole, 16 where neighbours differ | antialiasing |
                 | form of the Lorentz transformation | half angles in double precision | precision |
-                | search for the nearest object | list below 100 objects, tree from there on | tree |
+                | search for the nearest object | list below 40 objects, tree from there on | tree |
                 | end of a ray between mirrors | when it brings less than 1/1024 of the light | depth |
                 | previews | every 8th, 4th, 2nd pixel, interpolated | preview |
                 """;
