@@ -1,5 +1,6 @@
 package tompkins.render;
 
+import java.util.Arrays;
 import tompkins.image.LinearImage;
 import tompkins.ray.Colour;
 
@@ -8,6 +9,9 @@ import tompkins.ray.Colour;
  * the sums are the same whatever the number of threads.
  */
 final class Film {
+
+    /** Marks a pixel whose only sample gives way to the next one. */
+    private static final int REPLACED = -1;
 
     private final int width;
     private final int height;
@@ -41,7 +45,10 @@ final class Film {
     void add(int column, int row, Colour colour) {
         int pixel = row * width + column;
         int count = samples[pixel];
-        if (halfSums != null && count > 0 && (count & (count - 1)) == 0) {
+        if (count == REPLACED) {
+            Arrays.fill(sums, 3 * pixel, 3 * pixel + 3, 0);
+            samples[pixel] = 0;
+        } else if (halfSums != null && count > 0 && (count & (count - 1)) == 0) {
             System.arraycopy(sums, 3 * pixel, halfSums, 3 * pixel, 3);
         }
         sums[3 * pixel] += (float) colour.red();
@@ -55,22 +62,19 @@ final class Film {
         return halfSums != null;
     }
 
-    /** Takes the samples of a pixel away. */
+    /** Lets the next sample of a pixel take the place of the only one that it has. */
     void restart(int pixel) {
-        samples[pixel] = 0;
-        sums[3 * pixel] = 0;
-        sums[3 * pixel + 1] = 0;
-        sums[3 * pixel + 2] = 0;
+        samples[pixel] = REPLACED;
     }
 
     /** Number of samples of a pixel. */
     int samples(int pixel) {
-        return samples[pixel];
+        return Math.abs(samples[pixel]);
     }
 
     /** The mean of a channel of a pixel that has samples. */
     double mean(int pixel, int channel) {
-        return (double) sums[3 * pixel + channel] / samples[pixel];
+        return (double) sums[3 * pixel + channel] / samples(pixel);
     }
 
     /**
@@ -90,80 +94,80 @@ final class Film {
     }
 
     /**
-     * The mean of the samples of each pixel, multiplied by {@code exposure}. Where a pixel has no sample yet, it is
-     * interpolated between the four coarse pixels around it, which costs little and halves the error (see the charts of
-     * previews in docs/speed-and-accuracy.md).
+     * The mean of the samples of each pixel, multiplied by {@code exposure}. Between coarse pixels it is interpolated, which
+     * costs little and takes a third of the error away (see the charts of previews in docs/speed-and-accuracy.md).
      */
     LinearImage image(double exposure) {
         float[] rgb = new float[sums.length];
-        for (int row = 0; row < height; row++) {
-            for (int column = 0; column < width; column++) {
-                int stride = stride(column, row);
-                if (stride == 1) {
-                    put(row * width + column, exposure, rgb, row * width + column);
-                } else if (stride < Tile.SIZE) {
-                    interpolate(column, row, stride, exposure, rgb);
-                }
+        int stride = completeStride();
+        if (stride > 1 && stride < Tile.SIZE) {
+            interpolate(stride, exposure, rgb);
+        }
+        for (int pixel = 0; pixel < samples.length; pixel++) {
+            if (samples[pixel] != 0) {
+                put(pixel, exposure, rgb, 3 * pixel);
             }
         }
         return new LinearImage(width, height, rgb);
     }
 
-    /**
-     * Distance of the coarse pixels around a pixel: the smallest at which the two next to the nearest have samples too, or
-     * else at which the nearest has; 1 if the pixel has samples itself.
-     */
-    private int stride(int column, int row) {
-        int nearest = Tile.SIZE;
-        for (int stride = 1; stride < Tile.SIZE; stride *= 2) {
-            int pixel = coarse(column, row, stride);
-            if (samples[pixel] > 0) {
-                boolean alone = stride > 1
-                        && (isMissing(pixel, pixel % width + stride < width, stride)
-                                || isMissing(pixel, pixel / width + stride < height, stride * width));
-                if (!alone) {
-                    return stride;
+    /** The smallest distance at which all pixels have samples; {@link Tile#SIZE} if there is none. */
+    private int completeStride() {
+        int stride = 1;
+        while (stride < Tile.SIZE && !isComplete(stride)) {
+            stride *= 2;
+        }
+        return stride;
+    }
+
+    private boolean isComplete(int stride) {
+        for (int row = 0; row < height; row += stride) {
+            for (int column = 0; column < width; column += stride) {
+                if (samples[row * width + column] == 0) {
+                    return false;
                 }
-                nearest = Math.min(nearest, stride);
             }
         }
-        return nearest;
+        return true;
     }
 
-    private boolean isMissing(int pixel, boolean inPicture, int step) {
-        return inPicture && samples[pixel + step] == 0;
+    private void interpolate(int stride, double exposure, float[] rgb) {
+        float[] upper = coarseRow(0, stride, exposure);
+        for (int top = 0; top < height; top += stride) {
+            float[] lower = top + stride < height ? coarseRow(top + stride, stride, exposure) : upper;
+            for (int row = top; row < Math.min(height, top + stride); row++) {
+                float down = (float) (row - top) / stride;
+                int start = 3 * row * width;
+                for (int i = 0; i < upper.length; i++) {
+                    rgb[start + i] = upper[i] + down * (lower[i] - upper[i]);
+                }
+            }
+            upper = lower;
+        }
     }
 
-    private int coarse(int column, int row, int stride) {
-        return (row - row % stride) * width + column - column % stride;
+    /** One row, interpolated between its coarse pixels. */
+    private float[] coarseRow(int row, int stride, double exposure) {
+        float[] light = new float[3 * width];
+        for (int column = 0; column < width; column += stride) {
+            put(row * width + column, exposure, light, 3 * column);
+        }
+        for (int column = 0; column < width; column++) {
+            int left = column - column % stride;
+            int right = left + stride < width ? left + stride : left;
+            float across = (float) (column - left) / stride;
+            for (int channel = 0; channel < 3; channel++) {
+                float first = light[3 * left + channel];
+                light[3 * column + channel] = first + across * (light[3 * right + channel] - first);
+            }
+        }
+        return light;
     }
 
-    private void interpolate(int column, int row, int stride, double exposure, float[] rgb) {
-        int left = coarse(column, row, stride);
-        double across = (double) (column % stride) / stride;
-        double down = (double) (row % stride) / stride;
-        boolean atRight = column - column % stride + stride >= width;
-        boolean atBottom = row - row % stride + stride >= height;
-        int target = row * width + column;
-        put(left, exposure * (1 - across) * (1 - down), rgb, target);
-        put(instead(left, atRight ? 0 : stride), exposure * across * (1 - down), rgb, target);
-        put(instead(left, atBottom ? 0 : stride * width), exposure * (1 - across) * down, rgb, target);
-        put(
-                instead(left, (atRight ? 0 : stride) + (atBottom ? 0 : stride * width)),
-                exposure * across * down,
-                rgb,
-                target);
-    }
-
-    /** The pixel a step further, or the pixel itself if the other has no sample yet. */
-    private int instead(int pixel, int step) {
-        return samples[pixel + step] > 0 ? pixel + step : pixel;
-    }
-
-    private void put(int source, double factor, float[] rgb, int target) {
-        double scale = factor / samples[source];
-        rgb[3 * target] += (float) (sums[3 * source] * scale);
-        rgb[3 * target + 1] += (float) (sums[3 * source + 1] * scale);
-        rgb[3 * target + 2] += (float) (sums[3 * source + 2] * scale);
+    private void put(int pixel, double exposure, float[] light, int place) {
+        double scale = exposure / samples(pixel);
+        light[place] = (float) (sums[3 * pixel] * scale);
+        light[place + 1] = (float) (sums[3 * pixel + 1] * scale);
+        light[place + 2] = (float) (sums[3 * pixel + 2] * scale);
     }
 }

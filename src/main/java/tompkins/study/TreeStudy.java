@@ -24,7 +24,8 @@ final class TreeStudy implements Study {
     private static final String PROGRAM = "the program's choice";
     private static final int RAYS = 20_000;
     private static final int LONGEST_LIST = 10_000;
-    private static final int REPEATS = 5;
+    private static final int REPEATS = 3;
+    private static final int MANY_REPEATS = 15;
     private static final double TOLERANCE = 1.3;
 
     private final long seed;
@@ -50,7 +51,8 @@ final class TreeStudy implements Study {
 
     @Override
     public String settings() {
-        return "seed " + seed + ", up to " + mostObjects + " objects, " + RAYS + " rays, " + REPEATS + " runs";
+        return "seed " + seed + ", up to " + mostObjects + " objects, " + RAYS + " rays, " + MANY_REPEATS + " runs, "
+                + REPEATS + " above " + LONGEST_LIST;
     }
 
     @Override
@@ -83,8 +85,8 @@ final class TreeStudy implements Study {
                 Stopwatch.warmUp(() -> search(new ObjectTree(primitives, smallestTree), rays), cancelled);
             }
         }
-        double[] seconds = new double[REPEATS];
-        for (int i = 0; i < REPEATS; i++) {
+        double[] seconds = new double[objects <= LONGEST_LIST ? MANY_REPEATS : REPEATS];
+        for (int i = 0; i < seconds.length; i++) {
             Stopwatch.stopIf(cancelled);
             seconds[i] = Stopwatch.seconds(() -> search(new ObjectTree(primitives, smallestTree), rays));
         }

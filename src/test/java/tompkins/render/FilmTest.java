@@ -31,18 +31,31 @@ class FilmTest {
 
     @Test
     void aPixelWithoutSampleIsInterpolatedBetweenCoarseOnes() {
-        Film film = new Film(20, 20, true);
+        Film film = new Film(12, 12, false);
         film.add(0, 0, Colour.grey(1));
         film.add(8, 0, Colour.grey(2));
         film.add(0, 8, Colour.grey(4));
         film.add(8, 8, Colour.grey(9));
+        film.add(4, 4, Colour.grey(7));
 
         LinearImage image = film.image(1);
 
         assertThat(image.value(4, 0, 0)).isEqualTo(1.5f);
         assertThat(image.value(0, 2, 0)).isEqualTo(1.75f);
-        assertThat(image.value(4, 4, 0)).isEqualTo(4f);
-        assertThat(image.value(15, 0, 0)).as("at the edge of what is there").isEqualTo(2f);
-        assertThat(image.value(19, 19, 0)).as("nothing near").isZero();
+        assertThat(image.value(4, 2, 0)).isEqualTo(2.75f);
+        assertThat(image.value(4, 4, 0)).as("a sample of its own").isEqualTo(7f);
+        assertThat(image.value(11, 0, 0)).as("at the edge of what is there").isEqualTo(2f);
+    }
+
+    @Test
+    void aRestartedPixelKeepsItsSampleUntilTheNextOne() {
+        Film film = new Film(1, 1, false);
+        film.add(0, 0, Colour.grey(1));
+        film.restart(0);
+        assertThat(film.image(1).value(0, 0, 0)).isEqualTo(1f);
+        film.add(0, 0, Colour.grey(3));
+        film.add(0, 0, Colour.grey(5));
+        assertThat(film.image(1).value(0, 0, 0)).isEqualTo(4f);
+        assertThat(film.samples(0)).isEqualTo(2);
     }
 }
