@@ -94,6 +94,11 @@ public final class RandomStudio {
         return new RandomStudio(seed).studio();
     }
 
+    /** The studio with a number, with lengths and times from minus to plus so many powers of ten. */
+    public static Studio of(long seed, double decades) {
+        return new RandomStudio(seed, decades, null).studio();
+    }
+
     /** An object of one type, of a size between 1/2 and 20, with the given surface. */
     public static SceneObject object(long seed, Class<?> type, Surface surface) {
         RandomStudio maker = new RandomStudio(seed, 0.8, surface);
