@@ -122,7 +122,7 @@ final class Menus {
     void setExamples(List<Studio> scenes) {
         Map<String, JMenu> topics = new LinkedHashMap<>();
         for (Studio scene : scenes) {
-            JMenu topic = topics.computeIfAbsent(scene.topic(), JMenu::new);
+            JMenu topic = topics.computeIfAbsent(scene.topic(), name -> new JMenu(name));
             add(topic, scene.title(), () -> files.open(scene));
         }
         examples.removeAll();
