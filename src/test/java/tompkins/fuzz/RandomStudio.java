@@ -122,8 +122,8 @@ public final class RandomStudio {
         for (int i = 0; i < TRIES; i++) {
             try {
                 return making.get();
-            } catch (InvalidPropertyException tryAgain) {
-                continue;
+            } catch (InvalidPropertyException refused) {
+                // the next try may be accepted
             }
         }
         throw new IllegalStateException("no valid value in " + TRIES + " tries");
