@@ -17,6 +17,7 @@ import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderReport;
 import tompkins.render.Renderer;
+import tompkins.spacetime.Velocity;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
@@ -86,6 +87,9 @@ final class Photographer {
         // somebody may have put a file there meanwhile
         refuseToReplace(target, replace);
         PhotographFile.write(target, job.image(), format, studio.settings().toneCurve(), info);
+        if (studio.velocity().gamma() > Velocity.GUARANTEED_GAMMA) {
+            err.println("warning: gamma is above 1e6; directions may have lost digits");
+        }
         report(target, job.report());
     }
 
