@@ -15,7 +15,7 @@ final class AsciiText {
 
     private AsciiText() {}
 
-    /** Each character beyond ASCII as {@code \}{@code uXXXX}. */
+    /** Each character beyond ASCII as the escape of JSON: a backslash, the letter u and four hexadecimal digits. */
     static String escape(String text) {
         StringBuilder ascii = new StringBuilder(text.length() + 16);
         for (int i = 0; i < text.length(); i++) {

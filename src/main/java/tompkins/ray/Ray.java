@@ -208,11 +208,6 @@ public final class Ray {
         return shadow(hit, dx, dy, dz);
     }
 
-    /** Whether the ray starts on this boundary. */
-    public boolean startsOn(Boundary other) {
-        return boundary == other;
-    }
-
     /** Time of the light at a distance from the start: it falls with the distance. */
     public double timeAt(double distance) {
         return time - slowness * distance;
