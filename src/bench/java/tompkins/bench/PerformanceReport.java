@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.LocalDate;
+import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
@@ -203,7 +204,7 @@ final class PerformanceReport {
     }
 
     private void write() throws IOException {
-        StringBuilder text = new StringBuilder("# Performance\n\nMeasured on " + LocalDate.now() + ", "
+        StringBuilder text = new StringBuilder("# Performance\n\nMeasured on " + LocalDate.now(ZoneOffset.UTC) + ", "
                 + processor() + ", " + Runtime.getRuntime().availableProcessors() + " cores, Java "
                 + System.getProperty("java.version") + ", by\n\n    mvn -Pbench -DskipTests verify\n\n"
                 + "which writes this file. All times are medians of one run in which everything takes turns; `-Dbench.mode=quick`"
