@@ -26,7 +26,7 @@ public final class Candidates {
      */
     public boolean find(ObjectTree objects, Ray[] rays, int rayCount) {
         count = 0;
-        if (rayCount == 0 || !bundle.enclose(rays, rayCount)) {
+        if (rayCount == 0 || !bundle.enclose(rays, 0, rayCount)) {
             return false;
         }
         for (Primitive primitive : objects.listed()) {
@@ -72,11 +72,18 @@ public final class Candidates {
 
     /** Searches the nearest candidate that a ray hits; whether there is one. */
     public boolean nearest(Ray ray, NearestHit nearest) {
-        nearest.start(Primitive.NO_HIT);
+        Primitive primitive = null;
+        double distance = Primitive.NO_HIT;
         for (int i = 0; i < count; i++) {
-            nearest.test(found[i], ray);
+            Primitive candidate = found[i];
+            double candidateDistance = candidate.distance(ray, distance);
+            if (NearestHit.isNearer(candidate, candidateDistance, primitive, distance)) {
+                primitive = candidate;
+                distance = candidateDistance;
+            }
         }
+        nearest.end(primitive, distance);
         nearest.count(0, count);
-        return nearest.primitive() != null;
+        return primitive != null;
     }
 }

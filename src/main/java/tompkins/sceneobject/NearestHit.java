@@ -28,15 +28,27 @@ public final class NearestHit {
         distance = limit;
     }
 
-    /** Tests one primitive; of equally near ones the one that is listed first stays. */
+    /** Ends a search that was made elsewhere. */
+    void end(Primitive found, double foundDistance) {
+        primitive = found;
+        distance = foundDistance;
+    }
+
+    /** Tests one primitive. */
     void test(Primitive candidate, Ray ray) {
         double candidateDistance = candidate.distance(ray, distance);
-        boolean nearer = candidateDistance < distance;
-        boolean tie = candidateDistance == distance && candidateDistance < Primitive.NO_HIT;
-        if (nearer || (tie && (primitive == null || candidate.order() < primitive.order()))) {
+        if (isNearer(candidate, candidateDistance, primitive, distance)) {
             primitive = candidate;
             distance = candidateDistance;
         }
+    }
+
+    /** Whether a candidate takes the place of what was found before: of equally near ones the one that is listed first stays. */
+    static boolean isNearer(Primitive candidate, double candidateDistance, Primitive found, double distance) {
+        return candidateDistance < distance
+                || (candidateDistance == distance
+                        && candidateDistance < Primitive.NO_HIT
+                        && (found == null || candidate.order() < found.order()));
     }
 
     void count(long moreNodes, long moreTests) {

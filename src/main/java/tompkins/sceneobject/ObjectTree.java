@@ -84,12 +84,25 @@ public final class ObjectTree {
         }
         nearest.count(0, listed.length);
         if (root != null) {
-            searchTree(ray, nearest);
+            searchTree(root, ray, nearest);
         }
         return nearest.primitive() != null;
     }
 
-    private void searchTree(Ray ray, NearestHit nearest) {
+    /** As {@link #nearest(Ray, NearestHit)}, for a ray that enters the tree through some nodes. */
+    public boolean nearest(Ray ray, EntryNodes entries, NearestHit nearest) {
+        nearest.start(Primitive.NO_HIT);
+        for (Primitive primitive : listed) {
+            nearest.test(primitive, ray);
+        }
+        nearest.count(0, listed.length);
+        for (int i = 0; i < entries.count() && entries.distance(i) <= nearest.distance(); i++) {
+            searchTree(entries.node(i), ray, nearest);
+        }
+        return nearest.primitive() != null;
+    }
+
+    private static void searchTree(TreeNode root, Ray ray, NearestHit nearest) {
         double x = ray.x;
         double y = ray.y;
         double z = ray.z;
@@ -142,21 +155,21 @@ public final class ObjectTree {
     }
 
     /**
-     * Whether something throws a shadow on the start of a ray.
+     * Something that throws a shadow on the start of a ray, or null.
      *
      * @param limit distance of the light
      * @param scratch memory for the search; its result is not touched
      */
-    public boolean shadows(Ray ray, double limit, NearestHit scratch) {
+    public Primitive shadow(Ray ray, double limit, NearestHit scratch) {
         for (Primitive primitive : listed) {
             if (primitive.shadows(ray, limit)) {
-                return true;
+                return primitive;
             }
         }
-        return root != null && treeShadows(ray, limit, scratch);
+        return root == null ? null : treeShadow(ray, limit, scratch);
     }
 
-    private boolean treeShadows(Ray ray, double limit, NearestHit scratch) {
+    private Primitive treeShadow(Ray ray, double limit, NearestHit scratch) {
         double x = ray.x;
         double y = ray.y;
         double z = ray.z;
@@ -168,25 +181,32 @@ public final class ObjectTree {
         int nodes = 0;
         int tests = 0;
         TreeNode node = root;
-        boolean shadow = false;
+        Primitive shadow = null;
         search:
         while (node != null) {
             nodes++;
-            if (node.entry(x, y, z, inverseX, inverseY, inverseZ, limit) != TreeNode.MISSED) {
-                if (node.primitives == null) {
-                    waiting[count++] = node.high;
-                    node = node.low;
-                    continue;
+            TreeNode next = null;
+            if (node.primitives == null) {
+                double low = node.low.entry(x, y, z, inverseX, inverseY, inverseZ, limit);
+                double high = node.high.entry(x, y, z, inverseX, inverseY, inverseZ, limit);
+                if (low != TreeNode.MISSED) {
+                    next = node.low;
+                    if (high != TreeNode.MISSED) {
+                        waiting[count++] = node.high;
+                    }
+                } else if (high != TreeNode.MISSED) {
+                    next = node.high;
                 }
+            } else {
                 for (Primitive primitive : node.primitives) {
                     tests++;
                     if (primitive.shadows(ray, limit)) {
-                        shadow = true;
+                        shadow = primitive;
                         break search;
                     }
                 }
             }
-            node = count > 0 ? waiting[--count] : null;
+            node = next != null ? next : count > 0 ? waiting[--count] : null;
         }
         scratch.count(nodes, tests);
         return shadow;

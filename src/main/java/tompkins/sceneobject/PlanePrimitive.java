@@ -15,6 +15,14 @@ final class PlanePrimitive extends Primitive {
     private final Vector3d second;
     private final double scale;
 
+    // as plain numbers, for every ray asks for them
+    private final double pointX;
+    private final double pointY;
+    private final double pointZ;
+    private final double normalX;
+    private final double normalY;
+    private final double normalZ;
+
     PlanePrimitive(Plane plane, Placement placement) {
         super(plane.description(), plane.surface());
         Vector3d unit = Vectors.unit(plane.normal());
@@ -24,6 +32,12 @@ final class PlanePrimitive extends Primitive {
         first = placement.direction(axis);
         second = placement.direction(Vectors.secondAxis(unit, axis));
         scale = 1 / placement.scale();
+        pointX = point.x;
+        pointY = point.y;
+        pointZ = point.z;
+        normalX = normal.x;
+        normalY = normal.y;
+        normalZ = normal.z;
     }
 
     @Override
@@ -31,18 +45,28 @@ final class PlanePrimitive extends Primitive {
         if (ray.boundary == this) {
             return NO_HIT;
         }
-        double distance = heightBelow(ray) / (normal.x * ray.dx + normal.y * ray.dy + normal.z * ray.dz);
+        double height = heightBelow(ray);
+        double slope = slope(ray);
+        // most rays that miss are told without a division
+        if (height > 0 != slope > 0) {
+            return NO_HIT;
+        }
+        double distance = height / slope;
         return distance > 0 && distance <= limit ? distance : NO_HIT;
     }
 
     /** The normal times (point - start): subtracted first, so that nothing cancels near the plane. */
     private double heightBelow(Ray ray) {
-        return normal.x * (point.x - ray.x) + normal.y * (point.y - ray.y) + normal.z * (point.z - ray.z);
+        return normalX * (pointX - ray.x) + normalY * (pointY - ray.y) + normalZ * (pointZ - ray.z);
+    }
+
+    private double slope(Ray ray) {
+        return normalX * ray.dx + normalY * ray.dy + normalZ * ray.dz;
     }
 
     @Override
     public double inverseDistance(Ray line) {
-        return (normal.x * line.dx + normal.y * line.dy + normal.z * line.dz) / heightBelow(line);
+        return slope(line) / heightBelow(line);
     }
 
     @Override

@@ -13,6 +13,9 @@ final class RayBundle {
 
     private static final int PLANES = 5;
 
+    /** The plane across the rays: nothing of them lies behind it. */
+    private static final int AHEAD = 4;
+
     /** Widening against rounding, relative to the coordinates. */
     private static final double MARGIN = 1e-12;
 
@@ -22,22 +25,24 @@ final class RayBundle {
     final double[] normals = new double[3 * PLANES];
     final double[] bounds = new double[PLANES];
 
+    private double farthestStart;
+
     /**
-     * Bounds the first {@code count} of some rays.
+     * Bounds some of an array's rays, from one place to before another.
      *
      * @return false if they spread too widely; the bundle must not be used then
      */
-    boolean enclose(Ray[] rays, int count) {
+    boolean enclose(Ray[] rays, int from, int to) {
         double ax = 0;
         double ay = 0;
         double az = 0;
-        for (int i = 0; i < count; i++) {
+        for (int i = from; i < to; i++) {
             ax += rays[i].dx;
             ay += rays[i].dy;
             az += rays[i].dz;
         }
         double length = Math.sqrt(ax * ax + ay * ay + az * az);
-        if (!(length > LEAST_COSINE * count)) {
+        if (!(length > LEAST_COSINE * (to - from))) {
             return false;
         }
         ax /= length;
@@ -59,7 +64,7 @@ final class RayBundle {
         double mostE = Double.NEGATIVE_INFINITY;
         double leastF = Double.POSITIVE_INFINITY;
         double mostF = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < count; i++) {
+        for (int i = from; i < to; i++) {
             Ray ray = rays[i];
             double cosine = ray.dx * ax + ray.dy * ay + ray.dz * az;
             if (!(cosine > LEAST_COSINE)) {
@@ -80,8 +85,8 @@ final class RayBundle {
         setNormal(1, leastE * ax - ex, leastE * ay - ey, leastE * az - ez);
         setNormal(2, fx - mostF * ax, fy - mostF * ay, fz - mostF * az);
         setNormal(3, leastF * ax - fx, leastF * ay - fy, leastF * az - fz);
-        setNormal(4, -ax, -ay, -az);
-        boundStarts(rays, count);
+        setNormal(AHEAD, -ax, -ay, -az);
+        boundStarts(rays, from, to);
         return true;
     }
 
@@ -92,13 +97,14 @@ final class RayBundle {
     }
 
     /** Along a ray n.x only falls, so that its start decides. */
-    private void boundStarts(Ray[] rays, int count) {
-        Ray first = rays[0];
+    private void boundStarts(Ray[] rays, int from, int to) {
+        Ray first = rays[from];
         double farthest = Math.abs(first.x) + Math.abs(first.y) + Math.abs(first.z);
         for (int plane = 0; plane < PLANES; plane++) {
             bounds[plane] = height(plane, first);
         }
-        for (int i = 1; i < count; i++) {
+        farthestStart = -bounds[AHEAD];
+        for (int i = from + 1; i < to; i++) {
             Ray ray = rays[i];
             // all rays of a pinhole start at one point, usually
             if (ray.x == first.x && ray.y == first.y && ray.z == first.z) {
@@ -108,10 +114,12 @@ final class RayBundle {
             for (int plane = 0; plane < PLANES; plane++) {
                 bounds[plane] = Math.max(bounds[plane], height(plane, ray));
             }
+            farthestStart = Math.max(farthestStart, -height(AHEAD, ray));
         }
         for (int plane = 0; plane < PLANES; plane++) {
             bounds[plane] += MARGIN * (1 + farthest);
         }
+        farthestStart += MARGIN * (1 + farthest);
     }
 
     private double height(int plane, Ray ray) {
@@ -138,5 +146,11 @@ final class RayBundle {
             }
         }
         return false;
+    }
+
+    /** A distance that no ray of the bundle falls below before it reaches the box of a node. */
+    double leastDistance(TreeNode node) {
+        int at = 3 * AHEAD;
+        return node.least(-normals[at], -normals[at + 1], -normals[at + 2]) - farthestStart;
     }
 }

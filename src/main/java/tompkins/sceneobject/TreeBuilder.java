@@ -12,6 +12,7 @@ import java.util.concurrent.RecursiveTask;
 final class TreeBuilder {
 
     private static final int SMALLEST_INNER_NODE = 3;
+    private static final int LARGEST_LEAF = 16;
 
     /** With fewer primitives a second thread costs more than it gains. */
     private static final int SMALLEST_PARALLEL_NODE = 4096;
@@ -89,7 +90,7 @@ final class TreeBuilder {
 
     /** Parts the primitives; where the second part begins, or -1 if they are better left together. */
     private int middle(int from, int to, int depth, Cuts cuts, Bounds all) {
-        boolean small = to - from <= 2 * SMALLEST_INNER_NODE;
+        boolean small = to - from <= LARGEST_LEAF;
         boolean cut = cuts.choose(boxes, from, to, all.halfArea(), small ? to - from : Double.POSITIVE_INFINITY);
         if (!cut && small) {
             return -1;

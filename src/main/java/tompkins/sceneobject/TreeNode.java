@@ -46,38 +46,20 @@ final class TreeNode {
     }
 
     /**
-     * Distance at which a ray enters the box (below 0 if it starts inside), or {@link #MISSED}. Along an axis that the ray
-     * does not follow, the distances to the two sides are opposite infinities or NaN unless it passes outside; their sum is
-     * then NaN, and the axis does not count.
+     * Distance at which a ray enters the box (below 0 if it starts inside), or {@link #MISSED}. A ray along a plane of the box
+     * itself gives 0 times infinity and may count as a miss: the box is wider than what it holds.
      */
     double entry(double x, double y, double z, double inverseX, double inverseY, double inverseZ, double limit) {
-        double enter = Double.NEGATIVE_INFINITY;
-        double leave = Double.POSITIVE_INFINITY;
-        double low = (minX - x) * inverseX;
-        double high = (maxX - x) * inverseX;
-        double sum = low + high;
-        if (!Double.isNaN(sum)) {
-            enter = low < high ? low : high;
-            leave = low < high ? high : low;
-        }
-        low = (minY - y) * inverseY;
-        high = (maxY - y) * inverseY;
-        sum = low + high;
-        if (!Double.isNaN(sum)) {
-            double near = low < high ? low : high;
-            double far = low < high ? high : low;
-            enter = near > enter ? near : enter;
-            leave = far < leave ? far : leave;
-        }
-        low = (minZ - z) * inverseZ;
-        high = (maxZ - z) * inverseZ;
-        sum = low + high;
-        if (!Double.isNaN(sum)) {
-            double near = low < high ? low : high;
-            double far = low < high ? high : low;
-            enter = near > enter ? near : enter;
-            leave = far < leave ? far : leave;
-        }
+        double enter = ((inverseX > 0 ? minX : maxX) - x) * inverseX;
+        double leave = ((inverseX > 0 ? maxX : minX) - x) * inverseX;
+        double enterY = ((inverseY > 0 ? minY : maxY) - y) * inverseY;
+        double leaveY = ((inverseY > 0 ? maxY : minY) - y) * inverseY;
+        enter = enterY > enter ? enterY : enter;
+        leave = leaveY < leave ? leaveY : leave;
+        double enterZ = ((inverseZ > 0 ? minZ : maxZ) - z) * inverseZ;
+        double leaveZ = ((inverseZ > 0 ? maxZ : minZ) - z) * inverseZ;
+        enter = enterZ > enter ? enterZ : enter;
+        leave = leaveZ < leave ? leaveZ : leave;
         return enter > leave * ROUNDING || leave < 0 || enter > limit ? MISSED : enter;
     }
 

@@ -7,9 +7,11 @@ import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.Candidates;
+import tompkins.sceneobject.EntryNodes;
 import tompkins.sceneobject.LightGrid;
 import tompkins.sceneobject.NearestHit;
 import tompkins.sceneobject.ObjectTree;
+import tompkins.sceneobject.Primitive;
 import tompkins.surface.Response;
 import tompkins.surface.Surface;
 import tompkins.surface.Tracer;
@@ -35,6 +37,9 @@ final class RayTracer implements Tracer {
     private final RayCounts counts;
     private final RayWitness witness;
     private final NearestHit nearest = new NearestHit();
+
+    /** What threw the last shadow: it often throws the next one, too. */
+    private Primitive lastShadow;
 
     /** A tracer of one frame; the witness may be null. */
     RayTracer(
@@ -71,8 +76,20 @@ final class RayTracer implements Tracer {
         return colour(start, candidates.nearest(start, nearest));
     }
 
+    /** As {@link #colour(Ray)}, for one of the rays for which the nodes were found. */
+    Colour colour(Ray start, EntryNodes entries) {
+        counts.rays++;
+        return colour(start, objects.nearest(start, entries, nearest));
+    }
+
+    /** Looks for the nodes through which some rays enter the tree; false if each must search from its root. */
+    boolean find(EntryNodes entries, Ray[] rays, int from, int to) {
+        return entries.find(objects, rays, from, to);
+    }
+
     /** Looks for the primitives that some rays can meet; false if all must be searched. */
     boolean find(Candidates candidates, Ray[] rays, int count) {
+        lastShadow = null;
         return candidates.find(objects, rays, count);
     }
 
@@ -134,7 +151,11 @@ final class RayTracer implements Tracer {
                 return !grid.shadows(ray, distance, nearest);
             }
         }
-        return !objects.shadows(ray, distance, nearest);
+        if (lastShadow != null && lastShadow.shadows(ray, distance)) {
+            return false;
+        }
+        lastShadow = objects.shadow(ray, distance, nearest);
+        return lastShadow == null;
     }
 
     @Override

@@ -6,6 +6,7 @@ import tompkins.ray.Colour;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.Candidates;
+import tompkins.sceneobject.EntryNodes;
 import tompkins.sceneobject.NearestHit;
 
 /** Takes samples of a picture. One for each thread. */
@@ -24,7 +25,9 @@ public final class SampleTracer {
     private final Ray[] rays = new Ray[LARGEST_BLOCK * LARGEST_BLOCK];
     private final int[] columns = new int[rays.length];
     private final int[] rows = new int[rays.length];
+    private final Colour[] colours = new Colour[rays.length];
     private final Candidates candidates = new Candidates();
+    private final EntryNodes entries = new EntryNodes();
     private int column;
     private int row;
 
@@ -82,44 +85,67 @@ public final class SampleTracer {
      */
     public void sampleBlock(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
         int count = makeRays(left, top, width, height, stride, sample, taker);
-        if (cameraTracer != null) {
-            for (int i = 0; i < count; i++) {
-                if (goTo(i, taker)) {
-                    taker.take(column, row, finite(cameraTracer.colour(rays[i])));
-                }
+        if (cameraTracer == null) {
+            followInScene(count, taker);
+        } else {
+            for (int i = 0; i < count && goTo(i, taker); i++) {
+                colours[i] = finite(cameraTracer.colour(rays[i]));
+            }
+        }
+        // all together, so that the pixels' memory is fetched at once
+        for (int i = 0; i < count; i++) {
+            if (colours[i] != null) {
+                taker.take(columns[i], rows[i], colours[i]);
+            }
+        }
+    }
+
+    private void followInScene(int count, SampleTaker taker) {
+        RayTracer tracer = sceneEntry.sceneTracer();
+        if (tracer.find(candidates, rays, count)) {
+            for (int i = 0; i < count && goTo(i, taker); i++) {
+                colours[i] = finite(tracer.colour(rays[i], candidates));
             }
             return;
         }
-        RayTracer tracer = sceneEntry.sceneTracer();
-        boolean few = tracer.find(candidates, rays, count);
-        for (int i = 0; i < count; i++) {
-            if (goTo(i, taker)) {
-                taker.take(column, row, finite(few ? tracer.colour(rays[i], candidates) : tracer.colour(rays[i])));
+        boolean found = false;
+        for (int i = 0; i < count && goTo(i, taker); i++) {
+            if (i % EntryNodes.RAYS == 0) {
+                found = tracer.find(entries, rays, i, Math.min(count, i + EntryNodes.RAYS));
             }
+            colours[i] = finite(found ? tracer.colour(rays[i], entries) : tracer.colour(rays[i]));
         }
     }
 
     private int makeRays(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
         int count = 0;
-        for (row = top; row < top + height; row += stride) {
-            for (column = left; column < left + width; column += stride) {
-                if (!taker.wants(column, row)) {
-                    continue;
-                }
-                sampler.start(column, row, sample);
-                counts.samples++;
-                Ray ray = cameraRays.ray(sampler.x(), sampler.y(), sampler.lensX(), sampler.lensY(), counts);
-                if (ray == null) {
-                    taker.take(column, row, Colour.BLACK);
-                } else {
-                    rays[count] = cameraTracer == null ? sceneEntry.cross(ray) : ray;
-                    columns[count] = column;
-                    rows[count] = row;
-                    count++;
-                }
+        for (int place = 0; place < rays.length; place++) {
+            int across = stride * mortonColumn(place);
+            int down = stride * mortonColumn(place >> 1);
+            column = left + across;
+            row = top + down;
+            if (across >= width || down >= height || !taker.wants(column, row)) {
+                continue;
+            }
+            sampler.start(column, row, sample);
+            counts.samples++;
+            Ray ray = cameraRays.ray(sampler.x(), sampler.y(), sampler.lensX(), sampler.lensY(), counts);
+            if (ray == null) {
+                taker.take(column, row, Colour.BLACK);
+            } else {
+                rays[count] = cameraTracer == null ? sceneEntry.cross(ray) : ray;
+                columns[count] = column;
+                rows[count] = row;
+                colours[count] = null;
+                count++;
             }
         }
         return count;
+    }
+
+    /** Column of a place on Morton's way through the block, on which those that follow each other are neighbours. */
+    private static int mortonColumn(int place) {
+        return place & 1 | place >> 1 & 2 | place >> 2 & 4 | place >> 3 & 8;
     }
 
     private boolean goTo(int index, SampleTaker taker) {

@@ -60,8 +60,8 @@ class RenderWorkTest {
         return Stream.of(
                 arguments(PaperStudios.fig1a(), 307_200, 231_021, 0, 2_492_875),
                 arguments(PaperStudios.fig1b(), 307_200, 26_054, 0, 1_811_507),
-                arguments(samples(PaperStudios.fig3a(), 4), 1_228_800, 130_486, 8_443, 14_626_096),
-                arguments(rods, 307_200, 59_446, 11_345_207, 6_756_678));
+                arguments(samples(PaperStudios.fig3a(), 4), 1_228_800, 130_486, 4_859, 14_616_075),
+                arguments(rods, 307_200, 59_446, 7_225_657, 4_329_396));
     }
 
     /** Once compiled: about 300 bytes, a third more where the compiler has seen other scenes before. */

@@ -33,11 +33,59 @@ class ObjectTreeTest {
             assertThat(tree.nearest(ray, inTree)).isEqualTo(hit);
             assertThat(inTree.primitive()).isSameAs(inList.primitive());
             assertThat(inTree.distance()).isEqualTo(inList.distance());
-            assertThat(tree.shadows(ray, 5, inTree)).isEqualTo(list.shadows(ray, 5, inList));
+            assertThat(tree.shadow(ray, 5, inTree) == null).isEqualTo(list.shadow(ray, 5, inList) == null);
         }
         assertThat(hits).isBetween(1, 299);
         assertThat(tree.hasTree()).isTrue();
         assertThat(list.hasTree()).isFalse();
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 3, 50, 1000, 9000})
+    void neighboursThatEnterTheTreeTogetherFindWhatTheListFinds(int count) {
+        List<Primitive> primitives = spheres(count, new Random(count));
+        ObjectTree tree = new ObjectTree(primitives, 1);
+        ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
+        EntryNodes entries = new EntryNodes();
+        NearestHit inTree = new NearestHit();
+        NearestHit inList = new NearestHit();
+        Random random = new Random(11);
+
+        int hits = 0;
+        for (int i = 0; i < 100; i++) {
+            Ray[] rays = neighbours(ray(random), random.nextDouble(0.1), random);
+            assertThat(entries.find(tree, rays, 0, rays.length)).isTrue();
+            for (Ray ray : rays) {
+                boolean hit = list.nearest(ray, inList);
+                hits += hit ? 1 : 0;
+
+                assertThat(tree.nearest(ray, entries, inTree)).isEqualTo(hit);
+                assertThat(inTree.primitive()).isSameAs(inList.primitive());
+                assertThat(inTree.distance()).isEqualTo(inList.distance());
+            }
+        }
+        assertThat(hits).isBetween(1, 1599);
+    }
+
+    @Test
+    void raysAllAroundDoNotEnterTheTreeTogether() {
+        ObjectTree tree = new ObjectTree(spheres(100, new Random(1)), 1);
+        Ray[] opposite = {Ray.fromCamera(0, 0, 0, 0, 0, 1, 0), Ray.fromCamera(0, 0, 0, 0, 0, -1, 0)};
+
+        assertThat(new EntryNodes().find(tree, opposite, 0, 2)).isFalse();
+    }
+
+    /** Rays that start near another and go almost the same way. */
+    private static Ray[] neighbours(Ray ray, double spread, Random random) {
+        Ray[] rays = new Ray[EntryNodes.RAYS];
+        for (int i = 0; i < rays.length; i++) {
+            Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz)
+                    .add(random.nextDouble(spread + 1e-9), random.nextDouble(spread + 1e-9), 0)
+                    .normalize();
+            rays[i] = Ray.fromCamera(
+                    ray.x + random.nextDouble(spread + 1e-9), ray.y, ray.z, direction.x, direction.y, direction.z, 0);
+        }
+        return rays;
     }
 
     /** Of a hundred spheres in one place the first is seen, whatever the tree makes of them. */

@@ -68,7 +68,7 @@ public final class VariedStudios {
 
     /** All of them, with names. */
     public static Stream<Named<Studio>> all() {
-        return Stream.of(shutters(), figures(), lights(), windows(), cameras(), velocities())
+        return Stream.of(shutters(), figures(), dusts(), lights(), windows(), cameras(), velocities())
                 .flatMap(studios -> studios);
     }
 
@@ -86,6 +86,15 @@ public final class VariedStudios {
                 Named.of("figure 1a", PaperStudios.fig1a()),
                 Named.of("figure 1b", PaperStudios.fig1b()),
                 Named.of("figure 3a", samples(PaperStudios.fig3a(), 4)));
+    }
+
+    private static Stream<Named<Studio>> dusts() {
+        Studio studio = moving(dust());
+        return Stream.of(
+                Named.of("dust", studio),
+                Named.of("dust, two lamps", studio.withLights(List.of(PointLight.DEFAULT, lamp(0.2, 0.1, 9, 0.7)))),
+                Named.of("dust through a wide lens", samples(wide(studio), 2)),
+                Named.of("dust behind a window", studio.withCameraFrame(List.of(window(3, Clear.DEFAULT)))));
     }
 
     private static Stream<Named<Studio>> lights() {
@@ -246,6 +255,23 @@ public final class VariedStudios {
                     "sphere " + i, centre, random.nextDouble(0.02, 0.15), new ColouredSurface(colour, Colour.WHITE)));
         }
         objects.add(lattice(4, 0.02));
+        return objects;
+    }
+
+    /** Very many small objects: a block of rays meets far more of them than it could test one by one. */
+    private static List<SceneObject> dust() {
+        List<SceneObject> objects = new ArrayList<>();
+        Random random = new Random(3000);
+        for (int i = 0; i < 2500; i++) {
+            Vector3d place =
+                    new Vector3d(random.nextDouble(-2, 2), random.nextDouble(-1.5, 1.5), random.nextDouble(6, 12));
+            Surface surface = i % 7 == 0 ? Mirror.DEFAULT : GREY;
+            Vector3d end = new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), 0).add(place);
+            objects.add(
+                    i % 3 == 0
+                            ? new Cylinder("rod", place, end, 0.004, true, surface)
+                            : new Sphere("grain", place, 0.05, surface));
+        }
         return objects;
     }
 
