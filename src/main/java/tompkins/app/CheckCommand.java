@@ -9,6 +9,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import tompkins.io.SceneFileException;
 import tompkins.io.StudioReader;
+import tompkins.studio.Studio;
 
 /** Looks for mistakes in scene files. */
 @Command(name = "check", mixinStandardHelpOptions = true, description = "Looks for mistakes in scene files.")
@@ -25,7 +26,10 @@ final class CheckCommand implements Callable<Integer> {
         int code = 0;
         for (Path scene : scenes) {
             try {
-                StudioReader.read(scene);
+                Studio studio = StudioReader.read(scene);
+                studio.velocity()
+                        .warning()
+                        .ifPresent(warning -> spec.commandLine().getErr().println(scene + ": warning: " + warning));
                 spec.commandLine().getOut().println(scene + ": no mistakes");
             } catch (SceneFileException mistakes) {
                 spec.commandLine().getErr().println(mistakes.getMessage());

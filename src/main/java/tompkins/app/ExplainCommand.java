@@ -3,7 +3,6 @@ package tompkins.app;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -29,21 +28,23 @@ final class ExplainCommand implements Callable<Integer> {
     @Mixin
     private StudioOptions options;
 
-    @ArgGroup
-    private QualityOptions quality = new QualityOptions();
+    @Mixin
+    private QualityOptions quality;
 
     @Spec
     private CommandSpec spec;
 
     @Override
     public Integer call() throws InterruptedException {
-        Studio studio = options.applyTo(StudioReader.read(scene));
+        Studio studio = quality.applyTo(options.applyTo(StudioReader.read(scene)));
         spec.commandLine().getOut().println(studio.title());
         RenderPlan plan = RenderPlan.of(studio);
         for (String sentence : plan.sentences()) {
             spec.commandLine().getOut().println("- " + sentence);
         }
-        spec.commandLine().getOut().println("- " + cost(plan, quality.of(studio)));
+        Quality wish = quality.of(studio);
+        spec.commandLine().getOut().println("- " + wish.sentence(plan));
+        spec.commandLine().getOut().println("- " + cost(plan, wish));
         return 0;
     }
 

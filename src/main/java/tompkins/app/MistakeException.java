@@ -1,5 +1,8 @@
 package tompkins.app;
 
+import java.util.function.Supplier;
+import tompkins.property.InvalidPropertyException;
+
 /** The user asked for something that cannot be; the message says what, and what is allowed. */
 final class MistakeException extends RuntimeException {
 
@@ -7,5 +10,14 @@ final class MistakeException extends RuntimeException {
 
     MistakeException(String message) {
         super(message);
+    }
+
+    /** Makes something of an option's value; a refused value is the mistake of the option of this name. */
+    static <T> T inOption(String option, Supplier<T> maker) {
+        try {
+            return maker.get();
+        } catch (InvalidPropertyException invalid) {
+            throw new MistakeException(option + " " + invalid.problem());
+        }
     }
 }

@@ -17,7 +17,6 @@ import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderReport;
 import tompkins.render.Renderer;
-import tompkins.spacetime.Velocity;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
@@ -87,9 +86,7 @@ final class Photographer {
         // somebody may have put a file there meanwhile
         refuseToReplace(target, replace);
         PhotographFile.write(target, job.image(), format, studio.settings().toneCurve(), info);
-        if (studio.velocity().gamma() > Velocity.GUARANTEED_GAMMA) {
-            err.println("warning: gamma is above 1e6; directions may have lost digits");
-        }
+        studio.velocity().warning().ifPresent(warning -> err.println("warning: " + warning));
         report(target, job.report());
     }
 

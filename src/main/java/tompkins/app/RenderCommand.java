@@ -4,7 +4,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
-import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -44,8 +43,8 @@ final class RenderCommand implements Callable<Integer> {
     @Option(names = "--tone", description = "tone curve of png and tiff: ${COMPLETION-CANDIDATES}")
     private ToneCurve toneCurve;
 
-    @ArgGroup
-    private QualityOptions quality = new QualityOptions();
+    @Mixin
+    private QualityOptions quality;
 
     @Option(names = "--threads", paramLabel = "N", description = "number of threads; without it one for each core")
     private Integer threads;
@@ -73,7 +72,7 @@ final class RenderCommand implements Callable<Integer> {
             Path target =
                     output == null || folder ? Photographer.targetOf(scene, folder ? output : Path.of("")) : output;
             PictureFormat targetFormat = Photographer.formatFor(target, format);
-            Studio studio = options.applyTo(StudioReader.read(scene));
+            Studio studio = quality.applyTo(options.applyTo(StudioReader.read(scene)));
             if (toneCurve != null) {
                 studio = studio.withSettings(studio.settings().withToneCurve(toneCurve));
             }

@@ -17,9 +17,6 @@ final class StudioOptions {
     @Option(names = "--size", paramLabel = "WxH", description = "size of the picture in pixels, such as 640x480")
     private String size;
 
-    @Option(names = "--samples", paramLabel = "N", description = "samples for each pixel, 1 or more")
-    private Integer samples;
-
     @Option(names = "--beta", paramLabel = "X,Y,Z", description = "velocity of the camera in units of c")
     private String beta;
 
@@ -33,38 +30,34 @@ final class StudioOptions {
     @Option(names = "--time", paramLabel = "T", description = "opening time of the shutter")
     private Double time;
 
-    @Option(names = "--seed", paramLabel = "N", description = "seed of the places of the samples")
-    private Long seed;
-
     /** The studio with all options that were given. */
     Studio applyTo(Studio studio) {
-        try {
-            return changed(studio);
-        } catch (InvalidPropertyException invalid) {
-            throw new MistakeException("option for " + invalid.getMessage());
-        }
-    }
-
-    private Studio changed(Studio studio) {
-        RenderSettings settings = studio.settings();
+        Studio changed = studio;
         if (size != null) {
-            int[] sides = sides();
-            settings = settings.withSize(sides[0], sides[1]);
+            changed = changed.withSettings(sized(studio.settings()));
         }
-        settings = samples == null ? settings : settings.withSamples(samples);
-        settings = seed == null ? settings : settings.withSeed(seed);
-        Studio changed = studio.withSettings(settings);
         if (beta != null) {
-            changed = changed.withVelocity(Velocity.of(vector("--beta", beta)));
+            Vector3d components = vector("--beta", beta);
+            changed = changed.withVelocity(MistakeException.inOption("--beta", () -> Velocity.of(components)));
         }
         Shutter model = changed.camera().shutter();
         if (shutter != null) {
             model = shutterNamed(shutter, model);
         }
         if (time != null) {
-            model = model.openedAt(time);
+            Shutter closed = model;
+            model = MistakeException.inOption("--time", () -> closed.openedAt(time));
         }
         return changed.withCamera(changed.camera().withShutter(model));
+    }
+
+    private RenderSettings sized(RenderSettings settings) {
+        int[] sides = sides();
+        try {
+            return settings.withSize(sides[0], sides[1]);
+        } catch (InvalidPropertyException side) {
+            throw new MistakeException("--size " + size + ": " + side.getMessage());
+        }
     }
 
     private int[] sides() {

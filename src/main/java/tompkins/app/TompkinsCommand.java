@@ -1,5 +1,6 @@
 package tompkins.app;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -39,6 +40,10 @@ final class TompkinsCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
+        if (scene != null && !Files.exists(scene)) {
+            throw new MistakeException(scene + ": there is neither a file nor a command of this name; the commands are "
+                    + String.join(", ", spec.subcommands().keySet()));
+        }
         Path file = scene == null ? BundledScenes.file("fig1b.json") : scene;
         if (Displays.usable()) {
             TompkinsWindow.open(StudioReader.read(file), scene, BundledScenes::studios, new WindowCommandLine());

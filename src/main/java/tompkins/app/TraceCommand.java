@@ -53,7 +53,7 @@ final class TraceCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        double[] place = StudioOptions.numbers("--pixel", pixel, 2);
+        int[] place = pixel();
         double[] lens = StudioOptions.numbers("--pupil", pupil, 2);
         Studio studio = options.applyTo(StudioReader.read(scene));
         int width = studio.settings().width();
@@ -79,6 +79,18 @@ final class TraceCommand implements Callable<Integer> {
             print(out, life);
         }
         return 0;
+    }
+
+    private int[] pixel() {
+        String[] parts = pixel.split(",", -1);
+        try {
+            if (parts.length == 2) {
+                return new int[] {Integer.parseInt(parts[0].trim()), Integer.parseInt(parts[1].trim())};
+            }
+        } catch (NumberFormatException notWhole) {
+            // the message below says what is allowed
+        }
+        throw new MistakeException("--pixel must be two whole numbers with a comma between them, was " + pixel);
     }
 
     private static void print(PrintWriter out, RayLife life) {

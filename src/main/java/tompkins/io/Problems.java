@@ -11,7 +11,7 @@ final class Problems {
     static final int MOST = 100;
 
     private static final int LONGEST_VALUE = 60;
-    private static final int LONGEST_PATH = 200;
+    private static final int LONGEST_PATH = 100;
 
     private final String file;
     private final List<Problem> found = new ArrayList<>();

@@ -18,14 +18,11 @@ final class Refusal {
      */
     static void note(Problems problems, InvalidPropertyException invalid, JsonValue value, String path) {
         String property = invalid.property();
-        String start = property + " ";
-        String message = invalid.getMessage();
-        String rest = message.startsWith(start) ? message.substring(start.length()) : message;
         Member member = value instanceof JsonObject object ? object.members().get(component(invalid)) : null;
         if (member != null) {
-            problems.add(member.value(), path.isEmpty() ? property : path + "." + property, rest);
+            problems.add(member.value(), path.isEmpty() ? property : path + "." + property, invalid.problem());
         } else {
-            problems.add(value, path, value instanceof JsonObject ? message : rest);
+            problems.add(value, path, value instanceof JsonObject ? invalid.getMessage() : invalid.problem());
         }
     }
 

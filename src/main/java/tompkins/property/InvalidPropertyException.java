@@ -6,6 +6,7 @@ public final class InvalidPropertyException extends IllegalArgumentException {
     private static final long serialVersionUID = 1;
 
     private final String property;
+    private final String problem;
 
     /**
      * Describes one wrong value.
@@ -17,10 +18,16 @@ public final class InvalidPropertyException extends IllegalArgumentException {
     public InvalidPropertyException(String property, String allowed, Object value) {
         super(property + " must be " + allowed + ", was " + value);
         this.property = property;
+        problem = "must be " + allowed + ", was " + value;
     }
 
     /** The name of the property that is wrong, as in the scene file. */
     public String property() {
         return property;
+    }
+
+    /** The message without the name: what is allowed, and the value. */
+    public String problem() {
+        return problem;
     }
 }

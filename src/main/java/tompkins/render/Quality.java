@@ -11,6 +11,19 @@ public sealed interface Quality {
         return new Samples(plan.samples());
     }
 
+    /** Says which samples the picture of a plan gets. */
+    String sentence(RenderPlan plan);
+
+    private static String spread(RenderPlan plan) {
+        return plan.studio().camera().hasWideLens()
+                ? "spread evenly over pixel and lens"
+                : "spread evenly over the pixel";
+    }
+
+    private static String plain(double number) {
+        return Double.toString(number).replaceFirst("\\.0$", "");
+    }
+
     /**
      * The same number of samples for each pixel.
      *
@@ -21,6 +34,16 @@ public sealed interface Quality {
         /** Checks the number. */
         public Samples {
             Require.within("samples", samples, 1, 1 << 20);
+        }
+
+        @Override
+        public String sentence(RenderPlan plan) {
+            if (samples > 1) {
+                return samples + " samples for each pixel, " + spread(plan) + ".";
+            }
+            return plan.studio().camera().hasWideLens()
+                    ? "One sample for each pixel, in its centre and through the centre of the lens: blur needs more samples."
+                    : "One sample for each pixel, in its centre.";
         }
     }
 
@@ -38,6 +61,12 @@ public sealed interface Quality {
         public TargetError {
             Require.within("error", rootMeanSquare, 1e-6, 1);
         }
+
+        @Override
+        public String sentence(RenderPlan plan) {
+            return "Samples where they are needed, " + spread(plan) + ", until the estimated error is "
+                    + plain(rootMeanSquare) + ".";
+        }
     }
 
     /**
@@ -50,6 +79,11 @@ public sealed interface Quality {
         /** Checks the number. */
         public TimeLimit {
             Require.within("seconds", seconds, 0.01, 1e6);
+        }
+
+        @Override
+        public String sentence(RenderPlan plan) {
+            return "Samples where they help most, " + spread(plan) + ", until " + plain(seconds) + " s are over.";
         }
     }
 }

@@ -1,6 +1,8 @@
 package tompkins.spacetime;
 
+import java.util.Locale;
 import java.util.Objects;
+import java.util.Optional;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Precise;
@@ -124,6 +126,18 @@ public final class Velocity {
     /** The Lorentz factor, from 1 upwards. */
     public double gamma() {
         return gamma;
+    }
+
+    /** What to say of pictures at this velocity, if they may have lost digits: a warning above {@link #GUARANTEED_GAMMA}. */
+    public Optional<String> warning() {
+        return gamma <= GUARANTEED_GAMMA
+                ? Optional.empty()
+                : Optional.of(String.format(
+                        Locale.ROOT,
+                        "gamma %.3g is above %.0g; directions may be wrong by more than %.0g radians",
+                        gamma,
+                        GUARANTEED_GAMMA,
+                        8 * gamma * 0x1p-53));
     }
 
     /** gamma - 1, also where gamma itself rounds to 1. */

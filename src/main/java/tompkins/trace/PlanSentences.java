@@ -6,7 +6,6 @@ import tompkins.sceneobject.ObjectTree;
 import tompkins.sceneobject.Primitive;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.TransformationLaw;
-import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.surface.Surface;
 
@@ -32,15 +31,8 @@ final class PlanSentences {
         sentences.add(cameraObjects());
         sentences.add(search());
         sentences.add(recursion());
-        sentences.add(samples());
         sentences.add("Colours stay as they are in the scene: no Doppler shift, no searchlight effect.");
-        if (studio.velocity().gamma() > Velocity.GUARANTEED_GAMMA) {
-            sentences.add(format(
-                    "Warning: gamma %.3g is above %.0g; directions may be wrong by more than %.0g radians.",
-                    studio.velocity().gamma(),
-                    Velocity.GUARANTEED_GAMMA,
-                    8 * studio.velocity().gamma() * 0x1p-53));
-        }
+        studio.velocity().warning().ifPresent(warning -> sentences.add("Warning: " + warning + "."));
     }
 
     private String motion() {
@@ -58,7 +50,7 @@ final class PlanSentences {
 
     private String lens() {
         if (studio.camera().hasWideLens()) {
-            return "A wide lens: each sample takes its own point of the lens; the focus decides what is sharp.";
+            return "A wide lens: the focus decides what is sharp.";
         }
         return "A pinhole: one point of the lens, everything is sharp"
                 + (studio.camera().shutter().needsFocus()
@@ -92,6 +84,9 @@ final class PlanSentences {
     }
 
     private String search() {
+        if (scene.size() == 0) {
+            return "The scene holds no objects: rays that reach it see the background.";
+        }
         return scene.hasTree()
                 ? format("%d primitives in the scene: a bounding-volume tree finds the nearest.", scene.size())
                 : format(
@@ -104,21 +99,9 @@ final class PlanSentences {
                 || cameraFrame.primitives().stream().map(Primitive::surface).anyMatch(Surface::continuesRays);
         return continues
                 ? format(
-                        "Mirrors, glass or windows send rays on, at most %d times, while they bring 1/1024 of the light.",
+                        "Some surfaces send rays on: at most %d times, and only as long as these bring 1/1024 of the light.",
                         studio.settings().maximumDepth())
-                : "No mirrors, glass or windows: each ray ends where it hits.";
-    }
-
-    private String samples() {
-        int samples = studio.settings().samples();
-        return samples == 1
-                ? "One sample for each pixel, in its centre"
-                        + (studio.camera().hasWideLens()
-                                ? " and through the centre of the lens: blur needs more samples."
-                                : ".")
-                : format(
-                        "%d samples for each pixel, spread evenly over pixel%s.",
-                        samples, studio.camera().hasWideLens() ? " and lens" : "");
+                : "No mirrors, glass, windows or filters: each ray ends where it hits.";
     }
 
     private static String format(String pattern, Object... values) {

@@ -161,7 +161,7 @@ public final class RenderPlan {
         return crossing.origin();
     }
 
-    /** The plan in sentences: what this picture needs, what it leaves out, and why. */
+    /** The plan in sentences: what this picture needs, what it leaves out, and why; of its samples the quality tells. */
     public List<String> sentences() {
         List<String> sentences = new ArrayList<>();
         new PlanSentences(studio, scene.objects(), cameraFrame, isAtRest()).addTo(sentences);

@@ -1,8 +1,10 @@
 package tompkins.ui;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import tompkins.image.LinearImage;
+import tompkins.render.Quality;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
@@ -10,6 +12,7 @@ import tompkins.trace.RenderPlan;
  * A picture on its way to the screen.
  *
  * @param plan what it was made from
+ * @param quality which samples it gets
  * @param image its light
  * @param complete whether all samples were taken
  * @param time since the change that it answers
@@ -19,6 +22,7 @@ import tompkins.trace.RenderPlan;
  */
 record Picture(
         RenderPlan plan,
+        Quality quality,
         LinearImage image,
         boolean complete,
         Duration time,
@@ -28,5 +32,12 @@ record Picture(
 
     Studio studio() {
         return plan.studio();
+    }
+
+    /** What it models and which samples it gets, in sentences. */
+    List<String> sentences() {
+        List<String> sentences = new ArrayList<>(plan.sentences());
+        sentences.add(quality.sentence(plan));
+        return sentences;
     }
 }

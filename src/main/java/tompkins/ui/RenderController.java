@@ -89,8 +89,9 @@ final class RenderController implements AutoCloseable {
             }
             RenderPlan plan = RenderPlan.of(request.studio);
             if (!planner.hasNewer()) {
-                Run next = new Run(request.time);
-                next.job = renderer.startCoarse(plan, quality == null ? Quality.of(plan) : quality, next);
+                Quality wish = quality;
+                Run next = new Run(request.time, wish == null ? Quality.of(plan) : wish);
+                next.job = renderer.startCoarse(plan, next.wanted, next);
                 run = next;
             }
         } catch (InterruptedException closing) {
@@ -127,13 +128,15 @@ final class RenderController implements AutoCloseable {
     private final class Run implements RenderListener {
 
         private final long changeTime;
+        private final Quality wanted;
         private final long startTime = System.nanoTime();
         private volatile RenderJob job;
         private volatile boolean shown;
         private volatile boolean ended;
 
-        Run(long changeTime) {
+        Run(long changeTime, Quality wanted) {
             this.changeTime = changeTime;
+            this.wanted = wanted;
         }
 
         boolean mayEnd() {
@@ -172,6 +175,7 @@ final class RenderController implements AutoCloseable {
                     / ((double) rendered.plan().width() * rendered.plan().height());
             listener.picture(new Picture(
                     rendered.plan(),
+                    wanted,
                     rendered.image(),
                     complete,
                     time,

@@ -86,8 +86,11 @@ final class SidePanel {
     /** Shows what there is to say about the picture on the screen. */
     void show(Picture picture) {
         RenderPlan made = picture.plan();
-        if (shown == null || shown.plan() != made || !shown.warnings().equals(picture.warnings())) {
-            plan.show(made.sentences(), picture.warnings());
+        if (shown == null
+                || shown.plan() != made
+                || !shown.quality().equals(picture.quality())
+                || !shown.warnings().equals(picture.warnings())) {
+            plan.show(picture.sentences(), picture.warnings());
             shutter.showPlace(made.lensInScene());
         }
         shown = picture;

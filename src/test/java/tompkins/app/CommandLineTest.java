@@ -5,12 +5,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class CommandLineTest {
 
@@ -96,17 +100,19 @@ class CommandLineTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "--beta 0,0,1 | shorter than 1",
+                "--beta 0,0,1 | --beta must be shorter than 1",
                 "--beta 0.6,0.8,0 | shorter than 1",
                 "--beta 0,0,NaN | 3 numbers",
                 "--beta 1,2 | 3 numbers",
                 "--size 640 | 640x480",
-                "--size 0x480 | from 1 to 65535",
+                "--size 0x480 | --size 0x480: width must be a whole number from 1 to 65535, was 0",
                 "--size 60000x60000 | 100000000 pixels",
-                "--samples 0 | from 1",
+                "--samples 0 | --samples must be a whole number from 1 to 1048576, was 0",
+                "--error 2 | --error must be from 1.0E-6 to 1, was 2.0",
+                "--seconds 0 | --seconds must be from 0.01 to 1000000, was 0.0",
                 "--samples many | many",
                 "--shutter rolling | aperture-plane",
-                "--time NaN | finite",
+                "--time NaN | --time must be a finite number, was NaN",
                 "--threads 0 | 1 or above",
                 "--tone loud | loud",
                 "--speed 3 | --speed",
@@ -121,6 +127,81 @@ class CommandLineTest {
         assertThat(run.code()).isEqualTo(2);
         assertThat(run.err()).contains(said.trim()).doesNotContain("Exception").doesNotContain("\tat ");
         assertThat(picture).doesNotExist();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--samples 4 --error", "--samples 4 --seconds 1", "--error 0.1 --seconds 1"})
+    void onlyOneWishForTheQualityMayBeGiven(String wishes) {
+        Path picture = folder.resolve("never.png");
+        for (String command : new String[] {"render", "explain"}) {
+            List<Object> words = new ArrayList<>(List.of(command, FIG1B));
+            if (command.equals("render")) {
+                words.addAll(List.of("-o", picture));
+            }
+            words.addAll(List.of(wishes.split(" ")));
+
+            ProgramRun run = ProgramRun.of(words.toArray());
+
+            assertThat(run.code()).isEqualTo(2);
+            assertThat(run.out()).isEmpty();
+            assertThat(run.err().lines()).hasSize(2);
+            assertThat(run.err()).contains("mutually exclusive", wishes.split(" ")[0]);
+            assertThat(picture).doesNotExist();
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "scenes/fig1b.json | --samples 1 | One sample for each pixel, in its centre.",
+                "scenes/fig1b.json | --samples 5 | 5 samples for each pixel, spread evenly over the pixel.",
+                "scenes/fig3a.json | --samples 5 | 5 samples for each pixel, spread evenly over pixel and lens.",
+                "scenes/fig1b.json | --error 0.25 | until the estimated error is 0.25.",
+                "scenes/fig3a.json | --seconds 1 | spread evenly over pixel and lens, until 1 s are over."
+            })
+    void explainTellsOfTheSamplesThatAreTaken(String scene, String wish, String said) {
+        String[] words = wish.split(" ");
+
+        String out = ProgramRun.of("explain", scene, words[0], words[1]).out();
+
+        assertThat(out).contains(said);
+        assertThat(out.lines().filter(line -> line.toLowerCase(Locale.ROOT).contains("sample")))
+                .as("the sentence, and the cost")
+                .hasSize(2);
+    }
+
+    @Test
+    void explainReadsWellForAnEmptyScene() throws IOException {
+        Path empty = Files.writeString(folder.resolve("empty.json"), "{}");
+
+        String out = ProgramRun.of("explain", empty).out();
+
+        assertThat(out).contains("The scene holds no objects").doesNotContain("primitive");
+    }
+
+    @Test
+    void checkWarnsOfLostDigits() throws IOException {
+        Path fast = Files.writeString(folder.resolve("fast.json"), "{ \"velocity\": { \"gamma\": 1e7 } }");
+
+        ProgramRun run = ProgramRun.of("check", fast, FIG1B);
+
+        assertThat(run.code()).isZero();
+        assertThat(run.out().lines()).hasSize(2);
+        // 8 gamma u = 8 x 1e7 x 1.1e-16
+        assertThat(run.err().strip())
+                .isEqualTo(fast + ": warning: gamma 1.00e+07 is above 1e+06; directions may be wrong by more than"
+                        + " 9e-09 radians");
+    }
+
+    @Test
+    void aWordThatIsNeitherCommandNorFileIsRefused() {
+        ProgramRun run = ProgramRun.of("rendr");
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.out()).isEmpty();
+        assertThat(run.err().lines()).hasSize(1);
+        assertThat(run.err()).startsWith("rendr: ").contains("command", "render, check, explain, trace, study");
     }
 
     @Test

@@ -37,7 +37,7 @@ class LimitsTest {
         for (Case bad : cases()) {
             ProgramRun run = ProgramRun.of((Object[]) bad.words);
             assertThat(run.code()).as("%s: %s", bad.what, run.err()).isEqualTo(bad.code);
-            assertThat(run.out()).as(bad.what).isEmpty();
+            assertThat(run.out().isEmpty()).as(bad.what).isEqualTo(bad.code != 0);
             assertThat(run.err()).as(bad.what).isNotBlank().doesNotContain("Exception", "\tat ");
             String message = run.err()
                     .strip()
@@ -81,6 +81,11 @@ class LimitsTest {
                 scene("speed of light", "{ \"velocity\": [0, 0, 1] }"),
                 scene("faster than light by rounding only", "{ \"velocity\": [0.6, 0.8, 0] }"),
                 scene("gamma beyond what doubles hold", "{ \"velocity\": { \"gamma\": 1e9 } }"),
+                new Case(
+                        "gamma above the guaranteed accuracy",
+                        0,
+                        "check",
+                        write("fast.json", "{ \"velocity\": { \"gamma\": 1e7 } }")),
                 scene("NaN", "{ \"velocity\": [0, 0, NaN] }"),
                 scene("Infinity", "{ \"camera\": { \"apertureRadius\": Infinity } }"),
                 scene("number too large for a double", "{ \"camera\": { \"apertureRadius\": 1e999 } }"),
@@ -140,10 +145,15 @@ class LimitsTest {
                         "8x6",
                         "-o",
                         folder.resolve("no/a.png").toString()),
+                new Case("samples option", 2, "render", good, "-o", output, "--samples", "0"),
+                new Case("error option", 2, "render", good, "-o", output, "--error", "2"),
+                new Case("two wishes at once", 2, "render", good, "-o", output, "--samples", "4", "--seconds", "1"),
                 new Case("velocity option", 2, "render", good, "-o", output, "--beta", "0,0,2"),
                 new Case("unknown option", 2, "render", good, "-o", output, "--bta", "0,0,2"),
                 new Case("unknown shutter", 2, "render", good, "-o", output, "--shutter", "rolling"),
-                new Case("pixel outside the picture", 2, "trace", good, "--pixel", "640,0"));
+                new Case("pixel outside the picture", 2, "trace", good, "--pixel", "640,0"),
+                new Case("part of a pixel", 2, "trace", good, "--pixel", "1.5,2"),
+                new Case("neither command nor scene", 2, "rendr"));
     }
 
     private int count;

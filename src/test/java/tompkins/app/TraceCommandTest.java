@@ -64,6 +64,21 @@ class TraceCommandTest {
     }
 
     @Test
+    void pixelsAreWholeAndTheirPlacesHaveNoSamples() {
+        for (String pixel : new String[] {"1.5,2", "1,2,3", "1", "one,two", "1e1,2", "99999999999,1"}) {
+            ProgramRun run = ProgramRun.of("trace", "scenes/fig1b.json", "--pixel", pixel);
+            assertThat(run.code()).isEqualTo(2);
+            assertThat(run.err().strip())
+                    .isEqualTo("--pixel must be two whole numbers with a comma between them, was " + pixel);
+        }
+        for (String option : new String[] {"--samples", "--seed"}) {
+            ProgramRun run = ProgramRun.of("trace", "scenes/fig1b.json", "--pixel", "1,2", option, 3);
+            assertThat(run.code()).isEqualTo(2);
+            assertThat(run.err()).contains(option);
+        }
+    }
+
+    @Test
     void aRayThatNeverCrossesTheShutterHasNoLife() throws IOException {
         Path scene = Files.writeString(folder.resolve("parallel.json"), """
                 {
