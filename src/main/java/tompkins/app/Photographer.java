@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import picocli.CommandLine;
 import tompkins.image.PhotographFile;
 import tompkins.image.PhotographInfo;
@@ -13,6 +14,7 @@ import tompkins.image.PictureException;
 import tompkins.image.PictureFormat;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
+import tompkins.property.InvalidPropertyException;
 import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderReport;
@@ -73,8 +75,7 @@ final class Photographer {
             throws IOException, InterruptedException {
         refuseToReplace(target, replace);
         requireMemory(studio.settings());
-        PhotographInfo info = new PhotographInfo(
-                oneLine(studio.title()), ProgramVersion.text(), StudioWriter.writeSelfContained(studio));
+        PhotographInfo info = info(studio, target);
         ProgressLine progress = new ProgressLine(err);
         RenderJob job;
         try (Renderer renderer = new Renderer(threads)) {
@@ -88,6 +89,20 @@ final class Photographer {
         PhotographFile.write(target, job.image(), format, studio.settings().toneCurve(), info);
         studio.velocity().warning().ifPresent(warning -> err.println("warning: " + warning));
         report(target, job.report());
+        List<String> named = StudioWriter.filesOnlyNamed(studio);
+        if (!named.isEmpty()) {
+            err.println("note: the photograph names " + String.join(", ", named)
+                    + ", too large to travel inside; to take it again, keep that beside it");
+        }
+    }
+
+    private static PhotographInfo info(Studio studio, Path target) {
+        try {
+            return new PhotographInfo(
+                    oneLine(studio.title()), ProgramVersion.text(), StudioWriter.writeSelfContained(studio));
+        } catch (InvalidPropertyException tooLong) {
+            throw new MistakeException(target + ": the " + tooLong.getMessage());
+        }
     }
 
     /** Refuses pictures that the memory of this Java machine cannot hold, before any time is spent on them. */
@@ -133,11 +148,15 @@ final class Photographer {
         }
     }
 
-    /** The format for a file name, if it has one of the known endings. */
-    static PictureFormat formatFor(Path file, PictureFormat wish) {
+    /**
+     * The format for a picture's file: the wish, if there is one; or that of the photograph that is taken again, if the file's
+     * name allows it; or the usual one for the name.
+     */
+    static PictureFormat formatFor(Path file, PictureFormat wish, Path scene) {
         try {
             if (wish == null) {
-                return PictureFormat.of(file);
+                Optional<PictureFormat> before = PhotographFile.format(scene).filter(format -> format.fits(file));
+                return before.isPresent() ? before.get() : PictureFormat.of(file);
             }
             wish.requireFor(file);
             return wish;

@@ -36,8 +36,8 @@ final class RenderCommand implements Callable<Integer> {
 
     @Option(
             names = "--format",
-            description = "${COMPLETION-CANDIDATES}; without it the usual one for the file's ending: png, tiff (16 bit)"
-                    + " or hdr")
+            description = "${COMPLETION-CANDIDATES}; without it that of a photograph that is taken again, or else the"
+                    + " usual one for the file's ending: png, tiff (16 bit) or hdr")
     private PictureFormat format;
 
     @Option(names = "--tone", description = "tone curve of png and tiff: ${COMPLETION-CANDIDATES}")
@@ -71,11 +71,11 @@ final class RenderCommand implements Callable<Integer> {
         for (Path scene : scenes) {
             Path target =
                     output == null || folder ? Photographer.targetOf(scene, folder ? output : Path.of("")) : output;
-            PictureFormat targetFormat = Photographer.formatFor(target, format);
             Studio studio = quality.applyTo(options.applyTo(StudioReader.read(scene)));
             if (toneCurve != null) {
                 studio = studio.withSettings(studio.settings().withToneCurve(toneCurve));
             }
+            PictureFormat targetFormat = Photographer.formatFor(target, format, scene);
             photographer.take(studio, quality.of(studio), target, targetFormat, force);
         }
         return 0;

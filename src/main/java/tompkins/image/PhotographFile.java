@@ -63,6 +63,28 @@ public final class PhotographFile {
         }
     }
 
+    /**
+     * The format of a saved photograph, recognised by its content.
+     *
+     * @return the format; empty if the file is none of them, such as a scene file
+     * @throws PictureException if the file cannot be read, or is damaged
+     */
+    public static Optional<PictureFormat> format(Path file) throws PictureException {
+        try (InputStream in = Files.newInputStream(file)) {
+            byte[] start = in.readNBytes(PngFile.BIT_DEPTH_AT + 1);
+            PictureEncoding encoding = PictureEncoding.of(start).orElse(null);
+            if (encoding == PictureEncoding.PNG && start.length > PngFile.BIT_DEPTH_AT) {
+                return Optional.of(start[PngFile.BIT_DEPTH_AT] == 16 ? PictureFormat.PNG16 : PictureFormat.PNG);
+            }
+            if (encoding == PictureEncoding.TIFF) {
+                return Optional.of(TiffFile.isFloatingPoint(file) ? PictureFormat.TIFF_FLOAT : PictureFormat.TIFF);
+            }
+            return encoding == PictureEncoding.HDR ? Optional.of(PictureFormat.HDR) : Optional.empty();
+        } catch (IOException e) {
+            throw PictureException.cannotRead(file, e);
+        }
+    }
+
     private static PictureEncoding encoding(Path file) throws IOException {
         try (InputStream in = Files.newInputStream(file)) {
             return PictureEncoding.of(in.readNBytes(PictureEncoding.LONGEST_START))

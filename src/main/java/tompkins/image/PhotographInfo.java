@@ -1,5 +1,7 @@
 package tompkins.image;
 
+import tompkins.property.InvalidPropertyException;
+
 /**
  * What a photograph's file says about itself.
  *
@@ -21,16 +23,19 @@ public record PhotographInfo(String title, String software, String sceneJson) {
     /**
      * Checks the texts.
      *
-     * @throws IllegalArgumentException if the scene does not begin as a JSON object or is too long, or a text holds a control
-     *     character that the formats cannot keep (the scene may hold tabs and line ends)
+     * @throws InvalidPropertyException if the scene is too long
+     * @throws IllegalArgumentException if the scene does not begin as a JSON object, or a text holds a control character that
+     *     the formats cannot keep (the scene may hold tabs and line ends)
      */
     public PhotographInfo {
         requireText("title", title, "");
         requireText("software", software, "");
         requireText("sceneJson", sceneJson, "\t\n\r");
         if (sceneJson.length() > LONGEST_SCENE) {
-            throw new IllegalArgumentException(
-                    "sceneJson must have at most " + LONGEST_SCENE + " characters, was " + sceneJson.length());
+            throw new InvalidPropertyException(
+                    "scene",
+                    "at most " + LONGEST_SCENE + " characters long, with its pictures, to travel inside a photograph",
+                    sceneJson.length());
         }
         if (!sceneJson.isEmpty() && !sceneJson.stripLeading().startsWith("{")) {
             throw new IllegalArgumentException("sceneJson must be a JSON object, which begins with {, or empty");

@@ -38,7 +38,7 @@ public enum PictureFormat {
      */
     public static PictureFormat of(Path file) throws PictureException {
         for (PictureFormat format : values()) {
-            if (FileEndings.match(file, format.endings)) {
+            if (format.fits(file)) {
                 return format;
             }
         }
@@ -61,6 +61,11 @@ public enum PictureFormat {
     /** Whether the format holds levels, made by a tone curve, and not the light itself. */
     public boolean usesToneCurve() {
         return this != TIFF_FLOAT && this != HDR;
+    }
+
+    /** Whether a file's name has an ending of this format. */
+    public boolean fits(Path file) {
+        return FileEndings.match(file, endings);
     }
 
     /**

@@ -6,6 +6,7 @@ import com.twelvemonkeys.imageio.metadata.tiff.TIFFReader;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.lang.reflect.Array;
 import java.nio.file.Path;
 import java.util.Optional;
 import javax.imageio.IIOImage;
@@ -49,6 +50,17 @@ final class TiffFile {
             TIFFTag tag = BaselineTIFFTagSet.getInstance().getTag(number);
             String[] value = {AsciiText.escape(text)};
             directory.addTIFFField(new TIFFField(tag, TIFFTag.TIFF_ASCII, 1, value));
+        }
+    }
+
+    /** Whether the channels are stored as floating point. */
+    static boolean isFloatingPoint(Path file) throws IOException {
+        try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
+            Entry format = new TIFFReader().read(stream).getEntryById(TIFF.TAG_SAMPLE_FORMAT);
+            Object value = format == null ? null : format.getValue();
+            Object first = value != null && value.getClass().isArray() ? Array.get(value, 0) : value;
+            return first instanceof Number number
+                    && number.intValue() == BaselineTIFFTagSet.SAMPLE_FORMAT_FLOATING_POINT;
         }
     }
 

@@ -7,7 +7,10 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.UUID;
 import java.util.function.Predicate;
 import tompkins.ray.FileContent;
@@ -26,6 +29,18 @@ public final class StudioWriter {
     /** The text of a scene file that holds its pictures and small meshes, and so can be read anywhere; large meshes it names. */
     public static String writeSelfContained(Studio studio) {
         return text(studio, StudioWriter::isKept);
+    }
+
+    /** The names of the files that {@link #writeSelfContained} only names, since they are too large to be held; each once. */
+    public static List<String> filesOnlyNamed(Studio studio) {
+        Set<String> names = new LinkedHashSet<>();
+        text(studio, content -> {
+            if (!isKept(content)) {
+                names.add(content.name());
+            }
+            return false;
+        });
+        return List.copyOf(names);
     }
 
     /**

@@ -8,6 +8,7 @@ import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
+import tompkins.image.PhotographInfo;
 import tompkins.studio.Studio;
 
 /** Saves an animation as a file, or as a folder of pictures. */
@@ -78,8 +79,8 @@ final class AnimationExport {
                         file, Animation.FRAME_RATE, studio.settings().toneCurve())) {
             for (int i = 0; i < frames; i++) {
                 Studio moment = animation.studio(studio, animation.timeOf(i));
-                writer.add(
-                        taker.take(moment, progress, (double) i / frames, 1.0 / frames), PhotographTaker.info(moment));
+                PhotographInfo info = PhotographTaker.info(moment);
+                writer.add(taker.take(moment, progress, (double) i / frames, 1.0 / frames), info);
             }
             writer.finish();
         }

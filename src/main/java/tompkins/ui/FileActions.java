@@ -14,6 +14,7 @@ import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import tompkins.image.LinearImage;
 import tompkins.image.PhotographFile;
+import tompkins.image.PhotographInfo;
 import tompkins.image.PictureFormat;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
@@ -153,13 +154,20 @@ final class FileActions {
                 frame,
                 Texts.get("file.saving", file),
                 task -> {
+                    PhotographInfo info = PhotographTaker.info(studio);
                     try (PhotographTaker taker = new PhotographTaker()) {
                         LinearImage image = ready ? onScreen.image() : taker.take(studio, task, 0, 1);
                         PhotographFile.write(
-                                file, image, format, studio.settings().toneCurve(), PhotographTaker.info(studio));
+                                file, image, format, studio.settings().toneCurve(), info);
                     }
                 },
-                () -> saved(file));
+                () -> {
+                    saved(file);
+                    List<String> named = StudioWriter.filesOnlyNamed(studio);
+                    if (!named.isEmpty()) {
+                        status.say(Texts.get("file.savedNaming", file, String.join(", ", named)));
+                    }
+                });
     }
 
     private static Path withEnding(Path file, List<String> endings) {

@@ -38,7 +38,11 @@ final class PhotographTaker implements AutoCloseable {
         return job.image();
     }
 
-    /** What the file of a studio's photograph says about itself. */
+    /**
+     * What the file of a studio's photograph says about itself.
+     *
+     * @throws tompkins.property.InvalidPropertyException if the scene is too long to travel inside
+     */
     static PhotographInfo info(Studio studio) {
         String title = studio.title().replaceAll("\\p{Cntrl}", " ");
         return new PhotographInfo(title, "Tompkins", StudioWriter.writeSelfContained(studio));

@@ -18,6 +18,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class CommandLineTest {
 
+    /** Place of the bits of a channel in a PNG file. */
+    private static final int PNG_BIT_DEPTH = 24;
+
     private static final String FIG1B = "scenes/fig1b.json";
 
     @TempDir
@@ -36,6 +39,65 @@ class CommandLineTest {
             assertThat(ProgramRun.of("render", first, "-o", second).code()).isZero();
 
             assertThat(Files.readAllBytes(second)).isEqualTo(Files.readAllBytes(first));
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "png16, first.png, again.png, png16",
+        "tiff_float, first.tif, again.tiff, tiff_float",
+        "tiff, first.tif, again.tif, tiff",
+        "hdr, first.hdr, again.pic, hdr",
+        "tiff_float, first.tif, again.png, png",
+        "png16, first.png, again.tif, tiff"
+    })
+    void aPhotographThatIsTakenAgainKeepsItsFormatWhereItsNameAllows(
+            String format, String first, String again, String expected) throws IOException {
+        Path before = folder.resolve(first);
+        ProgramRun.of("render", FIG1B, "-o", before, "--size", "32x24", "--format", format);
+
+        ProgramRun run = ProgramRun.of("render", before, "-o", folder.resolve(again));
+
+        assertThat(run.code()).as(run.err()).isZero();
+        Path wanted = folder.resolve("wanted-" + again);
+        ProgramRun.of("render", FIG1B, "-o", wanted, "--size", "32x24", "--format", expected);
+        assertThat(Files.readAllBytes(folder.resolve(again))).isEqualTo(Files.readAllBytes(wanted));
+        ProgramRun other = ProgramRun.of("render", before, "-o", folder.resolve("plain.png"), "--format", "png");
+        assertThat(other.code()).isZero();
+        assertThat(Files.readAllBytes(folder.resolve("plain.png"))[PNG_BIT_DEPTH])
+                .isEqualTo((byte) 8);
+    }
+
+    @Test
+    void aSceneThatIsTooLongForAPhotographIsRefusedBeforeItIsRendered() throws IOException {
+        Path scene = Files.writeString(
+                folder.resolve("long.json"),
+                "{ \"remarks\": \"" + "many words ".repeat(1_600_000)
+                        + "\", \"settings\": { \"width\": 5000, \"height\": 5000, \"samples\": 1000000 } }");
+
+        ProgramRun run = ProgramRun.of("render", scene, "-o", folder.resolve("never.png"));
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err().lines()).hasSize(1);
+        assertThat(run.err()).contains("never.png: the scene must be at most 16777216 characters long");
+        assertThat(folder.resolve("never.png")).doesNotExist();
+    }
+
+    @Test
+    void aMeshThatIsTooLargeToTravelInsideIsNamedInANote() throws IOException {
+        for (int size : new int[] {1 << 10, 2 << 20}) {
+            Files.writeString(folder.resolve("mesh.obj"), "v 0 0 5\nv 1 0 5\nv 0 1 5\nf 1 2 3\n# " + "x".repeat(size));
+            Path scene = Files.writeString(folder.resolve("mesh.json"), """
+                    { "settings": { "width": 8, "height": 6 }, "scene": [
+                      { "type": "TriangleMesh", "mesh": "mesh.obj" }, { "type": "TriangleMesh", "mesh": "mesh.obj" }] }
+                    """);
+
+            ProgramRun run = ProgramRun.of("render", scene, "-o", folder.resolve("mesh.png"), "--force");
+
+            assertThat(run.code()).as(run.err()).isZero();
+            assertThat(run.err().lines()).hasSize(size > 1 << 20 ? 1 : 0);
+            assertThat(run.err().isEmpty() || run.err().startsWith("note: the photograph names mesh.obj,"))
+                    .isTrue();
         }
     }
 

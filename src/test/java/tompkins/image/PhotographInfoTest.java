@@ -20,7 +20,8 @@ class PhotographInfoTest {
                 .withMessageContaining("begins with {");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new PhotographInfo("", "", "{" + " ".repeat(PhotographInfo.LONGEST_SCENE)))
-                .withMessageContaining("16777216");
+                .withMessage("scene must be at most 16777216 characters long, with its pictures, to travel inside a"
+                        + " photograph, was 16777217");
     }
 
     @Test
