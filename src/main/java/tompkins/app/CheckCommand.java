@@ -30,8 +30,9 @@ final class CheckCommand implements Callable<Integer> {
                 studio.velocity()
                         .warning()
                         .ifPresent(warning -> spec.commandLine().getErr().println(scene + ": warning: " + warning));
+                ScenePlan.of(studio, scene);
                 spec.commandLine().getOut().println(scene + ": no mistakes");
-            } catch (SceneFileException mistakes) {
+            } catch (SceneFileException | MistakeException mistakes) {
                 spec.commandLine().getErr().println(mistakes.getMessage());
                 code = Failures.MISTAKE;
             }

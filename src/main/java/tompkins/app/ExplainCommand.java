@@ -38,7 +38,7 @@ final class ExplainCommand implements Callable<Integer> {
     public Integer call() throws InterruptedException {
         Studio studio = quality.applyTo(options.applyTo(StudioReader.read(scene)));
         spec.commandLine().getOut().println(studio.title());
-        RenderPlan plan = RenderPlan.of(studio);
+        RenderPlan plan = ScenePlan.of(studio, scene);
         for (String sentence : plan.sentences()) {
             spec.commandLine().getOut().println("- " + sentence);
         }

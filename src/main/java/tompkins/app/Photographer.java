@@ -52,6 +52,7 @@ final class Photographer {
                     && PhotographFile.readScene(target).isPresent();
             Studio studio = StudioReader.read(file);
             take(
+                    file,
                     studio,
                     new Quality.Samples(studio.settings().samples()),
                     target,
@@ -70,16 +71,17 @@ final class Photographer {
         return folder.resolve(stem + (photograph ? "-again" : "") + ".png");
     }
 
-    /** Takes one picture and saves it; says where. */
-    void take(Studio studio, Quality quality, Path target, PictureFormat format, boolean replace)
+    /** Takes the picture of a scene file and saves it; says where. */
+    void take(Path scene, Studio studio, Quality quality, Path target, PictureFormat format, boolean replace)
             throws IOException, InterruptedException {
         refuseToReplace(target, replace);
         requireMemory(studio.settings());
-        PhotographInfo info = info(studio, target);
+        PhotographInfo info = info(studio, scene);
+        RenderPlan plan = ScenePlan.of(studio, scene);
         ProgressLine progress = new ProgressLine(err);
         RenderJob job;
         try (Renderer renderer = new Renderer(threads)) {
-            job = renderer.start(RenderPlan.of(studio), quality, progress);
+            job = renderer.start(plan, quality, progress);
             job.await();
         } finally {
             progress.clear();
@@ -96,12 +98,12 @@ final class Photographer {
         }
     }
 
-    private static PhotographInfo info(Studio studio, Path target) {
+    private static PhotographInfo info(Studio studio, Path scene) {
         try {
             return new PhotographInfo(
                     oneLine(studio.title()), ProgramVersion.text(), StudioWriter.writeSelfContained(studio));
         } catch (InvalidPropertyException tooLong) {
-            throw new MistakeException(target + ": the " + tooLong.getMessage());
+            throw new MistakeException(scene + ": the " + tooLong.getMessage());
         }
     }
 

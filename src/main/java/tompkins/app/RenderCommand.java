@@ -76,7 +76,7 @@ final class RenderCommand implements Callable<Integer> {
                 studio = studio.withSettings(studio.settings().withToneCurve(toneCurve));
             }
             PictureFormat targetFormat = Photographer.formatFor(target, format, scene);
-            photographer.take(studio, quality.of(studio), target, targetFormat, force);
+            photographer.take(scene, studio, quality.of(studio), target, targetFormat, force);
         }
         return 0;
     }

@@ -16,7 +16,6 @@ import tompkins.io.StudioReader;
 import tompkins.spacetime.Event;
 import tompkins.studio.Studio;
 import tompkins.trace.RayLife;
-import tompkins.trace.RenderPlan;
 
 /** Shows the life of one ray. */
 @Command(
@@ -65,7 +64,7 @@ final class TraceCommand implements Callable<Integer> {
         if (Math.hypot(lens[0], lens[1]) > 1) {
             throw new MistakeException("--pupil must lie in the unit disc, was " + pupil);
         }
-        RayLife life = RayLife.of(RenderPlan.of(studio), place[0] + 0.5, place[1] + 0.5, lens[0], lens[1]);
+        RayLife life = RayLife.of(ScenePlan.of(studio, scene), place[0] + 0.5, place[1] + 0.5, lens[0], lens[1]);
         PrintWriter out = spec.commandLine().getOut();
         if (life == null) {
             spec.commandLine()

@@ -36,6 +36,11 @@ public final class PrimitiveCollector {
         return imagePoints;
     }
 
+    /** How many primitives there are so far. */
+    public int size() {
+        return primitives.size();
+    }
+
     /** All primitives so far. */
     public List<Primitive> primitives() {
         return List.copyOf(primitives);

@@ -34,6 +34,7 @@ final class PreparedScene {
      * @param origin the place from which the scene is described to the tracer
      * @param imagePoints where the camera photographs the points that move with it
      * @param plain whether to leave out all that only saves time: the tree, and what the lamps see
+     * @throws tompkins.property.InvalidPropertyException if an object is too large or too small to work with
      */
     PreparedScene(Studio studio, Vector3dc origin, ImagePoints imagePoints, boolean plain) {
         described = studio.scene();
@@ -45,17 +46,23 @@ final class PreparedScene {
             return imagePoints.inFrame(point);
         });
         Placement placement = new Placement(1, new Matrix3d(), origin.negate(new Vector3d()));
-        for (SceneObject object : described) {
-            object.addTo(collector, placement);
-        }
+        ObjectPreparation.add("scene", described, collector, placement);
         followsCamera = asked[0];
         objects = new ObjectTree(collector.primitives(), plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE);
         lights = describedLights.stream().map(light -> light.seenFrom(origin)).toList();
-        lightGrids = lights.stream()
-                .filter(light -> !plain && light.position() != null)
-                .map(light -> LightGrid.of(light.position(), objects))
-                .filter(Objects::nonNull)
-                .toArray(LightGrid[]::new);
+        lightGrids = lightGrids(plain ? List.of() : lights, objects);
+    }
+
+    private static LightGrid[] lightGrids(List<LightSource> lights, ObjectTree objects) {
+        try {
+            return lights.stream()
+                    .filter(light -> light.position() != null)
+                    .map(light -> LightGrid.of(light.position(), objects))
+                    .filter(Objects::nonNull)
+                    .toArray(LightGrid[]::new);
+        } catch (ArithmeticException beyondNumbers) {
+            throw ObjectPreparation.refusal("scene");
+        }
     }
 
     /** Whether this is what {@code new PreparedScene(studio, newOrigin, ...)} would prepare for any camera. */

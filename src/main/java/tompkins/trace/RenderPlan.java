@@ -11,7 +11,6 @@ import tompkins.sceneobject.LightGrid;
 import tompkins.sceneobject.ObjectTree;
 import tompkins.sceneobject.Placement;
 import tompkins.sceneobject.PrimitiveCollector;
-import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.LensRay;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.IdentityTransformation;
@@ -43,13 +42,15 @@ public final class RenderPlan {
                 : new PreparedScene(
                         studio, crossing.origin(), point -> imagePoint(point).position(), plain);
         PrimitiveCollector collector = new PrimitiveCollector(point -> point);
-        for (SceneObject object : studio.cameraFrame()) {
-            object.addTo(collector, Placement.NONE);
-        }
+        ObjectPreparation.add("cameraFrame", studio.cameraFrame(), collector, Placement.NONE);
         cameraFrame = new ObjectTree(collector.primitives(), plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE);
     }
 
-    /** The plan for a studio's picture. */
+    /**
+     * The plan for a studio's picture.
+     *
+     * @throws tompkins.property.InvalidPropertyException if an object is too large or too small to work with
+     */
     public static RenderPlan of(Studio studio) {
         return new RenderPlan(studio, null, false);
     }

@@ -79,7 +79,7 @@ class CommandLineTest {
 
         assertThat(run.code()).isEqualTo(2);
         assertThat(run.err().lines()).hasSize(1);
-        assertThat(run.err()).contains("never.png: the scene must be at most 16777216 characters long");
+        assertThat(run.err()).contains("long.json: the scene must be at most 16777216 characters long");
         assertThat(folder.resolve("never.png")).doesNotExist();
     }
 

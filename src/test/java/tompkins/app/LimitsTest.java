@@ -115,6 +115,10 @@ class LimitsTest {
                 scene("picture with an absolute path", surface("/etc/hostname")),
                 scene("picture behind a link that leads out", surface("link.png.txt")),
                 scene("picture that is missing", surface("nothing.png")),
+                scene(
+                        "object beyond all numbers",
+                        "{ \"scene\": [{ \"type\": \"Sphere\" }, { \"type\": \"Cone\", \"tip\": [-1e308, 0, 5],"
+                                + " \"baseCentre\": [1e308, 0, 5] }] }"),
                 new Case(
                         "missing scene file",
                         2,

@@ -1,0 +1,58 @@
+package tompkins.trace;
+
+import java.util.List;
+import tompkins.property.InvalidPropertyException;
+import tompkins.sceneobject.Bounds;
+import tompkins.sceneobject.Placement;
+import tompkins.sceneobject.Primitive;
+import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.sceneobject.SceneObject;
+
+/** Makes primitives of objects, and refuses those of such sizes that what is worked out from them is no number. */
+final class ObjectPreparation {
+
+    /** Such sizes always work: their fourth powers are far from the limits of a double. */
+    private static final String ALLOWED = "made of lengths from 1e-50 to 1e50";
+
+    private ObjectPreparation() {}
+
+    /**
+     * Adds the primitives of a list of objects.
+     *
+     * @param name what scene files call the list
+     * @throws InvalidPropertyException if an object is too large or too small to work with
+     */
+    static void add(String name, List<SceneObject> objects, PrimitiveCollector collector, Placement placement) {
+        int[] starts = new int[objects.size() + 1];
+        for (int i = 0; i < objects.size(); i++) {
+            starts[i] = collector.size();
+            try {
+                objects.get(i).addTo(collector, placement);
+            } catch (ArithmeticException | InvalidPropertyException beyondNumbers) {
+                throw refusal(name, i, objects.get(i));
+            }
+        }
+        starts[objects.size()] = collector.size();
+        List<Primitive> primitives = collector.primitives();
+        for (int i = 0; i < objects.size(); i++) {
+            if (!primitives.subList(starts[i], starts[i + 1]).stream().allMatch(ObjectPreparation::isUsable)) {
+                throw refusal(name, i, objects.get(i));
+            }
+        }
+    }
+
+    /** Whether the size of a primitive is a number; planes have none. */
+    private static boolean isUsable(Primitive primitive) {
+        Bounds bounds = primitive.bounds();
+        return bounds == null || Double.isFinite(bounds.halfArea());
+    }
+
+    private static InvalidPropertyException refusal(String name, int index, SceneObject object) {
+        return new InvalidPropertyException(name + "[" + index + "]", ALLOWED, "\"" + object.description() + "\"");
+    }
+
+    /** The refusal of a scene whose objects and lamps are too far apart. */
+    static InvalidPropertyException refusal(String name) {
+        return new InvalidPropertyException(name, ALLOWED, "larger");
+    }
+}

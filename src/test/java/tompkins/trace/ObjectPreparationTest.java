@@ -1,0 +1,84 @@
+package tompkins.trace;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.util.List;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.property.InvalidPropertyException;
+import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Cone;
+import tompkins.sceneobject.Cylinder;
+import tompkins.sceneobject.Parallelogram;
+import tompkins.sceneobject.Placed;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
+
+class ObjectPreparationTest {
+
+    private static final ColouredSurface COLOURED = ColouredSurface.DEFAULT;
+
+    /** Objects of a size, 3 sizes in front of the camera. */
+    private static List<SceneObject> ofSize(double size) {
+        Vector3d left = new Vector3d(-size, 0, 3 * size);
+        Vector3d right = new Vector3d(size, 0, 3 * size);
+        return List.of(
+                new Sphere("sphere", new Vector3d(0, 0, 3 * size), size, COLOURED),
+                new Cylinder("cylinder", left, right, size, true, COLOURED),
+                new Cone("cone", left, right, size, true, COLOURED),
+                new Box("box", left, new Vector3d(size, size, 4 * size), COLOURED),
+                new Parallelogram("area", left, new Vector3d(2 * size, 0, 0), new Vector3d(0, size, 0), COLOURED),
+                new Placed(
+                        "placed",
+                        new Sphere("", new Vector3d(0, 0, 3), 1, COLOURED),
+                        size,
+                        new Vector3d(0, 1, 0),
+                        0,
+                        new Vector3d()));
+    }
+
+    private static Stream<SceneObject> tooLarge() {
+        return ofSize(4e307).stream();
+    }
+
+    @ParameterizedTest
+    @MethodSource
+    void tooLarge(SceneObject object) {
+        Studio inScene = Studio.DEFAULT.withScene(List.of(Sphere.DEFAULT, object));
+        assertThatExceptionOfType(InvalidPropertyException.class)
+                .isThrownBy(() -> RenderPlan.of(inScene))
+                .withMessage(
+                        "scene[1] must be made of lengths from 1e-50 to 1e50, was \"" + object.description() + "\"");
+        Studio withCamera = Studio.DEFAULT.withCameraFrame(List.of(object));
+        assertThatExceptionOfType(InvalidPropertyException.class)
+                .isThrownBy(() -> RenderPlan.of(withCamera))
+                .withMessageStartingWith("cameraFrame[0] ");
+    }
+
+    private static Stream<SceneObject> usable() {
+        return Stream.of(1e-50, 1e50).flatMap(size -> ofSize(size).stream());
+    }
+
+    /** What is seen does not depend on the unit of length. */
+    @ParameterizedTest
+    @MethodSource
+    void usable(SceneObject object) {
+        RayLife life = RayLife.of(RenderPlan.of(Studio.DEFAULT.withScene(List.of(object))), 320.5, 239.5, 0, 0);
+        assertThat(life.hits()).hasSize(1);
+        assertThat(life.hits().get(0).event().position().isFinite()).isTrue();
+    }
+
+    @Test
+    void aLampCannotBeTooFarFromTheObjects() {
+        Studio studio = Studio.DEFAULT.withScene(List.of(new Sphere("far", new Vector3d(0, 0, 1e308), 1, COLOURED)));
+        assertThatExceptionOfType(InvalidPropertyException.class)
+                .isThrownBy(() -> RenderPlan.of(studio))
+                .withMessageStartingWith("scene must be made of lengths");
+    }
+}
