@@ -7,10 +7,10 @@ import org.joml.Vector3dc;
 import tompkins.shutter.Shutter;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
-import tompkins.ui.CommandLine;
+import tompkins.ui.CommandLineWriter;
 
 /** Writes what the window shows as a call of {@code render}: the scene file, and options for what has changed since. */
-final class WindowCommandLine implements CommandLine {
+final class WindowCommandLine implements CommandLineWriter {
 
     @Override
     public Optional<String> of(Studio studio, Studio opened, Path file) {

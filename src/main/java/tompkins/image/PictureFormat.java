@@ -58,11 +58,6 @@ public enum PictureFormat {
         return endings;
     }
 
-    /** Whether the format holds levels, made by a tone curve, and not the light itself. */
-    public boolean usesToneCurve() {
-        return this != TIFF_FLOAT && this != HDR;
-    }
-
     /** Whether a file's name has an ending of this format. */
     public boolean fits(Path file) {
         return FileEndings.match(file, endings);

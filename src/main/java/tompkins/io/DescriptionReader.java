@@ -44,12 +44,12 @@ final class DescriptionReader {
      * @return null if a mistake was noted
      */
     private Object read(Type type, JsonValue value, String path) {
-        Optional<Class<?>> element = Descriptions.elementType(type);
+        Optional<Class<?>> element = DescriptionTypes.elementType(type);
         return element.isPresent() ? list(element.get(), value, path) : read((Class<?>) type, value, path);
     }
 
     private Object read(Class<?> type, JsonValue value, String path) {
-        if (Descriptions.isFamily(type)) {
+        if (DescriptionTypes.isFamily(type)) {
             return member(type, value, path);
         }
         if (type.isEnum()) {
@@ -111,13 +111,13 @@ final class DescriptionReader {
     }
 
     private Object member(Class<?> family, JsonValue value, String path) {
-        List<String> names = Descriptions.memberNames(family);
+        List<String> names = DescriptionTypes.memberNames(family);
         if (!(value instanceof JsonObject object)) {
             return values.refuse(value, path, "an object in braces, such as {\"type\": \"" + names.get(0) + "\"}");
         }
         Member type = object.members().get(TYPE);
         if (type == null) {
-            Optional<Class<?>> usual = Descriptions.usualMember(family);
+            Optional<Class<?>> usual = DescriptionTypes.usualMember(family);
             if (usual.isPresent()) {
                 return record(usual.get(), object, path, List.of(TYPE));
             }
@@ -127,7 +127,7 @@ final class DescriptionReader {
         String name = type.value() instanceof JsonText text ? text.text() : null;
         int index = names.indexOf(name);
         if (index >= 0) {
-            return record(Descriptions.members(family).get(index), object, path, List.of(TYPE));
+            return record(DescriptionTypes.members(family).get(index), object, path, List.of(TYPE));
         }
         String hint = name == null ? "" : Spelling.hint(name, names);
         problems.add(
@@ -145,12 +145,12 @@ final class DescriptionReader {
      */
     Object record(Class<?> type, JsonObject object, String path, List<String> otherKeys) {
         List<String> keys = new ArrayList<>(otherKeys);
-        keys.addAll(Descriptions.keys(type));
+        keys.addAll(DescriptionTypes.keys(type));
         boolean clear = Refusal.noteUnknownKeys(problems, object, path, keys);
         RecordComponent[] components = type.getRecordComponents();
         Object[] arguments = new Object[components.length];
         Set<String> replaced = new HashSet<>();
-        Object standard = Descriptions.standard(type);
+        Object standard = DescriptionTypes.standard(type);
         for (int i = 0; i < components.length; i++) {
             String key = components[i].getName();
             Member member = object.members().get(key);
@@ -159,7 +159,7 @@ final class DescriptionReader {
                 arguments[i] = read(components[i].getGenericType(), member.value(), inner);
             }
             if (arguments[i] == null) {
-                arguments[i] = Descriptions.value(components[i], standard);
+                arguments[i] = DescriptionTypes.value(components[i], standard);
                 if (member != null) {
                     replaced.add(key);
                 }
@@ -178,10 +178,10 @@ final class DescriptionReader {
             Class<?> type, Object[] arguments, Object standard, JsonObject object, String path, Set<String> replaced) {
         while (true) {
             try {
-                return Descriptions.make(type, arguments);
+                return DescriptionTypes.make(type, arguments);
             } catch (InvalidPropertyException invalid) {
                 String key = Refusal.component(invalid);
-                int index = Descriptions.keys(type).indexOf(key);
+                int index = DescriptionTypes.keys(type).indexOf(key);
                 RecordComponent component = index < 0 ? null : type.getRecordComponents()[index];
                 if (replaced.isEmpty() || component != null && standsForItself(component.getType())) {
                     Refusal.note(problems, invalid, object, path);
@@ -189,7 +189,7 @@ final class DescriptionReader {
                 if (!replaced.add(key) || component == null) {
                     return null;
                 }
-                arguments[index] = Descriptions.value(component, standard);
+                arguments[index] = DescriptionTypes.value(component, standard);
             }
         }
     }

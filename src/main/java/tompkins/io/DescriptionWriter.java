@@ -27,7 +27,7 @@ final class DescriptionWriter {
 
     /** A value as the component of type {@code type} that it is. */
     Object tree(Type type, Object value) {
-        Optional<Class<?>> element = Descriptions.elementType(type);
+        Optional<Class<?>> element = DescriptionTypes.elementType(type);
         if (element.isPresent()) {
             return ((List<?>) value)
                     .stream().map(each -> tree(element.get(), each)).toList();
@@ -36,10 +36,10 @@ final class DescriptionWriter {
             return tree(colour);
         }
         if (value instanceof Record record) {
-            return record(record, Descriptions.isFamily((Class<?>) type));
+            return record(record, DescriptionTypes.isFamily((Class<?>) type));
         }
         if (value instanceof Enum<?>) {
-            return Descriptions.constantName(value);
+            return DescriptionTypes.constantName(value);
         }
         if (value instanceof Vector3dc vector) {
             return List.of(vector.x(), vector.y(), vector.z());
@@ -62,10 +62,10 @@ final class DescriptionWriter {
         if (named) {
             members.put(DescriptionReader.TYPE, record.getClass().getSimpleName());
         }
-        Object standard = Descriptions.standard(record.getClass());
+        Object standard = DescriptionTypes.standard(record.getClass());
         for (RecordComponent component : record.getClass().getRecordComponents()) {
-            Object value = Descriptions.value(component, record);
-            if (!value.equals(Descriptions.value(component, standard))) {
+            Object value = DescriptionTypes.value(component, record);
+            if (!value.equals(DescriptionTypes.value(component, standard))) {
                 members.put(component.getName(), tree(component.getGenericType(), value));
             }
         }

@@ -30,13 +30,13 @@ final class ValueKind {
 
     /** The kind of a component's value, as Markdown. */
     static String of(RecordComponent component) {
-        Optional<Class<?>> element = Descriptions.elementType(component.getGenericType());
+        Optional<Class<?>> element = DescriptionTypes.elementType(component.getGenericType());
         if (element.isPresent()) {
             return "list of [" + words(element.get().getSimpleName()) + "s](#" + section(element.get()) + ")";
         }
         Class<?> type = component.getType();
         if (type.isEnum()) {
-            return "`\"" + String.join("\"`, `\"", Descriptions.constantNames(type)) + "\"`";
+            return "`\"" + String.join("\"`, `\"", DescriptionTypes.constantNames(type)) + "\"`";
         }
         if (type == PixelPicture.class) {
             return "[picture](#pictures)";
@@ -54,7 +54,7 @@ final class ValueKind {
 
     /** Whether a type has a section of its own: families, and records that are not written as plain values. */
     static boolean hasSection(Class<?> type) {
-        return Descriptions.isFamily(type) || type.isRecord() && !PLAIN.containsKey(type);
+        return DescriptionTypes.isFamily(type) || type.isRecord() && !PLAIN.containsKey(type);
     }
 
     /** The heading of a family. */
@@ -63,7 +63,7 @@ final class ValueKind {
     }
 
     private static String section(Class<?> type) {
-        return anchor(Descriptions.isFamily(type) ? title(type) : words(type.getSimpleName()));
+        return anchor(DescriptionTypes.isFamily(type) ? title(type) : words(type.getSimpleName()));
     }
 
     /** The link to a heading, as hosts of Markdown make it. */

@@ -82,7 +82,7 @@ final class ValueReader {
     }
 
     Object constant(Class<?> type, JsonValue value, String path) {
-        List<String> names = Descriptions.constantNames(type);
+        List<String> names = DescriptionTypes.constantNames(type);
         String allowed = "one of " + String.join(", ", names);
         if (!(value instanceof JsonText text)) {
             return refuse(value, path, allowed);

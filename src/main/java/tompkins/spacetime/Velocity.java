@@ -112,12 +112,6 @@ public final class Velocity {
         return new Velocity(scale, value, given, gamma, properSpeed, proper);
     }
 
-    /** The velocity in the opposite direction. */
-    public Velocity reversed() {
-        return new Velocity(
-                scale, value, given.negate(new Vector3d()), gamma, properSpeed, proper.negate(new Vector3d()));
-    }
-
     /** Whether nothing moves. */
     public boolean isRest() {
         return properSpeed == 0;

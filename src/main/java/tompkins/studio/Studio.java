@@ -77,43 +77,37 @@ public record Studio(
 
     /** The same studio with another scene. */
     public Studio withScene(List<SceneObject> objects) {
-        return with(objects, cameraFrame, lights, camera, velocity, transformation, settings);
+        return with(objects, cameraFrame, camera, velocity, transformation, settings);
     }
 
     /** The same studio with other objects that move with the camera. */
     public Studio withCameraFrame(List<SceneObject> objects) {
-        return with(scene, objects, lights, camera, velocity, transformation, settings);
-    }
-
-    /** The same studio with other light sources. */
-    public Studio withLights(List<LightSource> sources) {
-        return with(scene, cameraFrame, sources, camera, velocity, transformation, settings);
+        return with(scene, objects, camera, velocity, transformation, settings);
     }
 
     /** The same studio with another camera. */
     public Studio withCamera(Camera other) {
-        return with(scene, cameraFrame, lights, other, velocity, transformation, settings);
+        return with(scene, cameraFrame, other, velocity, transformation, settings);
     }
 
     /** The same studio with another velocity of the camera. */
     public Studio withVelocity(Velocity other) {
-        return with(scene, cameraFrame, lights, camera, other, transformation, settings);
+        return with(scene, cameraFrame, camera, other, transformation, settings);
     }
 
     /** The same studio under another law. */
     public Studio withTransformation(TransformationLaw law) {
-        return with(scene, cameraFrame, lights, camera, velocity, law, settings);
+        return with(scene, cameraFrame, camera, velocity, law, settings);
     }
 
     /** The same studio with other settings of the picture. */
     public Studio withSettings(RenderSettings other) {
-        return with(scene, cameraFrame, lights, camera, velocity, transformation, other);
+        return with(scene, cameraFrame, camera, velocity, transformation, other);
     }
 
     private Studio with(
             List<SceneObject> newScene,
             List<SceneObject> newCameraFrame,
-            List<LightSource> newLights,
             Camera newCamera,
             Velocity newVelocity,
             TransformationLaw newTransformation,
@@ -124,7 +118,7 @@ public record Studio(
                 remarks,
                 newScene,
                 newCameraFrame,
-                newLights,
+                lights,
                 background,
                 newCamera,
                 newVelocity,

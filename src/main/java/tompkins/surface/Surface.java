@@ -30,9 +30,13 @@ public sealed interface Surface
         return Shadow.ALWAYS;
     }
 
-    /** Whether a surface with {@link Shadow#BY_POINT} throws a shadow at a hit. */
+    /** Whether the surface throws a shadow at a hit. Surfaces with {@link Shadow#BY_POINT} say where. */
     default boolean throwsShadowAt(Hit hit) {
-        return shadow() == Shadow.ALWAYS;
+        return switch (shadow()) {
+            case ALWAYS -> true;
+            case NEVER -> false;
+            case BY_POINT -> throw new IllegalStateException(getClass() + " does not say where it throws a shadow");
+        };
     }
 
     /** Whether rays go on from here: mirrors, windows, glass. */

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import tompkins.camera.PixelSampler;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -63,13 +62,6 @@ public record RayLife(
         return recorder.start == null
                 ? null
                 : recorder.life(plan.studio().velocity().gamma(), colour, counts);
-    }
-
-    /** As above, for a sample as the renderer takes it. */
-    public static RayLife ofSample(RenderPlan plan, int column, int row, int sample) {
-        PixelSampler sampler = plan.sampler();
-        sampler.start(column, row, sample == 0 ? PixelSampler.firstOf(plan.samples()) : sample);
-        return of(plan, sampler.x(), sampler.y(), sampler.lensX(), sampler.lensY());
     }
 
     private static final class Recorder implements RayWitness {

@@ -29,7 +29,7 @@ final class ColourEditor implements ValueEditor {
         this.commit = commit;
         panel.setOpaque(false);
         JButton patch = new JButton(new Patch());
-        patch.setName(Texts.get("colour.choose", Descriptions.label(property)));
+        patch.setName(Texts.get("colour.choose", Wording.label(property)));
         patch.getAccessibleContext().setAccessibleName(patch.getName());
         patch.setToolTipText(patch.getName());
         patch.addActionListener(event -> choose(patch, note));

@@ -46,10 +46,10 @@ final class ComparePanel {
      */
     ComparePanel(Runnable changed, Consumer<Boolean> peeking, Runnable pinning) {
         this.changed = changed;
-        others.setRenderer(ValueEditors.renderer(other -> Descriptions.label((Other) other)));
+        others.setRenderer(ValueEditors.renderer(other -> Wording.label((Other) other)));
         name(others, "compare.name");
         Records.records(Shutter.class).forEach(shutters::addItem);
-        shutters.setRenderer(ValueEditors.renderer(shutter -> Descriptions.label((Class<?>) shutter)));
+        shutters.setRenderer(ValueEditors.renderer(shutter -> Wording.label((Class<?>) shutter)));
         name(shutters, "compare.shutter");
         ButtonGroup group = new ButtonGroup();
         for (JRadioButton button : new JRadioButton[] {split, difference}) {
@@ -126,8 +126,8 @@ final class ComparePanel {
     /** What the other picture is called. */
     String otherName() {
         return other() == Other.OTHER_SHUTTER
-                ? Descriptions.label((Class<?>) shutters.getSelectedItem())
-                : Descriptions.label(other());
+                ? Wording.label((Class<?>) shutters.getSelectedItem())
+                : Wording.label(other());
     }
 
     /** The studio of the other picture; null if there is none, or if it is the pinned one. */

@@ -119,7 +119,7 @@ final class DirectionSphere extends JPanel {
 
     @Override
     public Dimension getPreferredSize() {
-        return new Dimension(Look.width(6.5), Look.width(6.5));
+        return new Dimension(Look.pixels(6.5), Look.pixels(6.5));
     }
 
     private double radius() {

@@ -20,7 +20,7 @@ final class FamilyEditor implements ValueEditor {
         this.commit = commit;
         this.note = note;
         Records.records(family).forEach(types::addItem);
-        types.setRenderer(ValueEditors.renderer(type -> Descriptions.label((Class<?>) type)));
+        types.setRenderer(ValueEditors.renderer(type -> Wording.label((Class<?>) type)));
         types.setName(name);
         types.getAccessibleContext().setAccessibleName(name);
         types.addActionListener(event -> updating.unless(this::choose));
@@ -45,7 +45,7 @@ final class FamilyEditor implements ValueEditor {
         if (value.getClass() != shownType) {
             shownType = value.getClass();
             updating.during(() -> types.setSelectedItem(shownType));
-            types.setToolTipText(Tips.html(Descriptions.meaning(shownType)));
+            types.setToolTipText(Tips.html(Wording.meaning(shownType)));
             replaceForm();
         }
         form.show(value);

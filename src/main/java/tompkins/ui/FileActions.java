@@ -27,7 +27,7 @@ final class FileActions {
     private final StudioModel model;
     private final PhotographView view;
     private final Settings settings;
-    private final CommandLine commandLine;
+    private final CommandLineWriter commandLine;
     private final StatusBar status;
 
     FileActions(
@@ -36,7 +36,7 @@ final class FileActions {
             PhotographView view,
             StatusBar status,
             Settings settings,
-            CommandLine commandLine) {
+            CommandLineWriter commandLine) {
         this.frame = frame;
         this.model = model;
         this.view = view;
@@ -45,13 +45,35 @@ final class FileActions {
         this.commandLine = commandLine;
     }
 
+    /** Does what lets go of the scene, once its changes are saved or discarded; not at all if the user cancels that. */
+    void leaveScene(Runnable next) {
+        Messages.Unsaved answer = model.isModified()
+                ? Messages.askAboutChanges(frame, model.studio().title())
+                : Messages.Unsaved.DISCARD;
+        switch (answer) {
+            case SAVE ->
+                saveScene(() -> {
+                    // what changed while the file was written is not in it
+                    if (!model.isModified()) {
+                        next.run();
+                    }
+                });
+            case DISCARD -> next.run();
+            case CANCEL -> {}
+        }
+    }
+
     /** Asks for a file and opens it. */
     void open() {
+        leaveScene(this::choose);
+    }
+
+    private void choose() {
         JFileChooser chooser = chooser();
         chooser.setFileFilter(
                 new FileNameExtensionFilter(Texts.get("file.scenes"), "json", "png", "tif", "tiff", "hdr", "pic"));
         if (chooser.showOpenDialog(frame) == JFileChooser.APPROVE_OPTION) {
-            open(chooser.getSelectedFile().toPath());
+            read(chooser.getSelectedFile().toPath());
         }
     }
 
@@ -65,6 +87,10 @@ final class FileActions {
 
     /** Opens a scene file, or a photograph that holds its scene. */
     void open(Path file) {
+        leaveScene(() -> read(file));
+    }
+
+    private void read(Path file) {
         Studio[] loaded = new Studio[1];
         BackgroundTask.start(
                 frame, Texts.get("file.opening", file), progress -> loaded[0] = StudioReader.read(file), () -> {
@@ -77,20 +103,28 @@ final class FileActions {
 
     /** Shows an example. */
     void open(Studio example) {
-        model.open(example, null);
+        leaveScene(() -> model.open(example, null));
     }
 
     /** Saves the scene where it came from; asks for a place if it has none. */
     void saveScene() {
+        saveScene(() -> {});
+    }
+
+    private void saveScene(Runnable next) {
         if (model.file() == null) {
-            saveSceneAs();
+            saveSceneAs(next);
         } else {
-            saveScene(model.file());
+            saveScene(model.file(), next);
         }
     }
 
     /** Asks where to save the scene. */
     void saveSceneAs() {
+        saveSceneAs(() -> {});
+    }
+
+    private void saveSceneAs(Runnable next) {
         JFileChooser chooser = chooser();
         chooser.setFileFilter(new FileNameExtensionFilter(Texts.get("file.sceneFiles"), "json"));
         chooser.setSelectedFile(
@@ -98,18 +132,19 @@ final class FileActions {
         if (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION) {
             Path file = withEnding(chooser.getSelectedFile().toPath(), List.of(".json"));
             if (mayWrite(file)) {
-                saveScene(file);
+                saveScene(file, next);
             }
         }
     }
 
-    private void saveScene(Path file) {
+    private void saveScene(Path file, Runnable next) {
         Studio studio = model.studio();
         BackgroundTask.start(frame, Texts.get("file.saving", file), task -> StudioWriter.save(studio, file), () -> {
             if (model.studio().equals(studio)) {
                 model.saved(file);
             }
             saved(file);
+            next.run();
         });
     }
 

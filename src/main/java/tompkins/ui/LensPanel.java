@@ -26,7 +26,7 @@ final class LensPanel {
         aperture = row(
                 "apertureRadius",
                 apertures(),
-                Descriptions.meaning(lens, "apertureRadius"),
+                Wording.meaning(lens, "apertureRadius"),
                 value -> camera("apertureRadius", value));
         focus = new NumberRow(
                 model,
@@ -39,12 +39,12 @@ final class LensPanel {
         NumberRow field = row(
                 "horizontalAngleDegrees",
                 Range.even(1, 170),
-                Descriptions.meaning(lens, "horizontalAngleDegrees"),
+                Wording.meaning(lens, "horizontalAngleDegrees"),
                 value -> camera("horizontalAngleDegrees", value));
         NumberRow exposure = row(
                 "exposureStops",
                 Range.even(-5, 5),
-                Descriptions.meaning(lens, "exposureStops"),
+                Wording.meaning(lens, "exposureStops"),
                 value -> camera("exposureStops", value));
         samples = new NumberRow(
                 model,

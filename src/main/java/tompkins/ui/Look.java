@@ -98,8 +98,8 @@ enum Look {
                 : Map.of("@accentColor", dark ? "#4c9be8" : "#2468b8", "Component.focusWidth", "1");
     }
 
-    /** A width in letters of the type of this look: so many times its size. */
-    static int width(double sizes) {
+    /** A length on the screen that grows with the type of the look: so many times the size of the type, in pixels. */
+    static int pixels(double sizes) {
         return (int) Math.round(sizes * UIManager.getFont("defaultFont").getSize2D());
     }
 }

@@ -9,7 +9,7 @@ import javax.swing.JTextArea;
 final class Messages {
 
     private static final int COLUMNS = 60;
-    private static final int MOST_ROWS = 14;
+    private static final int MOST_ROWS = 26;
 
     private Messages() {}
 
@@ -43,6 +43,28 @@ final class Messages {
     static boolean confirm(Component parent, String title, String question) {
         return JOptionPane.showConfirmDialog(parent, question, title, JOptionPane.OK_CANCEL_OPTION)
                 == JOptionPane.OK_OPTION;
+    }
+
+    /** What becomes of changes that were not saved. */
+    enum Unsaved {
+        SAVE,
+        DISCARD,
+        CANCEL
+    }
+
+    /** Asks what becomes of changes; closing the question means to cancel. */
+    static Unsaved askAboutChanges(Component parent, String title) {
+        Object[] answers = {Texts.get("unsaved.save"), Texts.get("unsaved.discard"), Texts.get("task.cancel")};
+        int chosen = JOptionPane.showOptionDialog(
+                parent,
+                Texts.get("unsaved.question", title),
+                Texts.get("unsaved.title"),
+                JOptionPane.YES_NO_CANCEL_OPTION,
+                JOptionPane.WARNING_MESSAGE,
+                null,
+                answers,
+                answers[0]);
+        return chosen == JOptionPane.CLOSED_OPTION ? Unsaved.CANCEL : Unsaved.values()[chosen];
     }
 
     /** What an exception says to the user. */

@@ -58,7 +58,7 @@ record NumberProperty(String name, ToDoubleFunction<Studio> get, BiFunction<Stud
         collect(studio.camera(), StudioPath.ROOT.then("camera"), Texts.get("tree.camera"), properties);
         for (String list : List.of("cameraFrame", "scene", "lights")) {
             StudioPath path = StudioPath.ROOT.then(list);
-            collect(path.get(studio), path, Descriptions.label(list), properties);
+            collect(path.get(studio), path, Wording.label(list), properties);
         }
         return properties;
     }
@@ -81,7 +81,7 @@ record NumberProperty(String name, ToDoubleFunction<Studio> get, BiFunction<Stud
             }
         } else if (value instanceof Record) {
             for (RecordComponent component : value.getClass().getRecordComponents()) {
-                String label = name + " \u203a " + Descriptions.label(component.getName());
+                String label = name + " \u203a " + Wording.label(component.getName());
                 collect(Records.get(value, component), path.then(component.getName()), label, properties);
             }
         }

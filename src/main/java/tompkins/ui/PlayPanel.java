@@ -57,7 +57,7 @@ final class PlayPanel {
         name(properties, "play.property");
         properties.addActionListener(event -> updating.unless(this::suggestValues));
         name(courses, "play.course");
-        courses.setRenderer(ValueEditors.renderer(course -> Descriptions.label((Animation.Course) course)));
+        courses.setRenderer(ValueEditors.renderer(course -> Wording.label((Animation.Course) course)));
         name(play, "play.play");
         play.addActionListener(event -> setPlaying(play.isSelected()));
         name(loop, "play.loop");

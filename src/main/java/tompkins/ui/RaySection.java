@@ -1,8 +1,10 @@
 package tompkins.ui;
 
+import java.awt.Rectangle;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
 
 /** The life of the ray of a pinned pixel, in a part of the side panel that is there only while a pixel is pinned. */
 final class RaySection {
@@ -10,6 +12,7 @@ final class RaySection {
     private final JPanel content = Rows.column();
     private final Note story = new Note("");
     private final Section section;
+    private PixelProbe.Reading shown;
 
     /** A section; {@code unpin} is called by its button. */
     RaySection(Runnable unpin) {
@@ -28,11 +31,21 @@ final class RaySection {
         return section.component();
     }
 
-    /** Shows a ray, or nothing if it is null. */
+    /** Shows a ray, or nothing if it is null. Another pixel's ray is scrolled into view. */
     void show(PixelProbe.Reading reading) {
         section.component().setVisible(reading != null);
         if (reading != null) {
             story.setText(String.join("\n", PixelProbe.story(reading)));
+            if (shown == null || shown.column() != reading.column() || shown.row() != reading.row()) {
+                // later, when it has its place
+                SwingUtilities.invokeLater(this::scrollIntoView);
+            }
         }
+        shown = reading;
+    }
+
+    private void scrollIntoView() {
+        JComponent component = section.component();
+        component.scrollRectToVisible(new Rectangle(component.getSize()));
     }
 }

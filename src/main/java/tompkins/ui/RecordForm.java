@@ -41,8 +41,8 @@ final class RecordForm {
         ValueEditor editor =
                 ValueEditors.of(component, note, part -> commit.accept(Records.with(value, component.getName(), part)));
         editors.put(component, editor);
-        JLabel label = new JLabel(Descriptions.label(component.getName()));
-        label.setToolTipText(Tips.html(Descriptions.meaning(component)));
+        JLabel label = new JLabel(Wording.label(component.getName()));
+        label.setToolTipText(Tips.html(Wording.meaning(component)));
         label.setLabelFor(editor.component());
         panel.add(label, editor instanceof FamilyEditor ? "aligny top, gaptop 3" : "");
         panel.add(editor.component(), "growx, wmin 0");

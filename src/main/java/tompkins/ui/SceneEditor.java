@@ -167,8 +167,8 @@ final class SceneEditor {
         JPopupMenu menu = new JPopupMenu();
         Class<?> family = isElement() ? (Class<?>) line.type() : Branches.elementType(line.type());
         for (Class<?> type : Records.records(family)) {
-            JMenuItem item = new JMenuItem(Descriptions.label(type));
-            item.setToolTipText(Tips.html(Descriptions.meaning(type)));
+            JMenuItem item = new JMenuItem(Wording.label(type));
+            item.setToolTipText(Tips.html(Wording.meaning(type)));
             item.addActionListener(event -> addElement(type));
             menu.add(item);
         }

@@ -47,10 +47,6 @@ final class Section {
         return panel;
     }
 
-    void setOpen(boolean open) {
-        heading.setSelected(open);
-    }
-
     /** Points down if open, to the right if folded. */
     private static final class Arrow implements Icon {
 

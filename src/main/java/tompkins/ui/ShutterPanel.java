@@ -87,7 +87,7 @@ final class ShutterPanel {
         if (shutter.getClass() != shownModel) {
             shownModel = shutter.getClass();
             updating.during(() -> models.setSelectedItem(shownModel));
-            meaning.setText(Descriptions.meaning(shownModel));
+            meaning.setText(Wording.meaning(shownModel));
             replaceForm();
         }
         boolean hasTime = hasOpeningTime(shownModel);
@@ -145,10 +145,10 @@ final class ShutterPanel {
             boolean marked = inList && selected;
             Color ink = marked ? list.getSelectionForeground() : list.getForeground();
             icon.setIcon(new ShutterIcon(model, marked ? ink : null));
-            name.setText(model == null ? "" : Descriptions.label(model));
+            name.setText(model == null ? "" : Wording.label(model));
             line.setVisible(inList);
             line.setText(
-                    inList ? "<html><body style='width: " + Look.width(12) + "px'>" + Descriptions.meaning(model) : "");
+                    inList ? "<html><body style='width: " + Look.pixels(12) + "px'>" + Wording.meaning(model) : "");
             cell.setOpaque(inList);
             cell.setBackground(marked ? list.getSelectionBackground() : list.getBackground());
             name.setForeground(ink);

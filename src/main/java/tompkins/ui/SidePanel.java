@@ -72,7 +72,7 @@ final class SidePanel {
     /** The width that it needs: that of its texts, at least that of a narrow panel. */
     int width() {
         int texts = panel.getMinimumSize().width + scroll.getVerticalScrollBar().getPreferredSize().width;
-        return Math.max(Look.width(WIDTH), texts);
+        return Math.max(Look.pixels(WIDTH), texts);
     }
 
     JComponent component() {

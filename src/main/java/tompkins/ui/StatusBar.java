@@ -85,11 +85,12 @@ final class StatusBar {
     /** Shows what the picture on the screen is. */
     void show(Picture shown) {
         long milliseconds = shown.time().toMillis();
+        String samples = Numbers.brief(shown.samples(), 3);
         picture.setText(Texts.get(
                 shown.complete() ? "status.complete" : "status.refining",
                 shown.image().width(),
                 shown.image().height(),
-                Texts.get(shown.samples() == 1 ? "status.sample" : "status.samples", Numbers.brief(shown.samples(), 3)),
+                Texts.get(samples.equals("1") ? "status.sample" : "status.samples", samples),
                 milliseconds < 1000 ? milliseconds + " ms" : Numbers.brief(milliseconds / 1000.0, 3) + " s",
                 Double.isNaN(shown.error()) ? "?" : Numbers.brief(shown.error(), 2)));
         picture.setToolTipText(Tips.html(Texts.get("status.errorTip")));

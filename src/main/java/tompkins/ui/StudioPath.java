@@ -1,6 +1,5 @@
 package tompkins.ui;
 
-import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
@@ -46,28 +45,6 @@ record StudioPath(List<Object> steps) {
             part = step(part, step);
         }
         return part;
-    }
-
-    /** Whether the whole has such a part. */
-    boolean isIn(Object whole) {
-        Object part = whole;
-        for (Object step : steps) {
-            boolean there = part instanceof List<?> list
-                    ? step instanceof Integer place && place < list.size()
-                    : part instanceof Vector3dc || step instanceof String name && hasComponent(part, name);
-            if (!there) {
-                return false;
-            }
-            part = step(part, step);
-        }
-        return true;
-    }
-
-    private static boolean hasComponent(Object part, String name) {
-        return part instanceof Record
-                && List.of(part.getClass().getRecordComponents()).stream()
-                        .map(RecordComponent::getName)
-                        .anyMatch(name::equals);
     }
 
     private static Object step(Object part, Object step) {

@@ -124,7 +124,7 @@ final class StudioTree {
         for (RecordComponent component : value.getClass().getRecordComponents()) {
             if (Branches.isBranch(component.getGenericType())) {
                 Object part = Records.get(value, component);
-                String title = Descriptions.label(component.getName());
+                String title = Wording.label(component.getName());
                 node.add(node(
                         part,
                         path.then(component.getName()),
@@ -140,6 +140,6 @@ final class StudioTree {
         if (element instanceof Hidden hidden) {
             return Texts.get("tree.hidden", hidden.description());
         }
-        return element instanceof SceneObject object ? object.description() : Descriptions.label(element.getClass());
+        return element instanceof SceneObject object ? object.description() : Wording.label(element.getClass());
     }
 }

@@ -37,16 +37,17 @@ public final class TompkinsWindow {
     private final SidePanel side;
     private final StatusBar status;
     private final PlayPanel play;
+    private final FileActions files;
     private final Menus menus;
     private JDialog editor;
 
-    private TompkinsWindow(Studio studio, Path file, CommandLine commandLine) {
+    private TompkinsWindow(Studio studio, Path file, CommandLineWriter commandLine) {
         settings.look().install();
         model = new StudioModel(studio, file);
         view = new PhotographView(model, new PictureListener());
         side = new SidePanel(model, view);
         status = new StatusBar(view.controller());
-        FileActions files = new FileActions(frame, model, view, status, settings, commandLine);
+        files = new FileActions(frame, model, view, status, settings, commandLine);
         play = new PlayPanel(model, new AnimationExport(frame, status)::ask);
         frame.setContentPane(content());
         menus = new Menus(files, model, settings, new WindowCommands());
@@ -54,10 +55,10 @@ public final class TompkinsWindow {
         frame.getRootPane().setTransferHandler(files.drop());
         bindPeekKey();
         frame.setName("tompkins");
-        frame.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
+        frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         frame.addWindowListener(new Closer());
         frame.setSize(new Dimension(
-                settings.number("width", Look.width(WIDTH)), settings.number("height", Look.width(HEIGHT))));
+                settings.number("width", Look.pixels(WIDTH)), settings.number("height", Look.pixels(HEIGHT))));
         frame.setLocationByPlatform(true);
         model.addListener(this::showTitle);
         showTitle();
@@ -76,12 +77,13 @@ public final class TompkinsWindow {
      * @param examples reads the scenes that the menu of examples offers, in its order; called by another thread
      * @param commandLine writes the command line that takes the same photograph
      */
-    public static void open(Studio studio, Path file, Supplier<List<Studio>> examples, CommandLine commandLine) {
+    public static void open(Studio studio, Path file, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
         SwingUtilities.invokeLater(() -> opened(studio, file, examples, commandLine));
     }
 
     /** Opens a window at once; called by the event thread. */
-    static TompkinsWindow opened(Studio studio, Path file, Supplier<List<Studio>> examples, CommandLine commandLine) {
+    static TompkinsWindow opened(
+            Studio studio, Path file, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
         TompkinsWindow window = new TompkinsWindow(studio, file, commandLine);
         window.frame.setVisible(true);
         window.view.render();
@@ -129,7 +131,7 @@ public final class TompkinsWindow {
         JComponent panel = side.component();
         panel.setPreferredSize(new Dimension(side.width(), 0));
         panel.setBorder(BorderFactory.createMatteBorder(0, 1, 0, 0, UIManager.getColor("Tompkins.line")));
-        frame.setMinimumSize(new Dimension(Look.width(MINIMUM_WIDTH), Look.width(MINIMUM_HEIGHT)));
+        frame.setMinimumSize(new Dimension(Look.pixels(MINIMUM_WIDTH), Look.pixels(MINIMUM_HEIGHT)));
         frame.revalidate();
     }
 
@@ -157,9 +159,14 @@ public final class TompkinsWindow {
 
         @Override
         public void windowClosing(WindowEvent event) {
+            files.leaveScene(this::close);
+        }
+
+        private void close() {
             settings.setNumber("width", frame.getWidth());
             settings.setNumber("height", frame.getHeight());
             settings.save();
+            frame.dispose();
         }
 
         @Override

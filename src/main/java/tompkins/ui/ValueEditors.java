@@ -37,8 +37,8 @@ final class ValueEditors {
     static ValueEditor of(RecordComponent component, Note note, Consumer<Object> commit) {
         Class<?> type = component.getType();
         String name = component.getName();
-        String label = Descriptions.label(name);
-        String tip = Descriptions.meaning(component);
+        String label = Wording.label(name);
+        String tip = Wording.meaning(component);
         if (type == double.class) {
             return number(new NumberField(name, label, tip, note, commit::accept));
         }
@@ -138,7 +138,7 @@ final class ValueEditors {
 
     private static ValueEditor choice(Class<?> type, String label, String tip, Note note, Consumer<Object> commit) {
         JComboBox<Object> box = new JComboBox<>(type.getEnumConstants());
-        box.setRenderer(renderer(value -> Descriptions.label((Enum<?>) value)));
+        box.setRenderer(renderer(value -> Wording.label((Enum<?>) value)));
         box.setName(label);
         box.getAccessibleContext().setAccessibleName(label);
         box.setToolTipText(Tips.html(tip));

@@ -26,7 +26,7 @@ final class VectorFields {
     VectorFields(String property, int axes, String tip, Note note, Consumer<Vector3dc> commit) {
         for (int axis = 0; axis < axes; axis++) {
             int component = axis;
-            String name = Descriptions.label(property) + " " + AXES[axis];
+            String name = Wording.label(property) + " " + AXES[axis];
             fields.add(new NumberField(property + " (" + AXES[axis] + ")", name, tip, note, number -> {
                 Vector3d next = new Vector3d(value);
                 next.setComponent(component, number);

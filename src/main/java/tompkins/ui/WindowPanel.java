@@ -37,7 +37,7 @@ final class WindowPanel {
 
     WindowPanel(StudioModel model) {
         this.model = model;
-        kinds.setRenderer(ValueEditors.renderer(kind -> Descriptions.label((Kind) kind)));
+        kinds.setRenderer(ValueEditors.renderer(kind -> Wording.label((Kind) kind)));
         kinds.setName(Texts.get("window.name"));
         kinds.getAccessibleContext().setAccessibleName(Texts.get("window.name"));
         kinds.setToolTipText(Tips.html(Texts.get("window.tip")));

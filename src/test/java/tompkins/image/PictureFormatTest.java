@@ -32,11 +32,4 @@ class PictureFormatTest {
                 .isInstanceOf(PictureException.class)
                 .hasMessage("a.png: the name of a floating-point TIFF picture must end in .tif or .tiff");
     }
-
-    @Test
-    void onlyFormatsOfLevelsUseAToneCurve() {
-        assertThat(PictureFormat.values())
-                .filteredOn(PictureFormat::usesToneCurve)
-                .containsExactly(PictureFormat.PNG, PictureFormat.PNG16, PictureFormat.TIFF);
-    }
 }

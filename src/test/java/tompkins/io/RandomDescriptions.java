@@ -48,7 +48,7 @@ final class RandomDescriptions {
                 values[i] = attempt % 20 != 0 && isNested(components[i]) ? values[i] : value(components[i], depth);
             }
             try {
-                return Descriptions.make(type, values);
+                return DescriptionTypes.make(type, values);
             } catch (InvalidPropertyException refused) {
                 // the next attempt is another one
             }
@@ -57,11 +57,11 @@ final class RandomDescriptions {
     }
 
     private static boolean isNested(RecordComponent component) {
-        return component.getType() == List.class || Descriptions.isFamily(component.getType());
+        return component.getType() == List.class || DescriptionTypes.isFamily(component.getType());
     }
 
     private Object value(RecordComponent component, int depth) {
-        Optional<Class<?>> element = Descriptions.elementType(component.getGenericType());
+        Optional<Class<?>> element = DescriptionTypes.elementType(component.getGenericType());
         if (element.isPresent()) {
             int length = depth < DEEPEST ? random.nextInt(3) : 0;
             return Stream.generate(() -> value(element.get(), depth + 1))
@@ -72,10 +72,10 @@ final class RandomDescriptions {
     }
 
     private Object value(Type type, int depth) {
-        if (type instanceof Class<?> family && Descriptions.isFamily(family)) {
-            List<Class<?>> members = Descriptions.members(family);
+        if (type instanceof Class<?> family && DescriptionTypes.isFamily(family)) {
+            List<Class<?>> members = DescriptionTypes.members(family);
             Class<?> member = members.get(random.nextInt(members.size()));
-            return depth < DEEPEST ? record(member, depth + 1) : Descriptions.standard(members.get(0));
+            return depth < DEEPEST ? record(member, depth + 1) : DescriptionTypes.standard(members.get(0));
         }
         if (type instanceof Class<?> constants && constants.isEnum()) {
             return constants.getEnumConstants()[random.nextInt(constants.getEnumConstants().length)];

@@ -33,6 +33,7 @@ import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Background;
+import tompkins.studio.Lighting;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
@@ -66,14 +67,14 @@ class RoundTripTest {
         Stream<Class<?>> families = Stream.of(
                 SceneObject.class, Surface.class, LightSource.class, Shutter.class, Camera.class, Background.class);
         return Stream.concat(
-                families.flatMap(family -> Descriptions.members(family).stream()),
+                families.flatMap(family -> DescriptionTypes.members(family).stream()),
                 Stream.of(RenderSettings.class, Studio.class));
     }
 
     @ParameterizedTest
     @MethodSource("types")
     void defaultIsReadBack(Class<?> type) {
-        assertReadBack(studioWith(Descriptions.standard(type)));
+        assertReadBack(studioWith(DescriptionTypes.standard(type)));
     }
 
     @ParameterizedTest
@@ -111,7 +112,7 @@ class RoundTripTest {
             return studio.withScene(List.of(new Sphere("", new Vector3d(), 1, surface)));
         }
         if (description instanceof LightSource light) {
-            return studio.withLights(List.of(light));
+            return Lighting.of(studio, List.of(light));
         }
         if (description instanceof Shutter shutter) {
             return studio.withCamera(ThinLensCamera.DEFAULT.withShutter(shutter));
@@ -123,7 +124,7 @@ class RoundTripTest {
             return studio.withSettings(settings);
         }
         return description instanceof Background background
-                ? (Studio) Descriptions.make(Studio.class, withBackground(background))
+                ? (Studio) DescriptionTypes.make(Studio.class, withBackground(background))
                 : (Studio) description;
     }
 
@@ -131,7 +132,7 @@ class RoundTripTest {
         return Stream.of(Studio.class.getRecordComponents())
                 .map(component -> component.getType() == Background.class
                         ? background
-                        : Descriptions.value(component, Studio.DEFAULT))
+                        : DescriptionTypes.value(component, Studio.DEFAULT))
                 .toArray();
     }
 

@@ -121,19 +121,19 @@ class SceneFileReferenceTest {
 
     /** A scene with an example at the place of its family. */
     private static String place(String type, String example) {
-        if (Descriptions.memberNames(SceneObject.class).contains(type)) {
+        if (DescriptionTypes.memberNames(SceneObject.class).contains(type)) {
             return "{\"scene\": [" + example + "]}";
         }
-        if (Descriptions.memberNames(Surface.class).contains(type)) {
+        if (DescriptionTypes.memberNames(Surface.class).contains(type)) {
             return "{\"scene\": [{\"type\": \"Sphere\", \"surface\": " + example + "}]}";
         }
-        if (Descriptions.memberNames(LightSource.class).contains(type)) {
+        if (DescriptionTypes.memberNames(LightSource.class).contains(type)) {
             return "{\"lights\": [" + example + "]}";
         }
-        if (Descriptions.memberNames(Shutter.class).contains(type)) {
+        if (DescriptionTypes.memberNames(Shutter.class).contains(type)) {
             return "{\"camera\": {\"shutter\": " + example + "}}";
         }
-        String key = Descriptions.memberNames(Camera.class).contains(type) ? "camera" : "background";
+        String key = DescriptionTypes.memberNames(Camera.class).contains(type) ? "camera" : "background";
         return "{\"" + key + "\": " + example + "}";
     }
 }

@@ -68,20 +68,6 @@ class VelocityTest {
     }
 
     @Test
-    void reversedGoesBack() {
-        for (Velocity velocity :
-                new Velocity[] {Velocity.of(0.2, -0.1, 0.97), Velocity.of(SpeedScale.GAMMA, 3, new Vector3d(0, 1, 0))
-                }) {
-            Velocity back = velocity.reversed();
-            assertThat(back.proper()).isEqualTo(velocity.proper().negate(new Vector3d()));
-            assertThat(back.direction().dot(velocity.direction())).isCloseTo(-1, within(SMALL));
-            assertThat(back.gamma()).isEqualTo(velocity.gamma());
-            assertThat(back.scale()).isEqualTo(velocity.scale());
-            assertThat(back.reversed()).isEqualTo(velocity);
-        }
-    }
-
-    @Test
     void equalityIsThatOfTheWayItWasGiven() {
         Velocity velocity = Velocity.of(SpeedScale.GAMMA, 3, new Vector3d(0, 1, 0));
         assertThat(velocity)

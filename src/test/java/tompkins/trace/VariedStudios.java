@@ -36,6 +36,7 @@ import tompkins.shutter.LensHologramShutter;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.Lighting;
 import tompkins.studio.PaperStudios;
 import tompkins.studio.SkyBackground;
 import tompkins.studio.Studio;
@@ -103,11 +104,11 @@ public final class VariedStudios {
         PointLight inside = lamp(0.2, 0.1, 6, 0.7);
         PointLight beside = lamp(-6, 1, 5, 0.5);
         return Stream.of(
-                Named.of("no light", studio.withLights(List.of())),
-                Named.of("a lamp among the objects", studio.withLights(List.of(AmbientLight.DEFAULT, inside))),
-                Named.of("three lamps", studio.withLights(List.of(far, AmbientLight.DEFAULT, inside, beside))),
-                Named.of("two lamps at one place", studio.withLights(List.of(far, far))),
-                Named.of("three lamps, a few objects", moving(few()).withLights(List.of(far, inside, beside))));
+                Named.of("no light", Lighting.of(studio, List.of())),
+                Named.of("a lamp among the objects", Lighting.of(studio, List.of(AmbientLight.DEFAULT, inside))),
+                Named.of("three lamps", Lighting.of(studio, List.of(far, AmbientLight.DEFAULT, inside, beside))),
+                Named.of("two lamps at one place", Lighting.of(studio, List.of(far, far))),
+                Named.of("three lamps, a few objects", Lighting.of(moving(few()), List.of(far, inside, beside))));
     }
 
     private static Stream<Named<Studio>> windows() {
@@ -125,9 +126,9 @@ public final class VariedStudios {
                 Named.of("Galileo window in the scene", moving(with(crowd(), window(2, galileo)))),
                 Named.of(
                         "crowd before the lens",
-                        moving(with(crowd(), window(2, tilted)))
-                                .withCameraFrame(crowd())
-                                .withLights(List.of(lamp(0, 4, 0, 1), PointLight.DEFAULT))));
+                        Lighting.of(
+                                moving(with(crowd(), window(2, tilted))).withCameraFrame(crowd()),
+                                List.of(lamp(0, 4, 0, 1), PointLight.DEFAULT))));
     }
 
     private static Stream<Named<Studio>> cameras() {

@@ -128,7 +128,7 @@ class LayoutTest {
         use(look, size, locale);
         PlayPanel play = new PlayPanel(model, (studio, animation) -> {});
         play.setShown(true);
-        int width = Math.max(play.component().getMinimumSize().width, Look.width(40));
+        int width = Math.max(play.component().getMinimumSize().width, Look.pixels(40));
         Components.layOut(play.component(), width);
         assertThat(problems(play.component())).isEmpty();
         JComponent editor = new SceneEditor(model).component();

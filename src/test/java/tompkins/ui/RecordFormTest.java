@@ -65,7 +65,7 @@ class RecordFormTest {
         Stream<String> expected = Arrays.stream(type.getRecordComponents())
                 .filter(component -> !Branches.isBranch(component.getGenericType()))
                 .map(RecordComponent::getName)
-                .map(Descriptions::label);
+                .map(Wording::label);
         assertThat(labels).containsAll(expected.toList());
         assertThat(committed).as("showing a value changes nothing").isEmpty();
     }
@@ -150,8 +150,8 @@ class RecordFormTest {
 
     @Test
     void namesBecomeWords() {
-        assertThat(Descriptions.label("apertureRadius")).isEqualTo("Aperture radius");
-        assertThat(Descriptions.label("surfaceAlongX")).isEqualTo("Surface along X");
-        assertThat(Descriptions.label(Sphere.class)).isEqualTo("Sphere");
+        assertThat(Wording.label("apertureRadius")).isEqualTo("Aperture radius");
+        assertThat(Wording.label("surfaceAlongX")).isEqualTo("Surface along X");
+        assertThat(Wording.label(Sphere.class)).isEqualTo("Sphere");
     }
 }

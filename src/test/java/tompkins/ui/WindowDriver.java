@@ -17,7 +17,10 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.function.BooleanSupplier;
+import javax.swing.JButton;
 import javax.swing.JComponent;
+import javax.swing.JFileChooser;
+import javax.swing.JMenuItem;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Assumptions;
 import tompkins.studio.Studio;
@@ -154,6 +157,49 @@ final class WindowDriver implements AutoCloseable {
         robot.waitForIdle();
     }
 
+    /** Chooses an item of a menu. */
+    void menu(String item) {
+        later(find(JMenuItem.class, item)::doClick);
+    }
+
+    /** Does something on the event thread and does not wait for it: it may open a dialog and wait for that. */
+    static void later(Runnable action) {
+        SwingUtilities.invokeLater(action);
+    }
+
+    /** Waits for a button with a text that is on the screen, such as that of a question, and presses it. */
+    void answer(String text) {
+        await("the answer " + text, () -> showing(text).isPresent());
+        later(onEventThread(() -> showing(text).orElseThrow())::doClick);
+    }
+
+    private Optional<JButton> showing(String text) {
+        return Components.all(window.frame())
+                .filter(JButton.class::isInstance)
+                .map(JButton.class::cast)
+                .filter(button -> button.isShowing() && text.equals(button.getText()))
+                .findFirst();
+    }
+
+    /** Waits for the file chooser and chooses a file. */
+    void choose(Path file) {
+        await("the file chooser", () -> chooser().isPresent());
+        JFileChooser chooser = onEventThread(() -> chooser().orElseThrow());
+        onEventThread(() -> {
+            chooser.setSelectedFile(file.toFile());
+            later(chooser::approveSelection);
+            return null;
+        });
+    }
+
+    private Optional<JFileChooser> chooser() {
+        return Components.all(window.frame())
+                .filter(JFileChooser.class::isInstance)
+                .map(JFileChooser.class::cast)
+                .filter(JFileChooser::isShowing)
+                .findFirst();
+    }
+
     /** Presses a key with modifiers. */
     void key(int code, int... modifiers) {
         for (int modifier : modifiers) {
@@ -184,9 +230,7 @@ final class WindowDriver implements AutoCloseable {
                 "the focus",
                 () -> KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner() == field);
         key(KeyEvent.VK_A, KeyEvent.VK_CONTROL);
-        for (char letter : text.toCharArray()) {
-            key(KeyEvent.getExtendedKeyCodeForChar(letter));
-        }
+        text.chars().forEach(letter -> key(KeyEvent.getExtendedKeyCodeForChar(letter)));
         key(KeyEvent.VK_ENTER);
     }
 

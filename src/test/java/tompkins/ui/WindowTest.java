@@ -15,17 +15,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
-import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
-import javax.swing.JFileChooser;
 import javax.swing.JLabel;
-import javax.swing.JMenuItem;
 import javax.swing.JRadioButton;
 import javax.swing.JSlider;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
-import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -77,14 +73,6 @@ class WindowTest {
                             studio.settings().withSize(48, 36).withSamples(1)))
                     .toList();
         }
-    }
-
-    private void menu(String item) {
-        AbstractButton button = driver.find(JMenuItem.class, item);
-        WindowDriver.onEventThread(() -> {
-            SwingUtilities.invokeLater(button::doClick);
-            return null;
-        });
     }
 
     @Test
@@ -162,7 +150,7 @@ class WindowTest {
                 () -> Components.all(driver.window().frame())
                         .anyMatch(item -> examples.get(0).title().equals(item.getName())));
         for (Studio example : examples) {
-            menu(example.title());
+            driver.menu(example.title());
             WindowDriver.await(
                     example.title(), () -> driver.window().model().studio().equals(example));
             driver.completePicture();
@@ -232,16 +220,8 @@ class WindowTest {
     void thePhotographIsSavedWithItsScene() throws IOException {
         driver.completePicture();
         driver.key(KeyEvent.VK_P, KeyEvent.VK_CONTROL);
-        WindowDriver.await(
-                "the file chooser",
-                () -> Components.all(driver.window().frame()).anyMatch(JFileChooser.class::isInstance));
         Path file = folder.resolve("photograph.png");
-        JFileChooser chooser = driver.find(JFileChooser.class, "chooser");
-        WindowDriver.onEventThread(() -> {
-            chooser.setSelectedFile(file.toFile());
-            SwingUtilities.invokeLater(chooser::approveSelection);
-            return null;
-        });
+        driver.choose(file);
         JLabel what = driver.find(JLabel.class, "status.what");
         WindowDriver.await("the photograph", () -> what.getText().startsWith("Saved"));
         String scene = PhotographFile.readScene(file).orElseThrow();
@@ -303,7 +283,7 @@ class WindowTest {
     @Test
     void playRunsTheSpeed() {
         driver.completePicture();
-        menu("menu.playSpeed");
+        driver.menu("menu.playSpeed");
         double before = driver.studio().velocity().speed();
         WindowDriver.await(
                 "another speed",

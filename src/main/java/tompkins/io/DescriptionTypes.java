@@ -16,13 +16,13 @@ import tompkins.studio.UniformBackground;
 import tompkins.surface.ColouredSurface;
 
 /** What the records that describe a scene say of themselves: components, defaults, families. */
-final class Descriptions {
+final class DescriptionTypes {
 
     /** The members of families that are meant where a scene file does not name a type. */
     private static final Set<Class<?>> USUAL =
             Set.of(ThinLensCamera.class, ColouredSurface.class, UniformBackground.class);
 
-    private Descriptions() {}
+    private DescriptionTypes() {}
 
     /** Whether a type is a family, whose members have a key {@code type} in scene files. */
     static boolean isFamily(Class<?> type) {
@@ -107,7 +107,7 @@ final class Descriptions {
     /** The names of all constants of an enumeration. */
     static List<String> constantNames(Class<?> type) {
         return Arrays.stream(type.getEnumConstants())
-                .map(Descriptions::constantName)
+                .map(DescriptionTypes::constantName)
                 .toList();
     }
 }

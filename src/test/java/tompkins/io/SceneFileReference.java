@@ -41,7 +41,7 @@ public final class SceneFileReference {
     public static String markdown() {
         StringBuilder text = new StringBuilder(introduction());
         for (Class<?> type : sections()) {
-            if (Descriptions.isFamily(type)) {
+            if (DescriptionTypes.isFamily(type)) {
                 appendFamily(text, type);
             } else {
                 String name = ValueKind.words(type.getSimpleName());
@@ -89,10 +89,11 @@ public final class SceneFileReference {
         while (!open.isEmpty()) {
             Class<?> type = open.remove();
             if (found.add(type)) {
-                List<Class<?>> records = Descriptions.isFamily(type) ? Descriptions.members(type) : List.of(type);
+                List<Class<?>> records =
+                        DescriptionTypes.isFamily(type) ? DescriptionTypes.members(type) : List.of(type);
                 records.stream()
                         .flatMap(record -> Arrays.stream(record.getRecordComponents()))
-                        .map(component -> Descriptions.elementType(component.getGenericType())
+                        .map(component -> DescriptionTypes.elementType(component.getGenericType())
                                 .orElse(component.getType()))
                         .filter(ValueKind::hasSection)
                         .forEach(open::add);
@@ -103,11 +104,11 @@ public final class SceneFileReference {
 
     private static void appendFamily(StringBuilder text, Class<?> family) {
         text.append("\n## ").append(ValueKind.title(family)).append("\n\n");
-        Optional<Class<?>> usual = Descriptions.usualMember(family);
+        Optional<Class<?>> usual = DescriptionTypes.usualMember(family);
         text.append(usual.map(type -> "Without a `\"type\"`, a `" + type.getSimpleName() + "`.")
                 .orElse("The key `\"type\"` must be there."));
         text.append(" There are:\n\n");
-        for (Class<?> type : Descriptions.members(family)) {
+        for (Class<?> type : DescriptionTypes.members(family)) {
             String name = type.getSimpleName();
             text.append("- [")
                     .append(name)
@@ -115,7 +116,7 @@ public final class SceneFileReference {
                     .append(ValueKind.anchor(name))
                     .append(")\n");
         }
-        for (Class<?> type : Descriptions.members(family)) {
+        for (Class<?> type : DescriptionTypes.members(family)) {
             text.append("\n### ").append(type.getSimpleName()).append("\n\n");
             text.append(meaning(type)).append(".\n");
             appendKeys(text, type);
@@ -128,7 +129,7 @@ public final class SceneFileReference {
             return;
         }
         text.append("\n| key | value | meaning | unit | default |\n| --- | --- | --- | --- | --- |\n");
-        Object standard = Descriptions.standard(type);
+        Object standard = DescriptionTypes.standard(type);
         for (RecordComponent component : type.getRecordComponents()) {
             Meaning meaning = component.getAnnotation(Meaning.class);
             text.append("| `").append(component.getName()).append("` | ");
@@ -140,7 +141,7 @@ public final class SceneFileReference {
     }
 
     private static String standard(RecordComponent component, Object description) {
-        Object value = Descriptions.value(component, description);
+        Object value = DescriptionTypes.value(component, description);
         if (value.equals(PixelPicture.WHITE)) {
             return "one white pixel";
         }
@@ -161,11 +162,11 @@ public final class SceneFileReference {
     private static Map<String, Object> example(Class<?> type) {
         Map<String, Object> members = new LinkedHashMap<>();
         members.put(DescriptionReader.TYPE, type.getSimpleName());
-        Object standard = Descriptions.standard(type);
+        Object standard = DescriptionTypes.standard(type);
         for (RecordComponent component : type.getRecordComponents()) {
             Class<?> kind = component.getType();
-            boolean usual = Descriptions.isFamily(kind)
-                    && Descriptions.usualMember(kind).isPresent();
+            boolean usual = DescriptionTypes.isFamily(kind)
+                    && DescriptionTypes.usualMember(kind).isPresent();
             if (kind != String.class && !usual) {
                 members.put(component.getName(), example(component, standard));
             }
@@ -180,10 +181,10 @@ public final class SceneFileReference {
         if (component.getType() == MeshData.class) {
             return MESH;
         }
-        Object value = Descriptions.value(component, description);
-        Optional<Class<?>> element = Descriptions.elementType(component.getGenericType());
+        Object value = DescriptionTypes.value(component, description);
+        Optional<Class<?>> element = DescriptionTypes.elementType(component.getGenericType());
         if (element.isPresent() && ((List<?>) value).isEmpty()) {
-            String first = Descriptions.memberNames(element.get()).get(0);
+            String first = DescriptionTypes.memberNames(element.get()).get(0);
             return List.of(Map.of(DescriptionReader.TYPE, first));
         }
         return WRITER.tree(component.getGenericType(), value);

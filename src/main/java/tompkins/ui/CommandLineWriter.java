@@ -6,7 +6,7 @@ import tompkins.studio.Studio;
 
 /** Knows the command line that takes the same photograph as the window shows. */
 @FunctionalInterface
-public interface CommandLine {
+public interface CommandLineWriter {
 
     /**
      * The command line; empty if none can say what has changed, so that the scene has to be saved first.

@@ -5,9 +5,9 @@ import java.util.Locale;
 import tompkins.property.Meaning;
 
 /** What the window calls types and properties: their names in words, and their meanings as tooltips. */
-final class Descriptions {
+final class Wording {
 
-    private Descriptions() {}
+    private Wording() {}
 
     /** "apertureRadius" becomes "Aperture radius". */
     static String label(String name) {

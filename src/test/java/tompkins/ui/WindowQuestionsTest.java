@@ -1,0 +1,273 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.Transferable;
+import java.awt.datatransfer.UnsupportedFlavorException;
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JTextArea;
+import javax.swing.JTextField;
+import javax.swing.JToggleButton;
+import javax.swing.JViewport;
+import javax.swing.SwingUtilities;
+import javax.swing.TransferHandler;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import tompkins.camera.ThinLensCamera;
+import tompkins.image.PhotographFile;
+import tompkins.io.StudioReader;
+import tompkins.io.StudioWriter;
+import tompkins.sceneobject.Plane;
+import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
+
+/** What the window asks, and what becomes of the answers. */
+@Timeout(600)
+class WindowQuestionsTest {
+
+    /** A wall 8 in front of the camera, which is focused at 10. */
+    private static final Studio WALL = Studio.DEFAULT
+            .withScene(
+                    List.of(new Plane("wall", new Vector3d(0, 0, 8), new Vector3d(0, 0, -1), ColouredSurface.DEFAULT)))
+            .withSettings(Studio.DEFAULT.settings().withSize(64, 48));
+
+    @TempDir
+    private Path folder;
+
+    private Path file;
+    private WindowDriver driver;
+
+    @BeforeEach
+    void open() throws IOException {
+        WindowDriver.requireDisplay();
+        System.setProperty("tompkins.settings", folder.resolve("settings").toString());
+        file = folder.resolve("wall.json");
+        StudioWriter.save(WALL, file);
+        driver = new WindowDriver(WALL, file, List.of(Studios.sphere()));
+        WindowDriver.await(
+                "the examples",
+                () -> Components.all(driver.window().frame())
+                        .anyMatch(item -> Studios.sphere().title().equals(item.getName())));
+        driver.completePicture();
+    }
+
+    @AfterEach
+    void close() {
+        if (driver != null) {
+            driver.close();
+        }
+    }
+
+    private String title() {
+        return WindowDriver.onEventThread(() -> driver.window().frame().getTitle());
+    }
+
+    private boolean isOpen() {
+        return WindowDriver.onEventThread(() -> driver.window().frame().isDisplayable());
+    }
+
+    private void change() {
+        driver.type(driver.find(JTextField.class, "Speed"), "0.5");
+        assertThat(title()).startsWith("\u2022 ");
+    }
+
+    @Test
+    void withoutChangesTheWindowClosesAtOnce() {
+        assertThat(title()).isEqualTo("Untitled \u2013 Tompkins");
+        driver.key(KeyEvent.VK_Q, KeyEvent.VK_CONTROL);
+        WindowDriver.await("the end", () -> !driver.window().frame().isDisplayable());
+    }
+
+    @Test
+    void closingWithChangesAsksAndCanBeCancelled() throws IOException {
+        String before = Files.readString(file);
+        change();
+        driver.menu("menu.close");
+        driver.answer("Cancel");
+        assertThat(isOpen()).isTrue();
+        assertThat(driver.studio().velocity().speed()).isEqualTo(0.5);
+        driver.menu("menu.close");
+        driver.answer("Discard");
+        WindowDriver.await("the end", () -> !driver.window().frame().isDisplayable());
+        assertThat(Files.readString(file)).isEqualTo(before);
+    }
+
+    @Test
+    void changesAreSavedBeforeTheWindowCloses() {
+        change();
+        driver.menu("menu.close");
+        driver.answer("Save");
+        WindowDriver.await("the end", () -> !driver.window().frame().isDisplayable());
+        assertThat(StudioReader.read(file).velocity().speed()).isEqualTo(0.5);
+    }
+
+    @Test
+    void anotherSceneTakesThePlaceOfUnsavedChangesOnlyWhenTheyMayGo() {
+        change();
+        Studio changed = driver.studio();
+        driver.menu(Studios.sphere().title());
+        driver.answer("Cancel");
+        assertThat(driver.studio()).isEqualTo(changed);
+        driver.menu(Studios.sphere().title());
+        driver.answer("Discard");
+        WindowDriver.await("the example", () -> driver.window().model().studio().equals(Studios.sphere()));
+        assertThat(title()).isEqualTo("Untitled \u2013 Tompkins");
+    }
+
+    @Test
+    void aSceneWithoutAFileIsGivenOneBeforeItIsLeft() {
+        driver.menu(Studios.sphere().title());
+        WindowDriver.await("the example", () -> driver.window().model().studio().equals(Studios.sphere()));
+        change();
+        Studio changed = driver.studio();
+        driver.menu("menu.close");
+        driver.answer("Save");
+        driver.choose(folder.resolve("sphere"));
+        WindowDriver.await("the end", () -> !driver.window().frame().isDisplayable());
+        assertThat(StudioReader.read(folder.resolve("sphere.json"))).isEqualTo(changed);
+    }
+
+    private record DroppedFiles(List<?> files) implements Transferable {
+
+        @Override
+        public DataFlavor[] getTransferDataFlavors() {
+            return new DataFlavor[] {DataFlavor.javaFileListFlavor};
+        }
+
+        @Override
+        public boolean isDataFlavorSupported(DataFlavor flavor) {
+            return flavor.equals(DataFlavor.javaFileListFlavor);
+        }
+
+        @Override
+        public Object getTransferData(DataFlavor flavor) throws UnsupportedFlavorException {
+            return files;
+        }
+    }
+
+    private boolean drop(Path dropped) {
+        JComponent pane = driver.window().frame().getRootPane();
+        return WindowDriver.onEventThread(() -> pane.getTransferHandler()
+                .importData(new TransferHandler.TransferSupport(pane, new DroppedFiles(List.of(dropped.toFile())))));
+    }
+
+    @Test
+    void aDroppedFileOpens() throws IOException {
+        Path other = folder.resolve("other.json");
+        StudioWriter.save(Studios.sphere(), other);
+        assertThat(drop(other)).isTrue();
+        WindowDriver.await(
+                "the dropped scene", () -> driver.window().model().studio().equals(Studios.sphere()));
+        assertThat(driver.window().model().file()).isEqualTo(other);
+    }
+
+    @Test
+    void aDroppedFileThatHoldsNoSceneIsRefused() throws IOException {
+        Path other = Files.writeString(folder.resolve("other.json"), "{ \"title\": 1 }");
+        drop(other);
+        driver.answer("OK");
+        assertThat(driver.studio()).isEqualTo(WALL);
+    }
+
+    @Test
+    void anExistingFileIsReplacedOnlyWhenTheUserAgrees() throws IOException {
+        Path photograph = Files.writeString(folder.resolve("mine.png"), "mine");
+        driver.menu("menu.savePhotograph");
+        driver.choose(photograph);
+        driver.answer("Cancel");
+        driver.menu("menu.savePhotograph");
+        assertThat(Files.readString(photograph)).isEqualTo("mine");
+        driver.choose(photograph);
+        driver.answer("OK");
+        JLabel what = driver.find(JLabel.class, "status.what");
+        WindowDriver.await("the photograph", () -> what.getText().startsWith("Saved"));
+        String scene = PhotographFile.readScene(photograph).orElseThrow();
+        assertThat(StudioReader.read(scene, "mine.png", folder)).isEqualTo(WALL);
+    }
+
+    @Test
+    void anExportThatIsCancelledLeavesNothingBehind() throws IOException {
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().open(Studios.slow(), null);
+            return null;
+        });
+        driver.menu("menu.playPanel");
+        Path film = folder.resolve("film.png");
+        driver.answer(Texts.get("play.export"));
+        driver.choose(film);
+        WindowDriver.await("the progress", () -> task().findAny().isPresent());
+        driver.answer("Cancel");
+        WindowDriver.await("the end of the work", () -> task().findAny().isEmpty());
+        try (Stream<Path> left = Files.list(folder)) {
+            assertThat(left.filter(Files::isRegularFile)).containsExactly(file);
+        }
+        assertThat(driver.find(JLabel.class, "status.what").getText()).doesNotStartWith("Saved");
+    }
+
+    private Stream<JDialog> task() {
+        return Components.all(driver.window().frame())
+                .filter(JDialog.class::isInstance)
+                .map(JDialog.class::cast)
+                .filter(dialog -> "task".equals(dialog.getName()) && dialog.isShowing());
+    }
+
+    @Test
+    void theCameraIsFocusedOnWhatIsClicked() {
+        driver.click(driver.find(JToggleButton.class, "Pick a point to focus on"));
+        driver.click(driver.find(PictureCanvas.class, "picture"));
+        WindowDriver.await("another focus", () -> driver.window().model().isModified());
+        Plane focus = (Plane) ((ThinLensCamera) driver.studio().camera()).focus();
+        assertThat(focus.point().z()).isCloseTo(8, within(1e-5));
+        assertThat(driver.find(JToggleButton.class, "Pick a point to focus on").isSelected())
+                .isFalse();
+    }
+
+    @Test
+    void thePinnedRayIsScrolledIntoView() {
+        driver.click(driver.find(PictureCanvas.class, "picture"));
+        JTextArea story = driver.find(JTextArea.class, "ray.story");
+        WindowDriver.await("the story of the ray", () -> {
+            JViewport viewport = (JViewport) SwingUtilities.getAncestorOfClass(JViewport.class, story);
+            Rectangle place = SwingUtilities.convertRectangle(story, new Rectangle(story.getSize()), viewport);
+            return story.isShowing() && place.height > 0 && new Rectangle(viewport.getSize()).contains(place);
+        });
+    }
+
+    @Test
+    void allKeysAreSeenAtOnce() {
+        driver.key(KeyEvent.VK_F1);
+        WindowDriver.await(
+                "the keys",
+                () -> Components.all(driver.window().frame())
+                        .anyMatch(part -> "message".equals(part.getName()) && part.isShowing()));
+        JTextArea keys = driver.find(JTextArea.class, "message");
+        JViewport viewport = (JViewport) keys.getParent();
+        assertThat(keys.getText()).contains("F8", "Shift drags towards you");
+        assertThat(viewport.getHeight()).isGreaterThanOrEqualTo(keys.getPreferredSize().height);
+        driver.answer("OK");
+    }
+
+    @Test
+    void oneSampleIsOneSample() {
+        assertThat(driver.find(JLabel.class, "status.picture").getText()).contains("1 sample a pixel");
+        Point middle = driver.centre(driver.find(PictureCanvas.class, "picture"));
+        driver.move(middle);
+        assertThat(driver.find(JLabel.class, "status.what").getText()).contains("wall");
+    }
+}
