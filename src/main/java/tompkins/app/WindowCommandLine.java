@@ -4,13 +4,18 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import org.joml.Vector3dc;
+import tompkins.property.InvalidPropertyException;
 import tompkins.shutter.Shutter;
+import tompkins.spacetime.Velocity;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.ui.CommandLineWriter;
 
 /** Writes what the window shows as a call of {@code render}: the scene file, and options for what has changed since. */
 final class WindowCommandLine implements CommandLineWriter {
+
+    /** Lorentz factors that differ by less than this share of them give pictures that nobody can tell apart. */
+    private static final double SAME = 1e-9;
 
     @Override
     public Optional<String> of(Studio studio, Studio opened, Path file) {
@@ -56,6 +61,9 @@ final class WindowCommandLine implements CommandLineWriter {
 
     /** Whether the options can say all that has changed. */
     private static boolean isSayable(Studio studio, Studio opened) {
+        if (!studio.velocity().equals(opened.velocity()) && !isSayable(studio.velocity())) {
+            return false;
+        }
         Shutter now = studio.camera().shutter();
         Shutter before = opened.camera().shutter();
         Shutter start = now.getClass() == before.getClass() ? before : StudioOptions.defaultOf(now.getClass());
@@ -67,6 +75,16 @@ final class WindowCommandLine implements CommandLineWriter {
                         .withSamples(settings.samples())
                         .withSeed(settings.seed()));
         return said.equals(studio);
+    }
+
+    /** Whether components of the velocity tell its speed: near that of light they do not have the digits. */
+    private static boolean isSayable(Velocity velocity) {
+        try {
+            double gamma = Velocity.of(velocity.components()).gamma();
+            return Math.abs(gamma - velocity.gamma()) <= SAME * velocity.gamma();
+        } catch (InvalidPropertyException roundedToLight) {
+            return false;
+        }
     }
 
     private static String quoted(String name) {

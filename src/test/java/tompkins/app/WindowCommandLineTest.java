@@ -1,0 +1,120 @@
+package tompkins.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.io.StudioReader;
+import tompkins.io.StudioWriter;
+import tompkins.sceneobject.Sphere;
+import tompkins.shutter.DetectorPlaneShutter;
+import tompkins.shutter.FocusSurfaceShutter;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.RenderSettings;
+import tompkins.studio.Studio;
+
+class WindowCommandLineTest {
+
+    private static final Studio OPENED =
+            Studio.DEFAULT.withScene(List.of(Sphere.DEFAULT)).withSettings(RenderSettings.DEFAULT.withSize(8, 6));
+
+    @TempDir
+    private Path folder;
+
+    private Path file;
+
+    @BeforeEach
+    void save() throws IOException {
+        file = folder.resolve("scene.json");
+        StudioWriter.save(OPENED, file);
+    }
+
+    private static Studio with(Shutter shutter) {
+        return OPENED.withCamera(OPENED.camera().withShutter(shutter));
+    }
+
+    static Stream<Studio> sayable() {
+        return Stream.of(
+                OPENED,
+                OPENED.withSettings(OPENED.settings().withSize(10, 7)),
+                OPENED.withSettings(OPENED.settings().withSamples(3).withSeed(-5)),
+                OPENED.withVelocity(Velocity.of(-0.1, 0.2, 1.0 / 3)),
+                with(OPENED.camera().shutter().openedAt(-1.5)),
+                with(FocusSurfaceShutter.DEFAULT),
+                with(DetectorPlaneShutter.DEFAULT.openedAt(0.125))
+                        .withVelocity(Velocity.of(0, 0, -0.5))
+                        .withSettings(OPENED.settings().withSamples(2)));
+    }
+
+    /** The program itself is asked: the photograph that the command line takes holds the scene of the window. */
+    @ParameterizedTest
+    @MethodSource
+    void sayable(Studio studio) {
+        Path photograph = folder.resolve("photograph.png");
+        List<Object> words = words(studio);
+        words.addAll(List.of("-o", photograph));
+
+        ProgramRun run = ProgramRun.of(words.toArray());
+
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(StudioReader.read(photograph)).isEqualTo(studio);
+    }
+
+    private List<Object> words(Studio studio) {
+        String line = new WindowCommandLine().of(studio, OPENED, file).orElseThrow();
+        assertThat(line).startsWith("java -jar tompkins.jar render ");
+        return new ArrayList<>(Arrays.asList(
+                (Object[]) line.substring("java -jar tompkins.jar ".length()).split(" ")));
+    }
+
+    @Test
+    void aSpeedOnAnotherScaleIsSaidInComponents() {
+        Studio studio = OPENED.withVelocity(Velocity.of(SpeedScale.RAPIDITY, 2, new Vector3d(0, 0, 3)));
+        String option = words(studio).get(2).toString();
+        assertThat(option).startsWith("--beta=0.0,0.0,");
+        assertThat(Double.parseDouble(option.substring("--beta=0.0,0.0,".length())))
+                .isCloseTo(Math.tanh(2), within(1e-15));
+    }
+
+    static Stream<Studio> unsayable() {
+        return Stream.of(
+                OPENED.withScene(List.of()),
+                OPENED.withTransformation(TransformationLaw.GALILEAN),
+                OPENED.withVelocity(Velocity.of(SpeedScale.GAMMA, 1e7, new Vector3d(0, 0, 1))),
+                OPENED.withVelocity(Velocity.of(SpeedScale.ONE_MINUS_BETA, 1e-17, new Vector3d(0, 0, 1))),
+                with(new FocusSurfaceShutter(1)).withScene(List.of()));
+    }
+
+    @ParameterizedTest
+    @MethodSource
+    void unsayable(Studio studio) {
+        assertThat(new WindowCommandLine().of(studio, OPENED, file)).isEmpty();
+    }
+
+    @Test
+    void withoutAFileThereIsNothingToRender() {
+        assertThat(new WindowCommandLine().of(OPENED, OPENED, null)).isEmpty();
+    }
+
+    @Test
+    void namesWithSpacesAreQuoted() throws IOException {
+        Path spaced = Files.createDirectories(folder.resolve("my scenes")).resolve("one.json");
+        assertThat(new WindowCommandLine().of(OPENED, OPENED, spaced))
+                .contains("java -jar tompkins.jar render '" + spaced + "'");
+    }
+}
