@@ -43,7 +43,7 @@ class ObjectPreparationTest {
                         new Vector3d()));
     }
 
-    private static Stream<SceneObject> tooLarge() {
+    static Stream<SceneObject> tooLarge() {
         return ofSize(4e307).stream();
     }
 
@@ -61,7 +61,7 @@ class ObjectPreparationTest {
                 .withMessageStartingWith("cameraFrame[0] ");
     }
 
-    private static Stream<SceneObject> usable() {
+    static Stream<SceneObject> usable() {
         return Stream.of(1e-50, 1e50).flatMap(size -> ofSize(size).stream());
     }
 
