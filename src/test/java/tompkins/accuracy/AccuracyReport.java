@@ -74,7 +74,10 @@ final class AccuracyReport {
         line("All numbers are doubles; u = 2^-53 = 1.1e-16 is the relative error of one rounding. Units have c = 1.");
         line("*Naive* is the form that textbooks and the paper give, kept in the test sources as `Naive...`.");
         line("Errors are relative unless the line says otherwise; *none* means that not one digit differs from the");
-        line("reference, *no number* that the form gives infinity or NaN.");
+        line("reference, *no number* that the form gives infinity or NaN. What the quantities mean stands in");
+        line(
+                "[Conventions](conventions.md), what more samples gain in [Speed and accuracy](speed-and-accuracy.md), and what");
+        line("is refused in [Limits](limits.md).");
         line("");
     }
 
@@ -82,8 +85,13 @@ final class AccuracyReport {
         line("## Against reference data");
         line("");
         line("Numbers worked out with 80 digits by another program (`src/test/resources/golden`): the worst row, as a");
-        line("multiple of the limit that the row allows. *acond* and *cond* say how far the result moves with its");
-        line("inputs, gamma is the Lorentz factor. A method passes with 1 or less.");
+        line("multiple of the limit that the row allows. A method passes with 1 or less. In the limits");
+        line("- gamma is the Lorentz factor of the camera, gamma_w that of the window before it;");
+        line(
+                "- acond = |f| + sum of |x df/dx| over the inputs x of the result f: how far f moves when each input changes by a");
+        line(
+                "  relative 1, so that u acond is what rounding the inputs alone may cost; for a place f is a vector, |f| its length;");
+        line("- cond is the same for the distance of a hit, divided by that distance.");
         line("");
         line("| quantity | limit | rows | naive | Tompkins |");
         line("|---|---|---|---|---|");
@@ -115,7 +123,10 @@ final class AccuracyReport {
         line("");
         line("For the paper's camera: 640 pixels for 20 degrees, velocity (0.2, -0.1, 0.97), so gamma is "
                 + String.format(Locale.ROOT, "%.2f", gamma) + " and a pixel");
-        line(String.format(Locale.ROOT, "sees %.2g radians. Largest first:", pixel));
+        line(String.format(
+                Locale.ROOT,
+                "sees %.2g radians. Largest first, where a part of a pixel counts as that part of full scale:",
+                pixel));
         line("");
         line("| source | size |");
         line("|---|---|");
@@ -123,9 +134,9 @@ final class AccuracyReport {
         line("| the same with n samples spread evenly | falls as n^(-3/4) |");
         line("| rounding to 8 bits | " + number(0.5 / 255) + " of full scale |");
         line("| light given up below 1/1024 of the sample | " + number(1.0 / 1024) + " of the brightest source |");
+        line("| direction in the scene at gamma 1e6, 8 gamma u | " + number(8e6 * U / pixel) + " pixels |");
         line("| sums of samples in single precision | " + number(0x1p-24) + " of the value, for each sample |");
-        line("| direction in the scene, 8 gamma u | " + number(8 * gamma * U / pixel) + " pixels |");
-        line("| the same at gamma 1e6 | " + number(8e6 * U / pixel) + " pixels |");
+        line("| direction in the scene at this gamma, 8 gamma u | " + number(8 * gamma * U / pixel) + " pixels |");
         line("| distance of a hit 10 away | " + number(40 * U) + " lengths |");
         line("");
     }
@@ -133,8 +144,9 @@ final class AccuracyReport {
     private void limits() {
         line("## What double precision can and cannot do");
         line("");
-        line("- Up to gamma = 1e6 directions are right to 8 gamma u radians, 1e-9; above it, the plan of a picture");
-        line("  warns. Velocities of any gamma give finite pictures.");
+        line(
+                "- Up to gamma = 1e6 directions are right to 8 gamma u radians, 1e-9. Scene files may say a gamma up to 1e8;");
+        line("  above 1e6 `check`, `explain` and `render` warn, and say how wrong directions may be.");
         line("- A velocity written as decimals says less than one thinks: rounding its components changes gamma by");
         line("  gamma^2 u; at gamma = 1e8 nothing is left of it. Write `gamma`, `rapidity` or `oneMinusBeta` instead.");
         line(

@@ -104,7 +104,7 @@ public enum FrameQuantity {
             return there.distance(start) / (16 * U * row.number("gamma"));
         }
     },
-    WINDOW("c_lorentz_window", "8 (gamma + gamma) u") {
+    WINDOW("c_lorentz_window", "8 (gamma_w + gamma) u") {
         @Override
         double excess(FrameMethod method, GoldenRow row) {
             Vector3d direction = new Vector3d();
@@ -112,7 +112,7 @@ public enum FrameQuantity {
             return row.distance(direction, "w") / (8 * U * (gammaOf(row, "bw_") + gammaOf(row, "bc_")));
         }
     },
-    WINDOW_AND_CAMERA("c_lorentz_window", "8 (gamma + gamma) u") {
+    WINDOW_AND_CAMERA("c_lorentz_window", "8 (gamma_w + gamma) u") {
         @Override
         double excess(FrameMethod method, GoldenRow row) {
             Vector3d direction = new Vector3d();

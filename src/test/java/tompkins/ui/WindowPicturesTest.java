@@ -15,6 +15,7 @@ import javax.imageio.ImageWriter;
 import javax.imageio.stream.ImageOutputStream;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
+import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
@@ -77,7 +78,9 @@ class WindowPicturesTest {
             // without noise, which would make a large file
             studio = studio.withSettings(studio.settings().withSize(320, 240).withSamples(400));
         }
-        try (WindowDriver driver = new WindowDriver(studio, null, List.of())) {
+        try (WindowDriver driver = new WindowDriver(studio, null, List.of(studio))) {
+            JMenu examples = driver.find(JMenu.class, "menu.examples");
+            WindowDriver.await("the examples", examples::isEnabled);
             if (shot == Shot.WIDE_APERTURE) {
                 resize(driver);
             }
