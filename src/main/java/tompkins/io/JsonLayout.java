@@ -24,24 +24,19 @@ final class JsonLayout {
      * @param value a map with texts as keys, a list, a text, a number or a truth value
      */
     static String text(Object value) {
-        return text(value, 0, WIDTH);
+        return text(value, 0);
     }
 
-    /** The text of a value on one line, however long. */
-    static String oneLine(Object value) {
-        return text(value, 0, Integer.MAX_VALUE);
-    }
-
-    private static String text(Object value, int indent, int width) {
+    private static String text(Object value, int indent) {
         if (value instanceof Map<?, ?> map) {
             List<String> parts = new ArrayList<>();
-            map.forEach((key, member) -> parts.add(quoted((String) key) + ": " + text(member, indent + INDENT, width)));
-            return bracketed("{", parts, "}", indent, width);
+            map.forEach((key, member) -> parts.add(quoted((String) key) + ": " + text(member, indent + INDENT)));
+            return bracketed("{", parts, "}", indent);
         }
         if (value instanceof List<?> list) {
             List<String> parts = new ArrayList<>();
-            list.forEach(element -> parts.add(text(element, indent + INDENT, width)));
-            return bracketed("[", parts, "]", indent, width);
+            list.forEach(element -> parts.add(text(element, indent + INDENT)));
+            return bracketed("[", parts, "]", indent);
         }
         if (value instanceof Double number) {
             return number(number);
@@ -49,9 +44,9 @@ final class JsonLayout {
         return value instanceof String text ? quoted(text) : value.toString();
     }
 
-    private static String bracketed(String open, List<String> parts, String close, int indent, int width) {
+    private static String bracketed(String open, List<String> parts, String close, int indent) {
         int length = parts.stream().mapToInt(part -> part.length() + 2).sum();
-        if (length <= width - indent && parts.stream().noneMatch(part -> part.contains("\n"))) {
+        if (length <= WIDTH - indent && parts.stream().noneMatch(part -> part.contains("\n"))) {
             return open + String.join(", ", parts) + close;
         }
         String margin = "\n" + " ".repeat(indent);

@@ -147,7 +147,7 @@ public final class SceneFileReference {
         }
         return value.equals(MeshData.OCTAHEDRON)
                 ? "an octahedron of radius 1"
-                : "`" + JsonLayout.oneLine(WRITER.tree(component.getGenericType(), value)) + "`";
+                : "`" + oneLine(WRITER.tree(component.getGenericType(), value)) + "`";
     }
 
     private static String meaning(AnnotatedElement element) {
@@ -188,5 +188,12 @@ public final class SceneFileReference {
             return List.of(Map.of(DescriptionReader.TYPE, first));
         }
         return WRITER.tree(component.getGenericType(), value);
+    }
+
+    /** The text of a value on one line, however long, as cells of tables need it. */
+    private static String oneLine(Object value) {
+        return JsonLayout.text(value)
+                .replaceAll("(?<=[\\[{])\n *|\n *(?=[]}])", "")
+                .replaceAll("\n *", " ");
     }
 }
