@@ -1,99 +1,114 @@
 package tompkins.bench;
 
+import java.util.Locale;
 import java.util.Random;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
+import tompkins.image.LinearImage;
 import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
+import tompkins.render.Quality;
+import tompkins.render.RenderJob;
+import tompkins.render.Renderer;
 import tompkins.studio.PaperStudios;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleTracer;
 
-/** How many samples the wide lens of Fig. 3(a) needs: those of the sampler against random points of pixel and lens. */
+/**
+ * How many samples the wide lens of Fig. 3(a) needs: those that the program takes for a promised error, against random points
+ * of pixel and lens for the error that it reached. The error is that of some of the pixels, chosen at random, against many
+ * more samples with another seed.
+ */
 final class Convergence {
 
-    private static final int WIDTH = 64;
-    private static final int HEIGHT = 48;
-    private static final int PIXELS = WIDTH * HEIGHT;
-    private static final double GOAL = 0.002;
+    private static final double PROMISED = 0.002;
+    private static final int RANDOM_SAMPLES = 64;
 
-    private final double[] reference;
+    private final Studio studio;
+    private final int[] pixels;
+    private final int referenceSamples;
 
-    /** Takes the reference, with another seed, from the given number of samples. */
-    Convergence(int referenceSamples) {
-        reference = sampled(referenceSamples, 99);
+    /** A comparison for a picture of the given width. */
+    Convergence(int width, int pixels, int referenceSamples) {
+        Studio figure = PaperStudios.fig3a();
+        studio = figure.withSettings(figure.settings().withSize(width, width * 3 / 4));
+        this.pixels = new Random(5).ints(pixels, 0, width * width * 3 / 4).toArray();
+        this.referenceSamples = referenceSamples;
     }
 
-    /** Compares the numbers of samples that the goal needs. */
-    Measure measure() {
-        int samples = 16;
-        double before = Double.NaN;
-        double error = error(sampled(samples, 1));
-        while (error > GOAL && samples < 8192) {
-            samples *= 2;
-            before = error;
-            error = error(sampled(samples, 1));
+    /** Takes the picture and compares. */
+    Measure measure() throws InterruptedException {
+        double samples;
+        LinearImage image;
+        try (Renderer renderer = new Renderer()) {
+            RenderJob job = renderer.render(RenderPlan.of(studio), new Quality.TargetError(PROMISED));
+            image = job.image();
+            samples = job.report().samplesPerPixel();
         }
-        if (error > GOAL) {
-            return Measure.missing("fig3a to RMSE " + GOAL, "the reference is too rough to tell");
-        }
-        // between two powers of two, along a straight line of the logarithms
-        double share = Math.log(before / GOAL) / Math.log(before / error);
-        double needed = samples / 2.0 * Math.pow(2, share);
-        int tried = 256;
-        double randomError = error(random(tried));
-        double randomNeeded = tried * Math.pow(randomError / GOAL, 2);
-        String what = "fig3a to RMSE " + GOAL + ": " + Measure.number(needed) + " samples a pixel; random "
-                + Measure.number(randomNeeded);
-        return Measure.atLeast(what, 20, "x fewer", randomNeeded / needed);
+        RenderPlan otherSeed =
+                RenderPlan.of(studio.withSettings(studio.settings().withSeed(99)));
+        double error = Math.sqrt(mean(pixel -> squaredError(image, otherSeed, pixel)));
+        double needed = mean(pixel -> randomVariance(otherSeed, pixel)) / (error * error);
+        String what = String.format(
+                Locale.ROOT,
+                "fig3a, %d x %d, --error %.3f: %.0f samples a pixel, true error %.5f; random ones needed %.0f",
+                image.width(),
+                image.height(),
+                PROMISED,
+                samples,
+                error,
+                needed);
+        return Measure.atLeast(what, 20, "x fewer", needed / samples);
     }
 
-    private static double[] sampled(int samples, long seed) {
-        Studio studio = PaperStudios.fig3a();
-        RenderPlan plan = RenderPlan.of(studio.withSettings(
-                studio.settings().withSize(WIDTH, HEIGHT).withSamples(samples).withSeed(seed)));
+    private double mean(IntToDoubleFunction ofPixel) {
+        return IntStream.of(pixels).parallel().mapToDouble(ofPixel).average().orElseThrow();
+    }
+
+    private double squaredError(LinearImage image, RenderPlan plan, int pixel) {
         SampleTracer tracer = plan.tracer(new RayCounts());
-        double[] sums = new double[3 * PIXELS];
-        for (int pixel = 0; pixel < PIXELS; pixel++) {
-            for (int sample = 0; sample < samples; sample++) {
-                add(sums, pixel, tracer.sample(pixel % WIDTH, pixel / WIDTH, sample), samples);
-            }
+        int column = pixel % image.width();
+        int row = pixel / image.width();
+        double[] sums = new double[3];
+        for (int sample = 0; sample < referenceSamples; sample++) {
+            add(sums, tracer.sample(column, row, sample));
         }
-        return sums;
+        double squares = 0;
+        for (int channel = 0; channel < 3; channel++) {
+            double difference = image.value(column, row, channel) - plan.exposure() * sums[channel] / referenceSamples;
+            squares += difference * difference / 3;
+        }
+        return squares;
     }
 
-    private static double[] random(int samples) {
-        Studio studio = PaperStudios.fig3a();
-        SampleTracer tracer = RenderPlan.of(
-                        studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT)))
-                .tracer(new RayCounts());
-        Random random = new Random(5);
-        double[] sums = new double[3 * PIXELS];
-        for (int pixel = 0; pixel < PIXELS; pixel++) {
-            for (int sample = 0; sample < samples; sample++) {
-                double radius = Math.sqrt(random.nextDouble());
-                double angle = 2 * Math.PI * random.nextDouble();
-                Colour colour = tracer.sample(
-                        pixel % WIDTH + random.nextDouble(),
-                        pixel / WIDTH + random.nextDouble(),
-                        radius * Math.cos(angle),
-                        radius * Math.sin(angle));
-                add(sums, pixel, colour, samples);
-            }
+    /** The variance of one sample at a random place, averaged over the channels; estimated without bias. */
+    private double randomVariance(RenderPlan plan, int pixel) {
+        SampleTracer tracer = plan.tracer(new RayCounts());
+        Random random = new Random(pixel);
+        double[] sums = new double[3];
+        double squares = 0;
+        for (int sample = 0; sample < RANDOM_SAMPLES; sample++) {
+            double radius = Math.sqrt(random.nextDouble());
+            double angle = 2 * Math.PI * random.nextDouble();
+            Colour colour = tracer.sample(
+                    pixel % plan.width() + random.nextDouble(),
+                    pixel / plan.width() + random.nextDouble(),
+                    radius * Math.cos(angle),
+                    radius * Math.sin(angle));
+            add(sums, colour);
+            squares += colour.red() * colour.red() + colour.green() * colour.green() + colour.blue() * colour.blue();
         }
-        return sums;
+        double squaredSums = sums[0] * sums[0] + sums[1] * sums[1] + sums[2] * sums[2];
+        return plan.exposure()
+                * plan.exposure()
+                * (squares - squaredSums / RANDOM_SAMPLES)
+                / (3.0 * (RANDOM_SAMPLES - 1));
     }
 
-    private static void add(double[] sums, int pixel, Colour colour, int samples) {
-        sums[3 * pixel] += colour.red() / samples;
-        sums[3 * pixel + 1] += colour.green() / samples;
-        sums[3 * pixel + 2] += colour.blue() / samples;
-    }
-
-    private double error(double[] picture) {
-        double sum = 0;
-        for (int i = 0; i < picture.length; i++) {
-            sum += (picture[i] - reference[i]) * (picture[i] - reference[i]);
-        }
-        return Math.sqrt(sum / picture.length);
+    private static void add(double[] sums, Colour colour) {
+        sums[0] += colour.red();
+        sums[1] += colour.green();
+        sums[2] += colour.blue();
     }
 }

@@ -119,8 +119,9 @@ final class PerformanceReport {
                 Measure.atMost(name + " against native 16-wide packets, " + packets + " ms", 6, "x", time / packets));
     }
 
-    private void lens() {
-        measures.add(new Convergence(quick ? 4096 : 16384).measure());
+    private void lens() throws InterruptedException {
+        Convergence convergence = quick ? new Convergence(160, 200, 4096) : new Convergence(640, 4000, 16384);
+        measures.add(convergence.measure());
     }
 
     private void growth() throws InterruptedException {

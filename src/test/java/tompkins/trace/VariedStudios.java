@@ -93,7 +93,7 @@ public final class VariedStudios {
         Studio studio = moving(dust());
         return Stream.of(
                 Named.of("dust", studio),
-                Named.of("dust, two lamps", studio.withLights(List.of(PointLight.DEFAULT, lamp(0.2, 0.1, 9, 0.7)))),
+                Named.of("dust, two lamps", Lighting.of(studio, List.of(PointLight.DEFAULT, lamp(0.2, 0.1, 9, 0.7)))),
                 Named.of("dust through a wide lens", samples(wide(studio), 2)),
                 Named.of("dust behind a window", studio.withCameraFrame(List.of(window(3, Clear.DEFAULT)))));
     }
