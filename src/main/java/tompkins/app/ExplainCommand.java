@@ -1,5 +1,7 @@
 package tompkins.app;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -21,6 +23,8 @@ import tompkins.trace.RenderPlan;
         mixinStandardHelpOptions = true,
         description = "Says what the picture of a scene models, what it leaves out, and why, and what it will cost.")
 final class ExplainCommand implements Callable<Integer> {
+
+    private static final double MILLION = 1e6;
 
     @Parameters(paramLabel = "SCENE", description = "scene file, or saved photograph")
     private Path scene;
@@ -51,12 +55,19 @@ final class ExplainCommand implements Callable<Integer> {
     private static String cost(RenderPlan plan, Quality quality) throws InterruptedException {
         try (Renderer renderer = new Renderer()) {
             CostForecast forecast = CostForecast.of(plan, quality, renderer);
+            double samples = forecast.samplesPerPixel() * plan.width() * plan.height();
             return String.format(
                     Locale.ROOT,
-                    "On this machine it will take about %.2g s with %.2g million samples, %.3g for each pixel.",
-                    forecast.seconds(),
-                    forecast.samplesPerPixel() * plan.width() * plan.height() / 1e6,
-                    forecast.samplesPerPixel());
+                    "On this machine it will take about %s s with %s samples, %s for each pixel.",
+                    plain(forecast.seconds(), 2),
+                    samples < MILLION ? plain(samples, 3) : plain(samples / MILLION, 3) + " million",
+                    plain(forecast.samplesPerPixel(), 3));
         }
+    }
+
+    /** The first digits of a number, without a power of ten. */
+    private static String plain(double value, int digits) {
+        BigDecimal rounded = new BigDecimal(value).round(new MathContext(digits));
+        return rounded.stripTrailingZeros().toPlainString();
     }
 }

@@ -45,6 +45,7 @@ public final class RenderJob {
     private volatile boolean cancelled;
     private volatile boolean complete;
     private volatile long endTime;
+    private long planningTime;
 
     RenderJob(
             RenderPlan plan,
@@ -145,7 +146,9 @@ public final class RenderJob {
             // before the others go on, so that nobody adds to the film while the listener looks at it
             listener.passDone(this);
             synchronized (passLock) {
+                long start = System.nanoTime();
                 Pass next = schedule.next(film);
+                planningTime += System.nanoTime() - start;
                 if (next == null) {
                     complete = true;
                 } else {
@@ -233,6 +236,13 @@ public final class RenderJob {
     /** Waits for the end of the job, but not for ever; whether it has ended. */
     boolean await(double seconds) throws InterruptedException {
         return end.await((long) (seconds * 1e9), TimeUnit.NANOSECONDS);
+    }
+
+    /** Seconds between the passes, in which the next one was planned; the same for a part of the picture as for all of it. */
+    double planningSeconds() {
+        synchronized (passLock) {
+            return planningTime / 1e9;
+        }
     }
 
     /** The first sample that failed, or null. */

@@ -19,16 +19,26 @@ public record Tile(int column, int row, int width, int height) {
 
     /** The tiles of a picture, from the centre outwards. */
     static List<Tile> of(int pictureWidth, int pictureHeight) {
+        return of(pictureWidth, pictureHeight, SIZE);
+    }
+
+    /** Tiles of another width and height, from the centre outwards. */
+    static List<Tile> of(int pictureWidth, int pictureHeight, int size) {
         List<Tile> tiles = new ArrayList<>();
-        for (int row = 0; row < pictureHeight; row += SIZE) {
-            for (int column = 0; column < pictureWidth; column += SIZE) {
+        for (int row = 0; row < pictureHeight; row += size) {
+            for (int column = 0; column < pictureWidth; column += size) {
                 tiles.add(new Tile(
-                        column, row, Math.min(SIZE, pictureWidth - column), Math.min(SIZE, pictureHeight - row)));
+                        column, row, Math.min(size, pictureWidth - column), Math.min(size, pictureHeight - row)));
             }
         }
         tiles.sort(Comparator.comparingDouble(tile -> Math.hypot(
                 tile.column + tile.width / 2.0 - pictureWidth / 2.0,
                 tile.row + tile.height / 2.0 - pictureHeight / 2.0)));
         return tiles;
+    }
+
+    /** Number of pixels. */
+    int pixels() {
+        return width * height;
     }
 }
