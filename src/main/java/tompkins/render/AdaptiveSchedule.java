@@ -27,6 +27,7 @@ final class AdaptiveSchedule implements Schedule {
     private final TimeBudget time;
     private double work;
     private double expectedWork;
+    private volatile int passesBegun;
 
     /**
      * A schedule for one picture.
@@ -49,6 +50,7 @@ final class AdaptiveSchedule implements Schedule {
         }
         Pass pass = waiting.poll();
         work += pass == null ? 0 : pass.work();
+        passesBegun++;
         return pass;
     }
 
@@ -86,8 +88,9 @@ final class AdaptiveSchedule implements Schedule {
         return time.isLimited() ? time.spent() / (time.spent() + time.left()) : done / expectedWork;
     }
 
+    /** The first pass is completed however short the time: there is always something to show. */
     @Override
     public boolean isOver() {
-        return time.isOver();
+        return passesBegun > 1 && time.isOver();
     }
 }

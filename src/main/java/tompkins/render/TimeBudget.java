@@ -1,14 +1,24 @@
 package tompkins.render;
 
+import java.util.function.LongSupplier;
+
 /** How long a render may take, from now. */
 final class TimeBudget {
 
-    private final long start = System.nanoTime();
+    private final LongSupplier nanoClock;
+    private final long start;
     private final double seconds;
 
     /** A budget; infinite if there is no limit. */
     TimeBudget(double seconds) {
+        this(seconds, System::nanoTime);
+    }
+
+    /** A budget by some clock, which counts nanoseconds. */
+    TimeBudget(double seconds, LongSupplier nanoClock) {
         this.seconds = seconds;
+        this.nanoClock = nanoClock;
+        start = nanoClock.getAsLong();
     }
 
     boolean isLimited() {
@@ -21,7 +31,7 @@ final class TimeBudget {
 
     /** Seconds since the start. */
     double spent() {
-        return (System.nanoTime() - start) / 1e9;
+        return (nanoClock.getAsLong() - start) / 1e9;
     }
 
     /** Seconds until the end; 0 after it. */

@@ -2,7 +2,11 @@ package tompkins.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.concurrent.atomic.AtomicLong;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
@@ -21,6 +25,8 @@ import tompkins.trace.RenderPlan;
 class AdaptiveRenderTest {
 
     private static final Renderer RENDERER = new Renderer(2);
+    private static final Map<Studio, float[]> REFERENCES = new HashMap<>();
+    private static final Map<Studio, float[]> OTHER_REFERENCES = new HashMap<>();
     private static final RenderSettings SMALL = RenderSettings.DEFAULT.withSize(64, 48);
 
     @AfterAll
@@ -78,9 +84,36 @@ class AdaptiveRenderTest {
     void endsWhenTheTimeIsOver() throws InterruptedException {
         RenderJob job = render(studio(spheres(), 0.1), new Quality.TimeLimit(0.5));
         assertThat(job.isComplete()).isTrue();
-        assertThat(job.report().time().toMillis()).isBetween(250L, 2000L);
+        assertThat(job.report().time().toMillis()).isGreaterThanOrEqualTo(250L);
         double error = trueError(studio(spheres(), 0.1), job);
-        assertThat(job.report().error()).isBetween(0.4 * error, 3 * error);
+        assertThat(job.report().error()).isBetween(0.7 * error, 3 * error);
+    }
+
+    @Test
+    void showsSomethingHoweverShortTheTime() throws InterruptedException {
+        RenderJob job = render(studio(spheres(), 0.1), new Quality.TimeLimit(0.01));
+        assertThat(job.report().samples()).isGreaterThanOrEqualTo(64 * 48 / 64);
+    }
+
+    /** Pixels of noise on a machine that takes a nanosecond for each: all of a million of them, and no more. */
+    @Test
+    void usesUpItsTime() {
+        AtomicLong clock = new AtomicLong();
+        Film film = new Film(16, 16, true);
+        AdaptiveSchedule schedule = new AdaptiveSchedule(16 * 16, true, true, 0, new TimeBudget(1e-3, clock::get));
+        SplittableRandom random = new SplittableRandom(5);
+        for (Pass pass = schedule.next(film); pass != null; pass = schedule.next(film)) {
+            for (int pixel = 0; pixel < 16 * 16; pixel++) {
+                boolean wanted = pixel % 16 % pass.stride() == 0 && pixel / 16 % pass.stride() == 0;
+                if (wanted && pass.takes(pixel % 16, pixel / 16, pixel)) {
+                    for (int sample = 0; sample < pass.samples(); sample++) {
+                        film.add(pixel % 16, pixel / 16, random.nextBoolean() ? Colour.WHITE : Colour.BLACK);
+                        clock.incrementAndGet();
+                    }
+                }
+            }
+        }
+        assertThat(clock.get()).isBetween(900_000L, 1_100_000L);
     }
 
     @Test
@@ -98,19 +131,30 @@ class AdaptiveRenderTest {
         return RENDERER.render(RenderPlan.of(studio), quality);
     }
 
-    /** The root mean square difference from many samples of another seed. */
+    /**
+     * The root mean square error: the difference from many samples of two other seeds, without the error of their mean, which
+     * is half of the difference between them.
+     */
     private static double trueError(Studio studio, RenderJob job) throws InterruptedException {
-        RenderSettings settings = studio.settings().withSeed(77);
-        float[] reference = render(studio.withSettings(settings), new Quality.Samples(1024))
-                .image()
-                .rgb();
+        float[] one = REFERENCES.computeIfAbsent(studio, of -> reference(of, 77));
+        float[] other = OTHER_REFERENCES.computeIfAbsent(studio, of -> reference(of, 78));
         float[] values = job.image().rgb();
         double sum = 0;
         for (int i = 0; i < values.length; i++) {
-            double difference = values[i] - reference[i];
-            sum += difference * difference;
+            double difference = values[i] - (one[i] + other[i]) / 2;
+            double ofReference = (one[i] - other[i]) / 2;
+            sum += difference * difference - ofReference * ofReference;
         }
-        return Math.sqrt(sum / values.length);
+        return Math.sqrt(Math.max(0, sum / values.length));
+    }
+
+    private static float[] reference(Studio studio, long seed) {
+        try {
+            Studio other = studio.withSettings(studio.settings().withSeed(seed));
+            return render(other, new Quality.Samples(1024)).image().rgb();
+        } catch (InterruptedException interrupted) {
+            throw new AssertionError(interrupted);
+        }
     }
 
     private static Studio studio(List<SceneObject> scene, double apertureRadius) {
