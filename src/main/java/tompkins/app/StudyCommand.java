@@ -73,7 +73,7 @@ final class StudyCommand implements Callable<Integer> {
         StudySetup setup = new StudySetup(seed, own, StudyCommand::bundled, bundledNames());
         StudyPage page = kinds.size() == 1
                 ? new StudyPage(output, kinds.get(0).toString(), "# Study: " + kinds.get(0))
-                : new StudyPage(output, PAGE_OF_ALL, StudyPage.introduction());
+                : new StudyPage(output, PAGE_OF_ALL, StudyPage.introduction(ProgramVersion.text()));
         boolean holds = true;
         for (StudyKind kind : kinds) {
             holds &= make(kind.study(setup), page);
@@ -108,6 +108,7 @@ final class StudyCommand implements Callable<Integer> {
         progressEnds();
         page.add(study, all);
         PrintWriter out = spec.commandLine().getOut();
+        out.println(study.answer(all));
         boolean holds = true;
         for (Finding finding : study.findings(all)) {
             out.println((finding.holds() ? "" : "BROKEN: ") + finding.sentence());

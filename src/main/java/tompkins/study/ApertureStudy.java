@@ -15,7 +15,11 @@ final class ApertureStudy implements Study {
     static final String INDEPENDENCE = "independence";
 
     private static final int INSTANCES = 60;
-    private static final int PIXELS_OF_INSTANCE = 10;
+
+    /** The pixels of an instance form a square, so that neighbours in either direction are compared. */
+    private static final int SIDE_OF_INSTANCE = 4;
+
+    static final int PIXELS_OF_INSTANCE = SIDE_OF_INSTANCE * SIDE_OF_INSTANCE;
     private static final int SCENE_PIXELS = 768;
     private static final int SCENE_REPEATS = 3;
 
@@ -60,7 +64,8 @@ final class ApertureStudy implements Study {
     public String question() {
         return "A wide lens sees each pixel through many points. How should they be chosen? Each method works out how"
                 + " much of the lens sees a bright half-plane, disc or chequerboard, where the answer is known exactly,"
-                + " and the light of pixels of wide-lens photographs.";
+                + " and the light of pixels of wide-lens photographs. \"Random\" is the method of Dr TIM, the ray tracer of"
+                + " the University of Glasgow with which the first photographs of this kind were taken.";
     }
 
     @Override
@@ -120,7 +125,7 @@ final class ApertureStudy implements Study {
         for (int i = 0; i < INSTANCES; i++) {
             Instance instance = problem.instance(random);
             for (int j = 0; j < PIXELS_OF_INSTANCE; j++) {
-                pattern.startPixel(j, i);
+                pattern.startPixel(j % SIDE_OF_INSTANCE, i * SIDE_OF_INSTANCE + j / SIDE_OF_INSTANCE);
                 double sum = 0;
                 double weights = 0;
                 for (int sample = 0; sample < samples; sample++) {
@@ -196,6 +201,11 @@ final class ApertureStudy implements Study {
             charts.add(Chart.errorAgainstTime(name, name + ", wide lens"));
         }
         return charts;
+    }
+
+    @Override
+    public String answer(List<Measurement> all) {
+        return findings.answer(all);
     }
 
     @Override

@@ -1,33 +1,53 @@
 package tompkins.study;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.BooleanSupplier;
 import org.joml.Vector3d;
 import tompkins.camera.ThinLensCamera;
 import tompkins.ray.Colour;
 import tompkins.render.Quality;
 import tompkins.render.RenderJob;
+import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.SceneObject;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.surface.LuminousSurface;
 import tompkins.surface.Mirror;
+import tompkins.surface.Refraction;
+import tompkins.surface.Refractive;
+import tompkins.surface.Surface;
 import tompkins.trace.RenderPlan;
 
 /** When to give up a ray between mirrors. */
 final class DepthStudy implements Study {
 
+    private static final String TWO_CORRIDORS = "two-corridors";
+    private static final String GLASS = "glass";
     private static final String LIMIT = "limit of depth";
     private static final String PROGRAM = "the program: 1/1024 of the light";
     private static final double CUT_OFF = 1.0 / 1024;
-    private static final double[] REFLECTANCES = {0.5, 0.9, 0.99};
-    private static final int[] DEPTHS = {1, 2, 5, 10, 20, 50, 100, 200, 500};
+    private static final int[] DEPTHS = {1, 2, 5, 10, 20, 50, 100, 200, 350, 500};
+    private static final int REPEATS = 3;
+    private static final double CLEARLY_LESS = 0.7;
+    private static final double INDEX = 3;
     private static final double LENGTH = 60;
     private static final double ANGLE = 170;
+    private static final double ANGLE_THROUGH_GLASS = 100;
     private static final int WIDTH = 320;
-    private static final int HEIGHT = 3;
+    private static final int HEIGHT = 4;
+
+    /** Corridors, by the name of their problem: the reflectances of the mirrors above and below the camera. */
+    private static final Map<String, double[]> CORRIDORS = new LinkedHashMap<>();
+
+    static {
+        CORRIDORS.put("R=0.90", new double[] {0.9, 0.9});
+        CORRIDORS.put(TWO_CORRIDORS, new double[] {0.99, 0.5});
+    }
 
     @Override
     public String name() {
@@ -38,16 +58,22 @@ final class DepthStudy implements Study {
     public String question() {
         return "Between mirrors a ray could go on for ever. Is it better to stop it after a number of surfaces, or when it can"
                 + " bring too little light? A camera looks down a corridor of two mirrors with reflectance R to a bright"
-                + " wall; light that is reflected k times must arrive as R^k, and k follows from the angle.";
+                + " wall; light that is reflected k times must arrive as R^k, and k follows from the angle. In the second"
+                + " chart one corridor lies above another: R = 0.99 over R = 0.5. In the third, the camera looks through a"
+                + " sheet of dense glass, in which light runs to and fro, against a dark room: what comes through is a geometric sum,"
+                + " (1 - R)/(1 + R) with Fresnel's R of each angle.";
     }
 
     @Override
     public String settings() {
         return String.format(
                 Locale.ROOT,
-                "corridor 2 wide and %.0f long, %.0f degrees, %d x %d pixels",
+                "corridors %s 2 wide and %.0f long, %.0f degrees, a sheet of glass of index %.0f, %.0f degrees, %d x %d pixels",
+                CORRIDORS.keySet(),
                 LENGTH,
                 ANGLE,
+                INDEX,
+                ANGLE_THROUGH_GLASS,
                 WIDTH,
                 HEIGHT);
     }
@@ -55,35 +81,65 @@ final class DepthStudy implements Study {
     @Override
     public List<Trial> trials() {
         List<Trial> trials = new ArrayList<>();
-        for (double reflectance : REFLECTANCES) {
-            String problem = problem(reflectance);
+        int most = RenderSettings.DEFAULT.maximumDepth();
+        CORRIDORS.forEach((problem, reflectances) -> {
             for (int depth : DEPTHS) {
                 trials.add(new Trial(
-                        problem, LIMIT, depth, cancelled -> measure(problem, LIMIT, reflectance, depth, cancelled)));
+                        problem, LIMIT, depth, cancelled -> limited(problem, reflectances, depth, cancelled)));
             }
-            int most = RenderSettings.DEFAULT.maximumDepth();
-            trials.add(new Trial(
-                    problem, PROGRAM, most, cancelled -> measure(problem, PROGRAM, reflectance, most, cancelled)));
+            trials.add(
+                    new Trial(problem, PROGRAM, most, cancelled -> programsCorridor(problem, reflectances, cancelled)));
+        });
+        for (int depth : DEPTHS) {
+            trials.add(new Trial(GLASS, LIMIT, depth, cancelled -> glass(LIMIT, depth, cancelled)));
         }
+        trials.add(new Trial(GLASS, PROGRAM, most, cancelled -> glass(PROGRAM, most, cancelled)));
         return trials;
     }
 
-    private static String problem(double reflectance) {
-        return String.format(Locale.ROOT, "R=%.2f", reflectance);
+    /**
+     * A limit of depth alone. The mirrors are perfect, so that no ray gets faint, and what arrives is dimmed exactly: light
+     * that was reflected too often for the limit is missing altogether.
+     */
+    private static Measurement limited(String problem, double[] reflectances, int depth, BooleanSupplier cancelled) {
+        RenderPlan plan = RenderPlan.of(corridors(1, 1, depth));
+        return measure(problem, LIMIT, depth, plan, cancelled, (direction, light) -> {
+            double exact = exact(reflectances, direction);
+            return light * exact - exact;
+        });
+    }
+
+    private static Measurement programsCorridor(String problem, double[] reflectances, BooleanSupplier cancelled) {
+        int depth = RenderSettings.DEFAULT.maximumDepth();
+        RenderPlan plan = RenderPlan.of(corridors(reflectances[0], reflectances[1], depth));
+        return measure(
+                problem, PROGRAM, depth, plan, cancelled, (direction, light) -> light - exact(reflectances, direction));
+    }
+
+    private static Measurement glass(String method, int depth, BooleanSupplier cancelled) {
+        RenderPlan plan = RenderPlan.of(sheet(depth));
+        return measure(GLASS, method, depth, plan, cancelled, (direction, light) -> light - throughGlass(direction));
+    }
+
+    /** The error of a pixel, from the direction in which it looks and the light that was found. */
+    @FunctionalInterface
+    private interface PixelError {
+
+        double of(Vector3d direction, double light);
     }
 
     private static Measurement measure(
-            String problem, String method, double reflectance, int depth, BooleanSupplier cancelled) {
-        RenderPlan plan = RenderPlan.of(corridor(reflectance, depth));
+            String problem, String method, int depth, RenderPlan plan, BooleanSupplier cancelled, PixelError error) {
         Repeats runs = new Repeats();
         double rays = 0;
-        for (int run = 0; run < 3; run++) {
+        for (int run = 0; run < REPEATS; run++) {
             RenderJob job = AntialiasingStudy.photograph(plan, new Quality.Samples(1), cancelled);
             double[] errors = new double[WIDTH * HEIGHT];
             for (int pixel = 0; pixel < errors.length; pixel++) {
-                Vector3d direction = new Vector3d(plan.chiefDirection(pixel % WIDTH + 0.5, pixel / WIDTH + 0.5));
-                errors[pixel] = job.image().value(pixel % WIDTH, pixel / WIDTH, 0)
-                        - Math.pow(reflectance, reflections(direction));
+                int column = pixel % WIDTH;
+                int row = pixel / WIDTH;
+                Vector3d direction = new Vector3d(plan.chiefDirection(column + 0.5, row + 0.5));
+                errors[pixel] = error.of(direction, job.image().value(column, row, 0));
             }
             rays = job.report().rays();
             runs.add(ErrorNorm.of(errors), job.report().time().toNanos() / 1e9);
@@ -91,78 +147,142 @@ final class DepthStudy implements Study {
         return runs.measurement(problem, method, depth, rays, 0);
     }
 
-    /** How often light from the axis meets the mirrors at x = -1 and x = 1 before the wall. */
-    private static long reflections(Vector3d direction) {
-        return (long) Math.floor((Math.abs(direction.x) / direction.z * LENGTH + 1) / 2);
+    /** R^k, where k is how often light from the axis meets the mirrors at x = -1 and x = 1 before the wall. */
+    private static double exact(double[] reflectances, Vector3d direction) {
+        double reflections = Math.floor((Math.abs(direction.x) / direction.z * LENGTH + 1) / 2);
+        return Math.pow(reflectances[direction.y > 0 ? 0 : 1], reflections);
     }
 
-    private static Studio corridor(double reflectance, int depth) {
+    /** (1 - R)^2 (1 + R^2 + R^4 + ...): what is let through after 0, 2, 4, ... reflections inside. */
+    private static double throughGlass(Vector3d direction) {
+        Vector3d inside = new Vector3d();
+        double cosineInside = Refraction.bend(direction, new Vector3d(0, 0, 1), 1, INDEX, inside);
+        double reflected = Refraction.reflectance(1, INDEX, direction.z, cosineInside);
+        return (1 - reflected) / (1 + reflected);
+    }
+
+    private static Studio corridors(double above, double below, int depth) {
+        List<SceneObject> objects = new ArrayList<>();
+        objects.add(wall(LENGTH, Colour.WHITE));
+        for (int side = -1; side <= 1; side += 2) {
+            objects.add(mirror(side, LENGTH, above));
+            objects.add(mirror(side, -LENGTH, below));
+        }
+        return studio(objects, ANGLE, depth);
+    }
+
+    private static SceneObject mirror(int side, double height, double reflectance) {
+        return new Parallelogram(
+                "mirror",
+                new Vector3d(side, 0, -1),
+                new Vector3d(0, height, 0),
+                new Vector3d(0, 0, LENGTH + 2),
+                new Mirror(reflectance));
+    }
+
+    private static Studio sheet(int depth) {
+        Surface glass = new Refractive(INDEX);
+        Vector3d back = new Vector3d(0, 0, -1);
+        Vector3d forth = new Vector3d(0, 0, 1);
+        return studio(
+                List.of(
+                        wall(LENGTH, Colour.WHITE),
+                        wall(-1, Colour.BLACK),
+                        new Plane("front", new Vector3d(0, 0, 1), back, glass),
+                        new Plane("rear", new Vector3d(0, 0, 2), forth, glass)),
+                ANGLE_THROUGH_GLASS,
+                depth);
+    }
+
+    private static SceneObject wall(double distance, Colour colour) {
+        return new Plane(
+                "wall", new Vector3d(0, 0, distance), new Vector3d(0, 0, 1), new LuminousSurface(colour, false));
+    }
+
+    private static Studio studio(List<SceneObject> objects, double angle, int depth) {
         ThinLensCamera plain = ThinLensCamera.DEFAULT;
         ThinLensCamera camera = new ThinLensCamera(
                 plain.position(),
                 plain.viewDirection(),
                 plain.topDirection(),
-                ANGLE,
+                angle,
                 1,
                 0,
                 plain.focus(),
                 0,
                 plain.shutter());
-        Mirror mirror = new Mirror(reflectance);
-        Vector3d across = new Vector3d(1, 0, 0);
         return Studio.DEFAULT
-                .withScene(List.of(
-                        new Plane("left mirror", new Vector3d(-1, 0, 0), across, mirror),
-                        new Plane("right mirror", new Vector3d(1, 0, 0), across, mirror),
-                        new Plane(
-                                "wall",
-                                new Vector3d(0, 0, LENGTH),
-                                new Vector3d(0, 0, 1),
-                                new LuminousSurface(Colour.WHITE, false))))
+                .withScene(objects)
                 .withCamera(camera)
                 .withSettings(RenderSettings.DEFAULT.withSize(WIDTH, HEIGHT).withMaximumDepth(depth));
     }
 
     @Override
     public List<Chart> charts() {
-        List<Chart> charts = new ArrayList<>();
-        for (double reflectance : REFLECTANCES) {
-            charts.add(new Chart(
-                    problem(reflectance),
-                    String.format(Locale.ROOT, "Corridor of mirrors, reflectance %.2f", reflectance),
-                    Chart.across("rays", Measurement::rays),
-                    Chart.ERROR,
-                    true));
-        }
-        return charts;
+        return List.of(
+                chart("R=0.90", "Corridor of mirrors, reflectance 0.90"),
+                chart(TWO_CORRIDORS, "Two corridors in one picture, reflectances 0.99 and 0.50"),
+                chart(GLASS, "Through a sheet of glass of index 3"));
+    }
+
+    private static Chart chart(String problem, String title) {
+        return new Chart(problem, title, Chart.across("rays", Measurement::rays), Chart.ERROR, true);
+    }
+
+    @Override
+    public String answer(List<Measurement> all) {
+        double own = point(TWO_CORRIDORS, PROGRAM, all).rays();
+        return String.format(
+                Locale.ROOT,
+                "In one corridor both ways cost the same, if one only knew the right depth beforehand. Where a picture holds dim"
+                        + " and bright mirrors, no depth is right for both: the limit that is as exact follows %.1f times as"
+                        + " many rays as the program, which ends each ray when it can bring less than 1/1024 of the light. That"
+                        + " is less than a step of an 8-bit picture.",
+                cheapestLimit(TWO_CORRIDORS, all) / own);
     }
 
     @Override
     public List<Finding> findings(List<Measurement> all) {
         List<Finding> findings = new ArrayList<>();
-        for (double reflectance : REFLECTANCES) {
-            List<Measurement> points = all.stream()
-                    .filter(point -> point.problem().equals(problem(reflectance)))
-                    .toList();
-            Measurement own = points.stream()
-                    .filter(point -> point.method().equals(PROGRAM))
-                    .findFirst()
-                    .orElseThrow();
-            double cheapest = points.stream()
-                    .filter(point -> point.method().equals(LIMIT))
-                    .filter(point -> point.error().middle() <= own.error().middle() * (1 + 1e-9))
-                    .mapToDouble(Measurement::rays)
-                    .min()
-                    .orElse(Double.POSITIVE_INFINITY);
-            findings.add(Finding.check(
-                    own.maximum() <= CUT_OFF && own.rays() <= cheapest * 1.001,
-                    "Reflectance %.2f: the program is wrong by %.2g at most (1/1024 is allowed) with %.0f rays; the cheapest"
-                            + " limit of depth that was measured and is as exact takes %.0f rays.",
-                    reflectance,
-                    own.maximum(),
+        for (Chart chart : charts()) {
+            Measurement own = point(chart.problem(), PROGRAM, all);
+            findings.add(Finding.of(
+                    own.maximum() <= CUT_OFF,
+                    chart.title() + ": largest error of the program",
+                    "at most 1/1024 = 0.00098",
+                    "%.2g",
+                    own.maximum()));
+            double cheapest = cheapestLimit(chart.problem(), all);
+            findings.add(Finding.of(
+                    own.rays() <= cheapest * (chart.problem().equals(TWO_CORRIDORS) ? CLEARLY_LESS : 1),
+                    chart.title() + ": rays of the program",
+                    chart.problem().equals(TWO_CORRIDORS)
+                            ? "at most 0.7 times those of the cheapest limit that is as exact"
+                            : "at most those of the cheapest limit that is as exact",
+                    "%.0f; the limit's %.0f",
                     own.rays(),
                     cheapest));
         }
         return findings;
+    }
+
+    private static Measurement point(String problem, String method, List<Measurement> all) {
+        return points(problem, method, all).get(0);
+    }
+
+    private static double cheapestLimit(String problem, List<Measurement> all) {
+        double error = point(problem, PROGRAM, all).error().middle();
+        return points(problem, LIMIT, all).stream()
+                .filter(limit -> limit.error().middle() <= error * (1 + 1e-9))
+                .mapToDouble(Measurement::rays)
+                .min()
+                .orElse(Double.POSITIVE_INFINITY);
+    }
+
+    private static List<Measurement> points(String problem, String method, List<Measurement> all) {
+        return all.stream()
+                .filter(point ->
+                        point.problem().equals(problem) && point.method().equals(method))
+                .toList();
     }
 }

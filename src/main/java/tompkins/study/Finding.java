@@ -3,20 +3,22 @@ package tompkins.study;
 import java.util.Locale;
 
 /**
- * One sentence about what a study shows.
+ * One thing that a study must show.
  *
- * @param sentence with its figures
+ * @param criterion what is judged
+ * @param demanded what it has to be, from theory or as a promise
+ * @param found what was measured
  * @param holds whether it is as it must be; if not, something in the program is broken
  */
-public record Finding(String sentence, boolean holds) {
+public record Finding(String criterion, String demanded, String found, boolean holds) {
 
-    /** A finding that must hold, its sentence a {@link String#format(String, Object...)} pattern. */
-    static Finding check(boolean holds, String pattern, Object... values) {
-        return new Finding(String.format(Locale.ROOT, pattern, values), holds);
+    /** A finding whose figures make a {@link String#format(String, Object...)} pattern. */
+    static Finding of(boolean holds, String criterion, String demanded, String pattern, Object... figures) {
+        return new Finding(criterion, demanded, String.format(Locale.ROOT, pattern, figures), holds);
     }
 
-    /** A finding without a limit. */
-    static Finding note(String pattern, Object... values) {
-        return check(true, pattern, values);
+    /** All in one line. */
+    public String sentence() {
+        return criterion + ": " + found + " (demanded: " + demanded + ")";
     }
 }

@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.function.BooleanSupplier;
 import org.joml.Vector3d;
@@ -20,6 +21,7 @@ final class PrecisionStudy implements Study {
     private static final MathContext DIGITS = new MathContext(50);
     private static final int DIRECTIONS = 400;
     private static final int TIMED = 200_000;
+    private static final double FLOAT_ROUNDING = 0x1p-24;
     private static final double PIXEL = Math.toRadians(20) / 640;
     private static final double[] GAMMAS = {1.01, 3, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8};
 
@@ -161,43 +163,73 @@ final class PrecisionStudy implements Study {
     }
 
     @Override
+    public String answer(List<Measurement> all) {
+        Measurement single = point(PIXELS, DirectionForm.SINGLE, 1e4, all);
+        Measurement own = point(PIXELS, DirectionForm.HALF_ANGLE, 1e4, all);
+        return String.format(
+                Locale.ROOT,
+                "In double precision, every form but the textbook's is good enough for the picture at any speed that can be"
+                        + " asked for: a pixel is never missed by a hundredth of its width. Half angles alone also keep the"
+                        + " direction in the scene, on which frequency and brightness depend, so the program uses them. Single"
+                        + " precision is wrong by %.2g pixels at gamma 10^4 and saves nothing: it takes %.1f ns for a direction,"
+                        + " the program %.1f ns, and to find what a ray hits takes hundreds.",
+                single.error().middle(),
+                1e9 * single.seconds().middle() / TIMED,
+                1e9 * own.seconds().middle() / TIMED);
+    }
+
+    @Override
     public List<Finding> findings(List<Measurement> all) {
         List<Finding> findings = new ArrayList<>();
-        slope(DirectionForm.HALF_ANGLE, 1, all, findings);
-        slope(DirectionForm.PROPER_VELOCITY, 2, all, findings);
-        slope(DirectionForm.MATRIX, 2, all, findings);
+        findings.add(slope(RADIANS, DirectionForm.PROPER_VELOCITY, 2, all));
+        findings.add(slope(RADIANS, DirectionForm.MATRIX, 2, all));
+        findings.add(slope(RADIANS, DirectionForm.HALF_ANGLE, 1, all));
+        findings.add(slope(PIXELS, DirectionForm.PROPER_VELOCITY, 1, all));
+        findings.add(slope(PIXELS, DirectionForm.MATRIX, 1, all));
+        findings.add(slope(PIXELS, DirectionForm.HALF_ANGLE, 1, all));
         double worst = point(PIXELS, DirectionForm.HALF_ANGLE, Velocity.GUARANTEED_GAMMA, all)
                 .error()
                 .middle();
-        findings.add(Finding.check(
+        findings.add(Finding.of(
                 worst < 0.01,
-                "At gamma %.0g the program's form is wrong by %.2g pixels at most; below 0.01 is demanded.",
-                Velocity.GUARANTEED_GAMMA,
+                String.format(
+                        Locale.ROOT, "The program's largest error at gamma %.0g, in pixels", Velocity.GUARANTEED_GAMMA),
+                "below 0.01",
+                "%.2g",
                 worst));
-        Measurement single = point(PIXELS, DirectionForm.SINGLE, 1e4, all);
-        Measurement own = point(PIXELS, DirectionForm.HALF_ANGLE, 1e4, all);
-        findings.add(Finding.note(
-                "Single precision is wrong by %.2g pixels at gamma 1e4 and takes %.1f ns a direction; the program's form in"
-                        + " double precision takes %.1f ns. Finding a hit takes hundreds: accuracy costs nothing here.",
-                single.error().middle(),
-                1e9 * single.seconds().middle() / TIMED,
-                1e9 * own.seconds().middle() / TIMED));
+        double law = 3 * FLOAT_ROUNDING * 1e4 / PIXEL;
+        double single = point(PIXELS, DirectionForm.SINGLE, 1e4, all).error().middle();
+        findings.add(Finding.of(
+                single >= law / 4 && single <= 4 * law,
+                "Single precision at gamma 1e4, in pixels",
+                String.format(
+                        Locale.ROOT,
+                        "%.2g to %.2g (4 times the law 3 u gamma/pixel angle, or a quarter)",
+                        law / 4,
+                        4 * law),
+                "%.2g",
+                single));
         return findings;
     }
 
-    private static void slope(DirectionForm form, int expected, List<Measurement> all, List<Finding> findings) {
+    /** The power of gamma with which the error of a form grows. */
+    static PowerLaw law(String problem, DirectionForm form, List<Measurement> all) {
         List<Measurement> points = all.stream()
                 .filter(point ->
-                        point.problem().equals(RADIANS) && point.method().equals(form.title()))
+                        point.problem().equals(problem) && point.method().equals(form.title()))
                 .filter(point -> point.setting() >= 10 && point.error().middle() < 0.1)
                 .toList();
-        PowerLaw law = PowerLaw.ofError(points, Measurement::setting);
-        findings.add(Finding.check(
-                Math.abs(law.slope() - expected) <= 0.1,
-                "%s: the error grows as gamma to the power %.2f; theory says %d.",
-                form.title(),
-                law.slope(),
-                expected));
+        return PowerLaw.ofError(points, Measurement::setting);
+    }
+
+    private static Finding slope(String problem, DirectionForm form, int expected, List<Measurement> all) {
+        double slope = law(problem, form, all).slope();
+        return Finding.of(
+                Math.abs(slope - expected) <= 0.1,
+                form.title() + ": power of gamma with which the error grows, in " + problem,
+                String.format(Locale.ROOT, "%.1f to %.1f (theory: %d)", expected - 0.1, expected + 0.1, expected),
+                "%.2f",
+                slope);
     }
 
     private static Measurement point(String problem, DirectionForm form, double gamma, List<Measurement> all) {

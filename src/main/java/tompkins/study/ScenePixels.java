@@ -11,8 +11,12 @@ import tompkins.trace.SampleTracer;
 /** Pixels of a picture, spread evenly over it, whose light can be worked out with any pattern of samples. */
 final class ScenePixels {
 
+    private static final int MOST_REFERENCE_SAMPLES = 1 << 17;
+
     /** Samples of the reference for each pixel; half of them in each half. */
-    private final int referenceSamples;
+    private int referenceSamples;
+
+    private final double wantedError;
 
     private final RenderPlan plan;
     private final int stride;
@@ -29,12 +33,28 @@ final class ScenePixels {
      * @param referenceSamples samples for each pixel of the reference
      */
     ScenePixels(Studio studio, int pixels, int referenceSamples) {
+        this(studio, pixels, referenceSamples, Double.POSITIVE_INFINITY);
+    }
+
+    private ScenePixels(Studio studio, int pixels, int referenceSamples, double wantedError) {
         plan = RenderPlan.of(studio);
         this.referenceSamples = referenceSamples;
+        this.wantedError = wantedError;
         stride = (int) Math.max(1, Math.sqrt((double) plan.width() * plan.height() / pixels));
         columns = (plan.width() + stride - 1) / stride;
         rows = (plan.height() + stride - 1) / stride;
         exposure = Math.pow(2, studio.camera().exposureStops());
+    }
+
+    /**
+     * All pixels of a picture.
+     *
+     * @param referenceSamples least number of samples for each pixel of the reference
+     * @param wantedError the number is doubled until the reference errs by no more than this
+     */
+    static ScenePixels all(Studio studio, int referenceSamples, double wantedError) {
+        int pixels = studio.settings().width() * studio.settings().height();
+        return new ScenePixels(studio, pixels, referenceSamples, wantedError);
     }
 
     int count() {
@@ -75,17 +95,26 @@ final class ScenePixels {
 
     /** The light of all pixels as it should be; worked out when it is first asked for. */
     double[] reference(BooleanSupplier cancelled) {
-        if (reference == null) {
+        while (reference == null) {
             double[] one = half(11, cancelled);
             double[] other = half(12, cancelled);
-            double[] mean = new double[one.length];
-            for (int i = 0; i < mean.length; i++) {
-                mean[i] = (one[i] + other[i]) / 2;
+            double error = ErrorNorm.of(one, other).rootMeanSquare() / 2;
+            if (error <= wantedError || 2 * referenceSamples > MOST_REFERENCE_SAMPLES) {
+                reference = mean(one, other);
+                floor = error;
+            } else {
+                referenceSamples *= 2;
             }
-            floor = ErrorNorm.of(one, other).rootMeanSquare() / 2;
-            reference = mean;
         }
         return reference;
+    }
+
+    private static double[] mean(double[] one, double[] other) {
+        double[] mean = new double[one.length];
+        for (int i = 0; i < mean.length; i++) {
+            mean[i] = (one[i] + other[i]) / 2;
+        }
+        return mean;
     }
 
     private double[] half(long seed, BooleanSupplier cancelled) {

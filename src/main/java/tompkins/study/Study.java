@@ -21,7 +21,14 @@ public interface Study {
     List<Chart> charts();
 
     /**
-     * What the measurements show.
+     * What the charts show and what follows from it, in a few sentences of Markdown.
+     *
+     * @param all the measurements of all trials
+     */
+    String answer(List<Measurement> all);
+
+    /**
+     * Whether the measurements are as theory and the program's promises demand.
      *
      * @param all the measurements of all trials
      */

@@ -3,9 +3,13 @@ package tompkins.study;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.time.LocalDate;
 import java.util.List;
 
-/** A page with the charts of studies and the sentences that they lead to, in Markdown, beside a folder with their files. */
+/**
+ * A page with the charts of studies, what follows from them, and whether they are as they must be, in Markdown, beside a
+ * folder with their files.
+ */
 public final class StudyPage {
 
     private final Path folder;
@@ -23,28 +27,43 @@ public final class StudyPage {
         text.append(introduction).append('\n');
     }
 
-    /** The top of the page of all studies. */
-    public static String introduction() {
+    /**
+     * The top of the page of all studies.
+     *
+     * @param program name and version of the program
+     */
+    public static String introduction(String program) {
         return """
                 # Speed and accuracy
 
-                Both count, so each choice that the program makes was measured against others. Every chart has logarithmic
-                axes; the number in brackets is the slope of the curve (against the number of rays, where the time is drawn), the
-                yellow band the Pareto front: the points that no other beats in both. Bars show the smallest and the largest of several runs. This page, its charts and its
-                figures are made by `tompkins study all -o docs`.
+                A picture can be had soon, or it can be right; each choice that the program makes for you was measured against
+                the others. All of this page, charts and figures too, is made by one command, which takes about ten minutes:
 
-                What the program does because of them:
+                    java -jar target/tompkins.jar study all -o docs
+
+                It was made by %s on %s (%s).
+
+                ## What the program does because of these studies
 
                 | choice | default | study |
                 |---|---|---|
-                | places in pixel and lens | Sobol points, Owen-scrambled in each pixel | aperture |
-                | number of samples | what the scene says; `--error` and `--seconds` put them where they are needed | antialiasing |
-                | first samples of `--error` | 16 through a wide lens, 1 through a pinhole, 16 where neighbours differ | antialiasing |
-                | form of the Lorentz transformation | half angles in double precision | precision |
-                | search for the nearest object | list below 40 objects, tree from there on | tree |
-                | end of a ray between mirrors | when it brings less than 1/1024 of the light | depth |
-                | previews | every 8th, 4th, 2nd pixel, interpolated | preview |
-                """;
+                | places in pixel and on the lens | Sobol points, Owen-scrambled in each pixel | [aperture](#aperture) |
+                | samples for each pixel | one in the centre, unless the scene says another number | [antialiasing](#antialiasing) |
+                | how good a picture `--error` makes | 0.002, half a step of an 8-bit picture, with samples where they are needed | [antialiasing](#antialiasing) |
+                | form of the Lorentz transformation | half angles in double precision | [precision](#precision) |
+                | search for the nearest object | list below 40 objects, tree from there on | [tree](#tree) |
+                | end of a ray between mirrors | when it can bring less than 1/1024 of the light | [depth](#depth) |
+                | previews in the window | every 8th, 4th, 2nd pixel, interpolated | [preview](#preview) |
+                | formulas near rest, near light and far away | those that keep their digits | [stability](#stability) |
+
+                ## How to read the charts
+
+                Both axes are logarithmic, so that "the error falls as a power of the cost" is a straight line. The number in
+                brackets is this power, the slope of the curve. Left and down is better. The yellow band is the Pareto front:
+                the points that no other beats in both cost and error. Bars reach from the smallest to the largest of several
+                runs. RMSE is the root of the mean square error over all pixels and channels, in linear light where white is 1.
+                A grey line is the error of the reference itself, found from its two halves, where the exact answer is not known.
+                """.formatted(program, Machine.text(), LocalDate.now());
     }
 
     /** The file with the figures of a study. */
@@ -56,19 +75,23 @@ public final class StudyPage {
     public void add(Study study, List<Measurement> all) throws IOException {
         text.append("\n## ").append(heading(study.name())).append("\n\n");
         text.append(study.question()).append("\n\n");
-        for (Finding finding : study.findings(all)) {
-            text.append("- ")
-                    .append(finding.sentence())
-                    .append(finding.holds() ? "" : " **This is not so: something is broken.**")
-                    .append('\n');
-        }
-        text.append('\n');
+        text.append(study.answer(all)).append("\n\n");
         for (Chart chart : study.charts()) {
             String file = name + "/" + study.name() + "-" + chart.problem() + ".png";
             StudyData.replace(folder.resolve(file), ChartDrawing.png(chart, all));
             text.append("![").append(chart.title()).append("](").append(file).append(")\n");
         }
-        text.append("\nFigures: [")
+        text.append("\n| criterion | demanded | found | met |\n|---|---|---|---|\n");
+        for (Finding finding : study.findings(all)) {
+            text.append(String.format(
+                    "| %s | %s | %s | %s |\n",
+                    finding.criterion(),
+                    finding.demanded(),
+                    finding.found(),
+                    finding.holds() ? "yes" : "**no: something is broken**"));
+        }
+        text.append("\nSettings: ").append(study.settings()).append(".\n");
+        text.append("Figures: [")
                 .append(study.name())
                 .append(".csv](")
                 .append(name)

@@ -1,11 +1,17 @@
 package tompkins.study;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntUnaryOperator;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** The slopes of theory, and what happens if a sampler is broken. */
 class ApertureStudyTest {
@@ -50,15 +56,16 @@ class ApertureStudyTest {
                 .hasSizeGreaterThan(4);
     }
 
-    @Test
-    void samplerThatIsTheSameInAllPixelsIsFound() {
+    @ParameterizedTest
+    @MethodSource("pixelsThatAreTakenForOne")
+    void samplerThatIsTheSameInSeveralPixelsIsFound(IntUnaryOperator column, IntUnaryOperator row) {
         Map<String, SamplingMethod.Factory> broken = randomAlone();
         broken.put(PROGRAM, (seed, samples, pixelToo) -> new SamplePattern(seed) {
             private final SamplePattern right = SamplingMethod.SOBOL.pattern(seed, samples, pixelToo);
 
             @Override
-            void startPixel(int column, int row) {
-                right.startPixel(0, 0);
+            void startPixel(int pixelColumn, int pixelRow) {
+                right.startPixel(column.applyAsInt(pixelColumn), row.applyAsInt(pixelRow));
             }
 
             @Override
@@ -73,7 +80,15 @@ class ApertureStudyTest {
         ApertureStudy study = study(broken);
         assertThat(study.findings(measure(study)))
                 .filteredOn(finding -> !finding.holds())
-                .anySatisfy(finding -> assertThat(finding.sentence()).contains("must not err alike"));
+                .anySatisfy(finding -> assertThat(finding.criterion()).contains("err independently"));
+    }
+
+    /** All pixels, those of a column, those of a row, and pairs of neighbours in both directions. */
+    static Stream<Arguments> pixelsThatAreTakenForOne() {
+        IntUnaryOperator all = place -> 0;
+        IntUnaryOperator none = place -> place;
+        IntUnaryOperator pairs = place -> place / 2;
+        return Stream.of(arguments(all, all), arguments(none, all), arguments(all, none), arguments(pairs, pairs));
     }
 
     private static Map<String, SamplingMethod.Factory> methods() {

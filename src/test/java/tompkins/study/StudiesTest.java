@@ -47,6 +47,46 @@ class StudiesTest {
                         Map.of("fig1b", PaperStudios.fig1b()), Map.of("fig1b", PaperStudios.fig1b()), 3, 24, 1024));
     }
 
+    /** The powers of gamma of the theory: rounding of nearly equal numbers costs gamma twice, half angles once. */
+    @Test
+    void precisionIsLostAsTheorySays() {
+        List<Measurement> all = measure(new PrecisionStudy(5));
+        Map<DirectionForm, Double> inTheScene =
+                Map.of(DirectionForm.PROPER_VELOCITY, 2.0, DirectionForm.MATRIX, 2.0, DirectionForm.HALF_ANGLE, 1.0);
+        inTheScene.forEach((form, power) -> {
+            assertThat(PrecisionStudy.law(PrecisionStudy.RADIANS, form, all).slope())
+                    .as("%s in radians", form)
+                    .isEqualTo(power, within(0.1));
+            assertThat(PrecisionStudy.law(PrecisionStudy.PIXELS, form, all).slope())
+                    .as("%s in pixels", form)
+                    .isEqualTo(1, within(0.1));
+        });
+    }
+
+    @Test
+    void brokenPromisesAreFound() {
+        assertThat(Honesty.findings(promised(96, 4, 0.0001))).allMatch(Finding::holds);
+        assertThat(Honesty.findings(promised(94, 6, 0.0001)).get(0).holds()).isFalse();
+    }
+
+    @Test
+    void referencesThatAreNotGoodEnoughAreFound() {
+        List<Finding> findings = Honesty.findings(promised(100, 0, 0.0006));
+        assertThat(findings.get(1).holds()).isFalse();
+    }
+
+    /** Runs that err as promised, and runs that err by 1.3 times as much. */
+    private static List<Measurement> promised(int kept, int broken, double floor) {
+        List<Measurement> runs = new ArrayList<>();
+        for (int run = 0; run < kept + broken; run++) {
+            double error = 0.01 * (run < kept ? 1 : 1.3);
+            String problem = "honesty:scene:seed " + run;
+            runs.add(new Measurement(
+                    problem, "pinholes", 0.01, 1, Spread.exact(1), Spread.exact(error), error, error, floor));
+        }
+        return runs;
+    }
+
     @Test
     void treeFindsWhatTheListFinds() {
         Study study = new TreeStudy(3, 1000);
@@ -89,7 +129,8 @@ class StudiesTest {
         String text = Files.readString(page.write());
         assertThat(text)
                 .startsWith("# Title")
-                .contains(study.findings(all).get(0).sentence());
+                .contains(study.answer(all))
+                .contains("| " + study.findings(all).get(0).criterion() + " |");
         for (Chart chart : study.charts()) {
             String file = "page/stability-" + chart.problem() + ".png";
             assertThat(text).contains("](" + file + ")");

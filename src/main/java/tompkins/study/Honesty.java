@@ -1,0 +1,117 @@
+package tompkins.study;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.BooleanSupplier;
+import tompkins.render.Quality;
+import tompkins.studio.Studio;
+
+/** Whether photographs err by what {@link Quality.TargetError} promises: all scenes, several promises and seeds. */
+final class Honesty {
+
+    private static final String PROBLEM = "honesty";
+    private static final double[] PROMISES = {0.01, 0.003, 0.001};
+    private static final int SEEDS = 3;
+    private static final double TOLERANCE = 1.25;
+    private static final double SHARE = 0.95;
+
+    /** The references are refined until they are wrong by no more than this. */
+    private static final double WANTED_REFERENCE_ERROR = 0.0004;
+
+    private static final double MOST_REFERENCE_ERROR = 0.0005;
+
+    private final Map<String, Studio> small = new LinkedHashMap<>();
+    private final long seed;
+    private final int referenceSamples;
+
+    /**
+     * The question for some photographs.
+     *
+     * @param width of the photographs in pixels
+     * @param referenceSamples least number of samples for each pixel of the references
+     */
+    Honesty(Map<String, Studio> studios, long seed, int width, int referenceSamples) {
+        this.seed = seed;
+        this.referenceSamples = referenceSamples;
+        studios.forEach((name, studio) -> small.put(name, AntialiasingStudy.small(studio, width)));
+    }
+
+    List<Trial> trials() {
+        List<Trial> trials = new ArrayList<>();
+        small.forEach((name, studio) -> {
+            ScenePixels pixels = ScenePixels.all(studio, referenceSamples, WANTED_REFERENCE_ERROR);
+            String lens = studio.camera().hasWideLens() ? "wide lenses" : "pinholes";
+            for (double promise : PROMISES) {
+                for (long run = seed; run < seed + SEEDS; run++) {
+                    String problem = PROBLEM + ":" + name + ":seed " + run;
+                    Studio seeded = studio.withSettings(studio.settings().withSeed(run));
+                    trials.add(new Trial(
+                            problem,
+                            lens,
+                            promise,
+                            cancelled -> taken(problem, lens, promise, seeded, pixels, cancelled)));
+                }
+            }
+        });
+        return trials;
+    }
+
+    private static Measurement taken(
+            String problem, String lens, double promise, Studio studio, ScenePixels pixels, BooleanSupplier cancelled) {
+        return AntialiasingStudy.rendered(
+                problem, lens, promise, List.of(studio), pixels, new Quality.TargetError(promise), cancelled);
+    }
+
+    Chart chart() {
+        return new Chart(
+                PROBLEM,
+                String.format(
+                        Locale.ROOT,
+                        "Error found against error promised, all scenes (%.2f times is allowed)",
+                        TOLERANCE),
+                Chart.setting("promised RMSE (--error)"),
+                Chart.ERROR,
+                false);
+    }
+
+    /** What the measurements must show. */
+    static List<Finding> findings(List<Measurement> all) {
+        List<Measurement> runs = all.stream()
+                .filter(point -> point.problem().startsWith(PROBLEM + ":"))
+                .toList();
+        if (runs.isEmpty()) {
+            return List.of();
+        }
+        long kept = runs.stream().filter(run -> excess(run) <= TOLERANCE).count();
+        Measurement worst =
+                runs.stream().reduce((a, b) -> excess(a) > excess(b) ? a : b).orElseThrow();
+        double reference = runs.stream().mapToDouble(Measurement::floor).max().orElseThrow();
+        return List.of(
+                Finding.of(
+                        kept >= SHARE * runs.size(),
+                        String.format(
+                                Locale.ROOT, "Photographs that err by at most %.2f times what was promised", TOLERANCE),
+                        String.format(Locale.ROOT, "%.0f %%", 100 * SHARE),
+                        "%d of %d; the worst errs by %.2f times (%s at %s)",
+                        kept,
+                        runs.size(),
+                        excess(worst),
+                        worst.problem().substring(PROBLEM.length() + 1).replace(":", ", "),
+                        worst.setting()),
+                Finding.of(
+                        reference <= MOST_REFERENCE_ERROR,
+                        "Largest error of the references themselves, from the difference of their halves",
+                        String.format(Locale.ROOT, "at most %.4f, half of the smallest promise", MOST_REFERENCE_ERROR),
+                        "%.5f",
+                        reference));
+    }
+
+    /** The error, divided by what was promised, without that of the reference, which adds to it in squares. */
+    private static double excess(Measurement point) {
+        double error = point.error().middle();
+        return Math.sqrt(Math.max(0, error * error - point.floor() * point.floor())) / point.setting();
+    }
+}
