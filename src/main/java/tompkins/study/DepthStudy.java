@@ -31,7 +31,7 @@ final class DepthStudy implements Study {
     private static final String LIMIT = "limit of depth";
     private static final String PROGRAM = "the program: 1/1024 of the light";
     private static final double CUT_OFF = 1.0 / 1024;
-    private static final int[] DEPTHS = {1, 2, 5, 10, 20, 50, 100, 200, 350, 500};
+    private static final int[] DEPTHS = {1, 2, 5, 10, 20, 50, 66, 100, 200, 350, 500};
     private static final int REPEATS = 3;
     private static final double CLEARLY_LESS = 0.7;
     private static final double INDEX = 3;

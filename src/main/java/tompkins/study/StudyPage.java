@@ -4,7 +4,11 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.LocalDate;
+import java.time.ZoneOffset;
 import java.util.List;
+import java.util.Locale;
+import tompkins.render.Quality;
+import tompkins.sceneobject.ObjectTree;
 
 /**
  * A page with the charts of studies, what follows from them, and whether they are as they must be, in Markdown, beside a
@@ -33,7 +37,9 @@ public final class StudyPage {
      * @param program name and version of the program
      */
     public static String introduction(String program) {
-        return """
+        return String.format(
+                Locale.ROOT,
+                """
                 # Speed and accuracy
 
                 A picture can be had soon, or it can be right; each choice that the program makes for you was measured against
@@ -49,9 +55,9 @@ public final class StudyPage {
                 |---|---|---|
                 | places in pixel and on the lens | Sobol points, Owen-scrambled in each pixel | [aperture](#aperture) |
                 | samples for each pixel | one in the centre, unless the scene says another number | [antialiasing](#antialiasing) |
-                | how good a picture `--error` makes | 0.002, half a step of an 8-bit picture, with samples where they are needed | [antialiasing](#antialiasing) |
+                | how good a picture `--error` makes | %s, half a step of an 8-bit picture, with samples where they are needed | [antialiasing](#antialiasing) |
                 | form of the Lorentz transformation | half angles in double precision | [precision](#precision) |
-                | search for the nearest object | list below 40 objects, tree from there on | [tree](#tree) |
+                | search for the nearest object | list below %d objects, tree from there on | [tree](#tree) |
                 | end of a ray between mirrors | when it can bring less than 1/1024 of the light | [depth](#depth) |
                 | previews in the window | every 8th, 4th, 2nd pixel, interpolated | [preview](#preview) |
                 | formulas near rest, near light and far away | those that keep their digits | [stability](#stability) |
@@ -63,7 +69,12 @@ public final class StudyPage {
                 the points that no other beats in both cost and error. Bars reach from the smallest to the largest of several
                 runs. RMSE is the root of the mean square error over all pixels and channels, in linear light where white is 1.
                 A grey line is the error of the reference itself, found from its two halves, where the exact answer is not known.
-                """.formatted(program, Machine.text(), LocalDate.now());
+                """,
+                program,
+                LocalDate.now(ZoneOffset.UTC),
+                Machine.text(),
+                Quality.TargetError.DEFAULT.rootMeanSquare(),
+                ObjectTree.SMALLEST_TREE);
     }
 
     /** The file with the figures of a study. */
@@ -84,6 +95,7 @@ public final class StudyPage {
         text.append("\n| criterion | demanded | found | met |\n|---|---|---|---|\n");
         for (Finding finding : study.findings(all)) {
             text.append(String.format(
+                    Locale.ROOT,
                     "| %s | %s | %s | %s |\n",
                     finding.criterion(),
                     finding.demanded(),
