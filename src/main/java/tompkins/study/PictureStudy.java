@@ -3,26 +3,30 @@ package tompkins.study;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
 
-/** Speed against accuracy of one picture, made smaller, for choosing a quality. */
+/** Speed against accuracy of one picture, made smaller, for choosing a quality: only what can be chosen is measured. */
 public final class PictureStudy {
 
     private static final String PICTURE = "picture";
-    private static final int WIDTH = 60;
+    private static final Set<String> CHOICES =
+            Set.of(AntialiasingStudy.CENTRE, AntialiasingStudy.FIXED, AntialiasingStudy.ADAPTIVE);
+    private static final int WIDTH = 40;
     private static final int REFERENCE_SAMPLES = 2048;
 
-    private final AntialiasingStudy study;
     private final List<Trial> trials;
 
     /** The study of a studio's picture. */
     public PictureStudy(Studio studio) {
-        study = new AntialiasingStudy(
+        Study study = new AntialiasingStudy(
                 Map.of(PICTURE, studio), Map.of(), studio.settings().seed(), WIDTH, REFERENCE_SAMPLES);
-        trials = study.trials();
+        trials = study.trials().stream()
+                .filter(trial -> CHOICES.contains(trial.method()))
+                .toList();
     }
 
     /** Number of points of the chart. */

@@ -76,11 +76,17 @@ final class QualityPanel {
     }
 
     private void show(Quality quality) {
-        chosen.setText(
-                quality instanceof Quality.TargetError target
-                        ? Texts.get("quality.error", Numbers.brief(target.rootMeanSquare(), 2))
-                        : Texts.get("quality.scene"));
+        chosen.setText(text(quality));
         asScene.setEnabled(quality != null);
+    }
+
+    private static String text(Quality quality) {
+        if (quality instanceof Quality.TargetError target) {
+            return Texts.get("quality.error", Numbers.brief(target.rootMeanSquare(), 2));
+        }
+        return quality instanceof Quality.Samples fixed && fixed.samples() > 1
+                ? Texts.get("quality.samples", fixed.samples())
+                : Texts.get(quality == null ? "quality.scene" : "quality.sample");
     }
 
     /** A window with the chart of the picture on show, which grows while it is measured. */
@@ -96,6 +102,8 @@ final class QualityPanel {
         ChartWindow(Window owner) {
             dialog = new JDialog(owner, Texts.get("section.quality"));
             dialog.setName("quality");
+            state.setName("state");
+            chart.setName("chart");
             dialog.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
             dialog.addWindowListener(new WindowAdapter() {
                 @Override
@@ -153,6 +161,7 @@ final class QualityPanel {
                     Measurement measurement = ChartDrawing.pointAt(study.chart(), shown, x, y);
                     if (measurement != null) {
                         set(study.qualityOf(measurement));
+                        state.setText(Texts.get("quality.chosen", text(study.qualityOf(measurement))));
                     }
                 }
             }

@@ -1,0 +1,116 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Window;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.JButton;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import org.jfree.chart.ChartPanel;
+import org.jfree.chart.entity.XYItemEntity;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import tompkins.studio.Studio;
+
+/** The chart of the picture on show, in a real window: it grows while it is measured, and a click on a point is taken. */
+@Timeout(300)
+class QualityWindowTest {
+
+    @TempDir
+    private Path folder;
+
+    private WindowDriver driver;
+
+    @BeforeEach
+    void open() {
+        WindowDriver.requireDisplay();
+        System.setProperty("tompkins.settings", folder.toString());
+        Studio studio = Studios.lattice().withSettings(Studio.DEFAULT.settings().withSize(160, 120));
+        driver = new WindowDriver(studio, folder.resolve("lattice.json"), List.of(studio));
+        JButton measure = driver.find(JButton.class, "Chart this picture");
+        WindowDriver.onEventThread(() -> {
+            measure.doClick();
+            return null;
+        });
+    }
+
+    @AfterEach
+    void close() {
+        if (driver != null) {
+            WindowDriver.onEventThread(() -> {
+                dialog().dispose();
+                return null;
+            });
+            driver.close();
+        }
+    }
+
+    @Test
+    void aClickOnAPointIsTaken() {
+        WindowDriver.await(
+                "points of both curves", () -> entity("adaptive", 0) != null && entity("the same", 0) != null);
+        assertThat(driver.studio().settings().samples()).isEqualTo(1);
+
+        WindowDriver.await("all points", () -> state().startsWith("Click on a point") && entity("adaptive", 5) != null);
+        driver.click(WindowDriver.onEventThread(() -> place(entity("the same", 0))));
+        WindowDriver.await("the choice", () -> state().startsWith("Chosen for the picture:"));
+        assertThat(driver.studio().settings().samples()).isEqualTo(4);
+        assertThat(state()).endsWith("4 samples a pixel");
+
+        driver.click(WindowDriver.onEventThread(() -> place(entity("adaptive", 5))));
+        WindowDriver.await("the choice", () -> state().endsWith("Samples where they are needed, error 0.001"));
+        WindowDriver.await(
+                "a picture that is as good",
+                () -> driver.picture().complete() && driver.picture().error() <= 0.001);
+    }
+
+    private static JDialog dialog() {
+        return Stream.of(Window.getWindows())
+                .filter(window -> "quality".equals(window.getName()) && window.isVisible())
+                .map(JDialog.class::cast)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private static ChartPanel chart() {
+        return Components.find(dialog().getContentPane(), ChartPanel.class, "chart");
+    }
+
+    private static String state() {
+        return Components.find(dialog().getContentPane(), JLabel.class, "state").getText();
+    }
+
+    /** A point of a curve, the cheapest first, or null if it is not there yet. */
+    private static XYItemEntity entity(String curve, int point) {
+        if (chart().getChart() == null) {
+            return null;
+        }
+        for (Object entity :
+                chart().getChartRenderingInfo().getEntityCollection().getEntities()) {
+            if (entity instanceof XYItemEntity item
+                    && item.getItem() == point
+                    && item.getDataset()
+                            .getSeriesKey(item.getSeriesIndex())
+                            .toString()
+                            .startsWith(curve)) {
+                return item;
+            }
+        }
+        return null;
+    }
+
+    private static Point place(XYItemEntity entity) {
+        Rectangle bounds = entity.getArea().getBounds();
+        Point corner = chart().getLocationOnScreen();
+        return new Point((int) (corner.x + chart().getInsets().left + bounds.getCenterX() * chart().getScaleX()), (int)
+                (corner.y + chart().getInsets().top + bounds.getCenterY() * chart().getScaleY()));
+    }
+}
