@@ -13,7 +13,10 @@ import java.util.TreeMap;
  */
 final class AdaptiveSchedule implements Schedule {
 
-    /** Fewer samples miss what is small, and then take it for settled (see the chart of honesty in docs/speed-and-accuracy.md). */
+    /**
+     * Fewer samples miss what is small, and then take it for settled. With so many, photographs err by what was promised (see
+     * the chart of antialiasing, "error found against error promised", in docs/speed-and-accuracy.md).
+     */
     static final int FIRST_SAMPLES = 16;
 
     private static final int MOST_SAMPLES = 1 << 16;

@@ -25,6 +25,7 @@ final class AntialiasingStudy implements Study {
     private static final String GRID = "regular grid";
     private static final int MOST_SAMPLES = 256;
     private static final int SEEDS = 3;
+    private static final int PROMISED_PART = 3;
 
     private final long seed;
     private final int width;
@@ -38,7 +39,7 @@ final class AntialiasingStudy implements Study {
      *
      * @param compared pinhole photographs on which methods are compared
      * @param promised photographs on which the promised error is compared with the true one
-     * @param width width of the promised photographs in pixels; the compared ones are twice as wide
+     * @param width width of the compared photographs in pixels; the promised ones have a third of it
      * @param referenceSamples samples for each pixel of the references of the compared photographs; those of the promised
      *     ones begin with a quarter and have as many as it takes
      */
@@ -49,7 +50,7 @@ final class AntialiasingStudy implements Study {
         this.seed = seed;
         this.width = width;
         this.referenceSamples = referenceSamples;
-        honesty = new Honesty(promised, seed, width, referenceSamples / 4);
+        honesty = new Honesty(promised, seed, width / PROMISED_PART, referenceSamples / 4);
     }
 
     @Override
@@ -66,7 +67,8 @@ final class AntialiasingStudy implements Study {
 
     @Override
     public String settings() {
-        return "seed " + seed + ", width " + width + ", references " + referenceSamples + " samples, scenes "
+        return "seeds " + seed + " to " + (seed + SEEDS - 1) + ", width " + width + " and " + width / PROMISED_PART
+                + ", references " + referenceSamples + " samples or as many as it takes, scenes "
                 + compared.keySet() + " and " + promised.keySet();
     }
 
@@ -74,7 +76,7 @@ final class AntialiasingStudy implements Study {
     public List<Trial> trials() {
         List<Trial> trials = new ArrayList<>();
         compared.forEach((name, studio) -> {
-            Studio small = small(studio, 2 * width);
+            Studio small = small(studio, width);
             ScenePixels pixels = ScenePixels.all(small, referenceSamples, Double.POSITIVE_INFINITY);
             // places in the centre of the lens make another picture if the lens is wide
             boolean pinhole = !studio.camera().hasWideLens();

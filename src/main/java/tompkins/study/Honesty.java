@@ -77,15 +77,29 @@ final class Honesty {
                 false);
     }
 
-    /** What the measurements must show. */
-    static List<Finding> findings(List<Measurement> all) {
-        List<Measurement> runs = all.stream()
+    /** The share of the photographs that keep what was promised. */
+    static double share(List<Measurement> all) {
+        List<Measurement> runs = runs(all);
+        return (double) kept(runs) / runs.size();
+    }
+
+    private static List<Measurement> runs(List<Measurement> all) {
+        return all.stream()
                 .filter(point -> point.problem().startsWith(PROBLEM + ":"))
                 .toList();
+    }
+
+    private static long kept(List<Measurement> runs) {
+        return runs.stream().filter(run -> excess(run) <= TOLERANCE).count();
+    }
+
+    /** What the measurements must show. */
+    static List<Finding> findings(List<Measurement> all) {
+        List<Measurement> runs = runs(all);
         if (runs.isEmpty()) {
             return List.of();
         }
-        long kept = runs.stream().filter(run -> excess(run) <= TOLERANCE).count();
+        long kept = kept(runs);
         Measurement worst =
                 runs.stream().reduce((a, b) -> excess(a) > excess(b) ? a : b).orElseThrow();
         double reference = runs.stream().mapToDouble(Measurement::floor).max().orElseThrow();

@@ -15,7 +15,7 @@ public final class PictureStudy {
     private static final String PICTURE = "picture";
     private static final Set<String> CHOICES =
             Set.of(AntialiasingStudy.CENTRE, AntialiasingStudy.FIXED, AntialiasingStudy.ADAPTIVE);
-    private static final int WIDTH = 40;
+    private static final int WIDTH = 80;
     private static final int REFERENCE_SAMPLES = 2048;
 
     private final List<Trial> trials;

@@ -31,7 +31,7 @@ public enum StudyKind {
         @Override
         public Study study(StudySetup setup) {
             return new AntialiasingStudy(
-                    setup.studios(List.of("fig1a", "fig2a")), setup.studios(setup.names()), setup.seed(), 48, 4096);
+                    setup.studios(List.of("fig1a", "fig2a")), setup.studios(setup.names()), setup.seed(), 144, 4096);
         }
     },
 

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
+import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
@@ -115,6 +116,7 @@ final class QualityPanel {
             chart.addChartMouseListener(new PointChooser());
             JPanel content = new JPanel(new BorderLayout());
             content.add(chart, BorderLayout.CENTER);
+            state.setBorder(BorderFactory.createEmptyBorder(6, 10, 6, 10));
             content.add(state, BorderLayout.SOUTH);
             dialog.setContentPane(content);
             dialog.pack();

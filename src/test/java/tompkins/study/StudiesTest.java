@@ -44,7 +44,7 @@ class StudiesTest {
                 new DepthStudy(),
                 new StabilityStudy(3),
                 new AntialiasingStudy(
-                        Map.of("fig1b", PaperStudios.fig1b()), Map.of("fig1b", PaperStudios.fig1b()), 3, 24, 1024));
+                        Map.of("fig1b", PaperStudios.fig1b()), Map.of("fig1b", PaperStudios.fig1b()), 3, 72, 1024));
     }
 
     /** The powers of gamma of the theory: rounding of nearly equal numbers costs gamma twice, half angles once. */

@@ -1,0 +1,67 @@
+package tompkins.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What {@code tompkins study} writes and says, and that figures which are not as they must be make it fail. */
+class StudyCommandTest {
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void writesPageChartsAndFigures() throws IOException {
+        ProgramRun run = ProgramRun.of("study", "stability", "-o", folder, "--seed", 7);
+
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(run.out()).contains("Gamma - 1 of a low speed").doesNotContain("BROKEN");
+        Path page = folder.resolve("stability.md");
+        assertThat(Files.readString(page)).contains("| criterion | demanded | found | met |", "| yes |");
+        assertThat(Files.readAllLines(folder.resolve("stability/stability.csv")))
+                .contains("# study: stability")
+                .anyMatch(line -> line.startsWith("# settings: seed 7,"))
+                .anyMatch(line -> line.startsWith("# machine: "));
+        assertThat(folder.resolve("stability/stability-rest.png")).isNotEmptyFile();
+    }
+
+    @Test
+    void failsIfAFigureIsNotAsItMustBe() throws IOException {
+        assertThat(ProgramRun.of("study", "stability", "-o", folder).code()).isZero();
+        Path figures = folder.resolve("stability/stability.csv");
+        // the program's own error close to rest, 3 % instead of its last digits
+        String broken = Files.readString(figures)
+                .replaceAll(
+                        "(?m)^(rest,the program,1\\.0E-5,[^,]*,[^,]*,[^,]*,[^,]*),.*$",
+                        "$1,0.03,0.03,0.03,0.03,0.03,0");
+        Files.writeString(figures, broken);
+
+        ProgramRun run = ProgramRun.of("study", "stability", "-o", folder);
+
+        assertThat(run.code()).isEqualTo(Failures.FAILURE);
+        assertThat(run.out()).contains("BROKEN: Gamma - 1 of a low speed");
+        assertThat(Files.readString(folder.resolve("stability.md"))).contains("**no: something is broken**");
+    }
+
+    @Test
+    void unknownStudyIsAMistake() {
+        ProgramRun run = ProgramRun.of("study", "speed", "-o", folder);
+
+        assertThat(run.code()).isEqualTo(Failures.MISTAKE);
+        assertThat(run.err()).contains("aperture", "stability", "speed");
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    @Test
+    void sceneOfAStudyThatMakesItsOwnIsAMistake() {
+        ProgramRun run = ProgramRun.of("study", "tree", "scenes/smallest.json", "-o", folder);
+
+        assertThat(run.code()).isEqualTo(Failures.MISTAKE);
+        assertThat(run.err()).contains("tree", "smallest.json");
+        assertThat(folder).isEmptyDirectory();
+    }
+}
