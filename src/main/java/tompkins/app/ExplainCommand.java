@@ -60,7 +60,9 @@ final class ExplainCommand implements Callable<Integer> {
                     Locale.ROOT,
                     "On this machine it will take about %s s with %s samples, %s for each pixel.",
                     plain(forecast.seconds(), 2),
-                    samples < MILLION ? plain(samples, 3) : plain(samples / MILLION, 3) + " million",
+                    samples < MILLION
+                            ? plain(samples, quality instanceof Quality.Samples ? 6 : 3)
+                            : plain(samples / MILLION, 3) + " million",
                     plain(forecast.samplesPerPixel(), 3));
         }
     }

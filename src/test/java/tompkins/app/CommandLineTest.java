@@ -338,7 +338,26 @@ class CommandLineTest {
 
         assertThat(run.code()).isZero();
         assertThat(run.err()).isEmpty();
-        assertThat(ProgramRun.of("explain", scene).out()).contains("camera");
+        assertThat(ProgramRun.of("explain", scene, "--size", "48x36").out()).contains("camera");
+    }
+
+    @Test
+    void explainSaysExactlyHowManySamplesAPictureHas() {
+        String one = ProgramRun.of("explain", "scenes/smallest.json", "--size", "100x70")
+                .out();
+        assertThat(one).contains("with 7000 samples, 1 for each pixel.");
+        String many = ProgramRun.of("explain", "scenes/smallest.json", "--size", "200x300", "--samples", 64)
+                .out();
+        assertThat(many).contains("with 3.84 million samples, 64 for each pixel.");
+    }
+
+    /** The time is written without a power of ten, however long it is. */
+    @Test
+    void explainSaysHowLongAWantedErrorTakes() {
+        String out = ProgramRun.of("explain", "scenes/smallest.json", "--size", "100x70", "--error", "0.00001")
+                .out();
+        assertThat(out)
+                .containsPattern("it will take about [0-9.]+ s with [0-9.]+( million)? samples, [0-9.]+ for each");
     }
 
     @Test
