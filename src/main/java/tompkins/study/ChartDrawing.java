@@ -171,7 +171,8 @@ public final class ChartDrawing {
     /** The points that no other beats in both, from the cheapest on. */
     static List<Measurement> front(Chart chart, List<Measurement> shown) {
         List<Measurement> byCost = new ArrayList<>(shown);
-        byCost.sort(Comparator.comparing(chart.across().value()));
+        byCost.sort(Comparator.comparing(chart.across().value())
+                .thenComparing(point -> chart.up().value().apply(point).middle()));
         List<Measurement> front = new ArrayList<>();
         double best = Double.POSITIVE_INFINITY;
         for (Measurement point : byCost) {

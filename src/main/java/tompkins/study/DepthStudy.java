@@ -237,7 +237,8 @@ final class DepthStudy implements Study {
                 "In one corridor both ways cost the same, if one only knew the right depth beforehand. Where a picture holds dim"
                         + " and bright mirrors, no depth is right for both: the limit that is as exact follows %.1f times as"
                         + " many rays as the program, which ends each ray when it can bring less than 1/1024 of the light. That"
-                        + " is less than a step of an 8-bit picture.",
+                        + " is less than a step of an 8-bit picture. (Limits that leave nothing out are exact; an error of 0 has"
+                        + " no place on a logarithmic axis.)",
                 cheapestLimit(TWO_CORRIDORS, all) / own);
     }
 

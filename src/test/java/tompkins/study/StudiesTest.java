@@ -155,7 +155,9 @@ class StudiesTest {
         Measurement cheap = point(1, 0.5);
         Measurement beaten = point(2, 0.6);
         Measurement good = point(3, 0.1);
-        assertThat(ChartDrawing.front(chart, List.of(good, beaten, cheap))).containsExactly(cheap, good);
+        Measurement asDear = point(3, 0.2);
+        assertThat(ChartDrawing.front(chart, List.of(asDear, good, beaten, cheap)))
+                .containsExactly(cheap, good);
     }
 
     private static Measurement point(double seconds, double error) {
