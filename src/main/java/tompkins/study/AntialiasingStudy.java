@@ -217,12 +217,17 @@ final class AntialiasingStudy implements Study {
         for (String name : compared.keySet()) {
             text.append(String.format(
                     Locale.ROOT,
-                    " On %s they need %.1f times fewer rays for the same error.",
+                    " On %s they need %.0f %% of the rays for the same error.",
                     name,
-                    saving(name, all)));
+                    100 / saving(name, all)));
         }
-        return text.append(" And what `--error` promises is kept on every scene.")
-                .toString();
+        if (!promised.isEmpty()) {
+            text.append(String.format(
+                    Locale.ROOT,
+                    " What `--error` promises is kept, to within a quarter, by %.0f %% of the photographs of all scenes.",
+                    Math.floor(100 * Honesty.share(all))));
+        }
+        return text.toString();
     }
 
     @Override

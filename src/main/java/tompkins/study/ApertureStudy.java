@@ -65,7 +65,7 @@ final class ApertureStudy implements Study {
         return "A wide lens sees each pixel through many points. How should they be chosen? Each method works out how"
                 + " much of the lens sees a bright half-plane, disc or chequerboard, where the answer is known exactly,"
                 + " and the light of pixels of wide-lens photographs. \"Random\" is the method of Dr TIM, the ray tracer of"
-                + " the University of Glasgow with which the first photographs of this kind were taken.";
+                + " the University of Glasgow with which the photographs of the paper were taken (Courtial et al. 2016).";
     }
 
     @Override

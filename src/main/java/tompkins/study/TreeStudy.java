@@ -202,7 +202,7 @@ final class TreeStudy implements Study {
         }
         return String.format(
                 Locale.ROOT,
-                "The time of a list grows with the number of objects, that of a tree hardly. The median of the tree is below that"
+                "The time of a list grows with the number of objects, that of a tree far more slowly. The median of the tree is below that"
                         + " of the list from %s objects on, and the two hardly differ around there; with %.0f objects the tree is"
                         + " %.0f times faster. The program builds a tree from %d objects on.",
                 crossing(all) < Double.POSITIVE_INFINITY
