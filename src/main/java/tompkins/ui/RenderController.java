@@ -27,10 +27,10 @@ final class RenderController implements AutoCloseable {
     }
 
     /** A picture is shown coarse if the next finer one would come later than this after the change. */
-    private static final Duration PATIENCE = Duration.ofMillis(40);
+    private static final Duration PATIENCE = Duration.ofMillis(30);
 
     /** A picture that has been worked on for so long has been seen, and gives way to a newer one. */
-    private static final Duration FRAME = Duration.ofMillis(33);
+    private static final Duration FRAME = Duration.ofMillis(30);
 
     /** A picture that has nothing to show after this time gives way all the same. */
     private static final Duration LONGEST_WAIT = Duration.ofMillis(80);
@@ -45,6 +45,9 @@ final class RenderController implements AutoCloseable {
     private final NewestFirst<Request> planner;
     private volatile Run run;
     private volatile Quality quality;
+
+    /** Known to the planner's thread alone. */
+    private RenderPlan lastPlan;
 
     RenderController(Listener listener) {
         this.listener = listener;
@@ -87,7 +90,9 @@ final class RenderController implements AutoCloseable {
             if (planner.hasNewer()) {
                 return;
             }
-            RenderPlan plan = RenderPlan.of(request.studio);
+            // while the camera alone changes, the scene stays as it was prepared
+            RenderPlan plan = RenderPlan.of(request.studio, lastPlan);
+            lastPlan = plan;
             if (!planner.hasNewer()) {
                 Quality wish = quality;
                 Run next = new Run(request.time, wish == null ? Quality.of(plan) : wish);

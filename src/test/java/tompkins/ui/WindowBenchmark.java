@@ -1,74 +1,115 @@
 package tompkins.ui;
 
 import java.io.PrintStream;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import org.joml.Vector3d;
 import tompkins.io.StudioReader;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 
 /**
- * Prints how fast the window is: from the start to the first picture, and from a change of the speed to the first and to the
- * complete picture on the screen. Needs a display: {@code xvfb-run -a mvn -q test-compile exec:java
- * -Dexec.classpathScope=test -Dexec.mainClass=tompkins.ui.WindowBenchmark -Dexec.args="scenes/fig1b.json"}.
+ * Prints how fast the window is with a scene: milliseconds from the start of Java to the first picture, from a change of the
+ * speed to the first and to the complete picture on the screen, and the pictures in a second while the speed is dragged. Needs
+ * a display: {@code xvfb-run -a mvn -q test-compile exec:java -Dexec.classpathScope=test
+ * -Dexec.mainClass=tompkins.ui.WindowBenchmark -Dexec.args="scenes/fig1b.json"}.
  */
 public final class WindowBenchmark {
 
     private static final int WARM_UP = 30;
     private static final int CHANGES = 60;
+    private static final long DRAG_NANOSECONDS = 20_000_000_000L;
 
-    private WindowBenchmark() {}
+    /** A mouse tells where it is about so often. */
+    private static final int MILLISECONDS_BETWEEN_MOVES = 8;
 
-    /** Measures the scene files that are named, or {@code scenes/fig1b.json}. */
+    private final Studio studio;
+    private final WindowDriver driver;
+    private final PrintStream out;
+
+    private WindowBenchmark(Studio studio, WindowDriver driver, PrintStream out) {
+        this.studio = studio;
+        this.driver = driver;
+        this.out = out;
+    }
+
+    /** Measures a scene file. */
     public static void main(String[] arguments) throws Exception {
-        long start = System.nanoTime();
         System.setProperty(
                 "tompkins.settings",
                 Files.createTempDirectory("tompkins-benchmark").toString());
-        List<String> scenes = arguments.length == 0 ? List.of("scenes/fig1b.json") : List.of(arguments);
-        for (String scene : scenes) {
-            measure(scene, start, System.out);
-            start = System.nanoTime();
+        Studio studio = StudioReader.read(Path.of(arguments[0]));
+        try (WindowDriver driver = new WindowDriver(studio, null, List.of())) {
+            WindowBenchmark benchmark = new WindowBenchmark(studio, driver, System.out);
+            benchmark.print(
+                    "start to first picture",
+                    System.currentTimeMillis()
+                            - ManagementFactory.getRuntimeMXBean().getStartTime());
+            benchmark.changes();
+            benchmark.drag();
         }
         System.exit(0);
     }
 
-    private static void measure(String scene, long start, PrintStream out) throws Exception {
-        Studio studio = StudioReader.read(Path.of(scene));
-        try (WindowDriver driver = new WindowDriver(studio, null, List.of())) {
-            print(out, scene, "start to first picture", List.of(System.nanoTime() - start));
-            List<Long> first = new ArrayList<>();
-            List<Long> complete = new ArrayList<>();
-            for (int i = 0; i < WARM_UP + CHANGES; i++) {
-                Studio next = studio.withVelocity(Velocity.of(
-                        SpeedScale.RAPIDITY, 0.02 * (i + 1), studio.velocity().direction()));
-                long change = System.nanoTime();
-                WindowDriver.onEventThread(() -> {
-                    driver.window().model().set(next);
-                    return null;
-                });
-                long shown = await(driver, next, false) - change;
-                long whole = await(driver, next, true) - change;
-                if (i >= WARM_UP) {
-                    first.add(shown);
-                    complete.add(whole);
-                }
+    private void changes() throws InterruptedException {
+        List<Long> first = new ArrayList<>();
+        List<Long> complete = new ArrayList<>();
+        for (int i = 0; i < WARM_UP + CHANGES; i++) {
+            Studio next = studio.withVelocity(Velocity.of(
+                    SpeedScale.RAPIDITY, 0.02 * (i + 1), studio.velocity().direction()));
+            long change = System.nanoTime();
+            show(next);
+            long shown = await(next, false) - change;
+            long whole = await(next, true) - change;
+            if (i >= WARM_UP) {
+                first.add(shown);
+                complete.add(whole);
             }
-            print(out, scene, "change to picture on screen", first);
-            print(out, scene, "change to complete picture", complete);
         }
+        print("change to picture on screen", median(first) * 1e-6);
+        print("change to complete picture", median(complete) * 1e-6);
+    }
+
+    /** Moves the speed to and fro as a hand does, without waiting for pictures. */
+    private void drag() throws InterruptedException {
+        long start = System.nanoTime();
+        int pictures = 0;
+        Studio last = null;
+        while (System.nanoTime() - start < DRAG_NANOSECONDS) {
+            double seconds = (System.nanoTime() - start) * 1e-9;
+            show(studio.withVelocity(
+                    Velocity.of(SpeedScale.BETA, 0.9 + 0.09 * Math.sin(seconds), new Vector3d(0.2, -0.1, 0.97))));
+            long next = System.nanoTime() + MILLISECONDS_BETWEEN_MOVES * 1_000_000L;
+            while (System.nanoTime() < next) {
+                Studio shown = driver.picture().studio();
+                if (shown != last) {
+                    last = shown;
+                    pictures++;
+                }
+                Thread.sleep(1);
+            }
+        }
+        print("pictures in a second while dragging", pictures / ((System.nanoTime() - start) * 1e-9));
+    }
+
+    private void show(Studio next) {
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().adjust(next, this);
+            return null;
+        });
     }
 
     /** Waits for a picture of a studio on the screen, painted; gives the time. */
-    private static long await(WindowDriver driver, Studio studio, boolean complete) throws InterruptedException {
+    private long await(Studio next, boolean complete) throws InterruptedException {
         while (true) {
             Picture picture = driver.picture();
-            if (picture.studio() == studio && (picture.complete() || !complete)) {
+            if (picture.studio() == next && (picture.complete() || !complete)) {
                 WindowDriver.onEventThread(() -> null);
                 return System.nanoTime();
             }
@@ -76,15 +117,13 @@ public final class WindowBenchmark {
         }
     }
 
-    private static void print(PrintStream out, String scene, String what, List<Long> nanoseconds) {
-        List<Long> sorted = new ArrayList<>(nanoseconds);
+    private static long median(List<Long> values) {
+        List<Long> sorted = new ArrayList<>(values);
         Collections.sort(sorted);
-        out.printf(
-                Locale.ROOT,
-                "%-24s %-30s median %7.1f ms, 90 %% below %7.1f ms%n",
-                scene,
-                what,
-                sorted.get(sorted.size() / 2) * 1e-6,
-                sorted.get(sorted.size() * 9 / 10) * 1e-6);
+        return sorted.get(sorted.size() / 2);
+    }
+
+    private void print(String what, double value) {
+        out.printf(Locale.ROOT, "%s: %.1f%n", what, value);
     }
 }
