@@ -1,9 +1,11 @@
 package tompkins.bench;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.joml.Vector3i;
 import tompkins.ray.MeshData;
@@ -28,10 +30,12 @@ final class Growth {
             "| scene | objects | ns per ray | plan and tree, ms | bytes per object |\n| --- | --- | --- | --- | --- |\n");
 
     /** Measures all, and adds what has a target. */
-    void measure(List<Measure> measures) throws InterruptedException {
+    void measure(List<Measure> measures) throws IOException, InterruptedException {
         measure("spheres", Growth::spheres, measures);
         measure("rods", Growth::rods, measures);
         measure("triangles", Growth::triangles, measures);
+        int rings = rings(1_000_000);
+        table.append('\n').append(ObjFile.measure(coordinates(rings), corners(rings)));
     }
 
     private void measure(String name, IntFunction<SceneObject> scene, List<Measure> measures)
@@ -109,32 +113,39 @@ final class Growth {
                 usual.surfaceAlongZ());
     }
 
-    /** A sphere of triangles. */
     private static SceneObject triangles(int count) {
-        int rings = (int) Math.round(Math.sqrt(count / 4.0));
+        int rings = rings(count);
+        MeshData mesh = new MeshData("sphere.obj", coordinates(rings), corners(rings), new byte[0]);
+        return new TriangleMesh("sphere", mesh, ColouredSurface.DEFAULT);
+    }
+
+    /** Rings of a sphere that is made of about so many triangles; each ring has twice as many vertices. */
+    private static int rings(int triangles) {
+        return (int) Math.round(Math.sqrt(triangles / 4.0));
+    }
+
+    private static double[] coordinates(int rings) {
         int columns = 2 * rings;
         double[] coordinates = new double[3 * (rings + 1) * columns];
-        int[] corners = new int[6 * rings * columns];
-        int next = 0;
-        for (int ring = 0; ring <= rings; ring++) {
-            double latitude = Math.PI * ring / rings;
-            for (int column = 0; column < columns; column++) {
-                double longitude = 2 * Math.PI * column / columns;
-                int vertex = ring * columns + column;
-                coordinates[3 * vertex] = Math.sin(latitude) * Math.cos(longitude);
-                coordinates[3 * vertex + 1] = Math.cos(latitude);
-                coordinates[3 * vertex + 2] = 10 + Math.sin(latitude) * Math.sin(longitude);
-                if (ring < rings) {
-                    int right = ring * columns + (column + 1) % columns;
-                    for (int corner :
-                            new int[] {vertex, right, vertex + columns, right, right + columns, vertex + columns}) {
-                        corners[next++] = corner;
-                    }
-                }
-            }
+        for (int vertex = 0; vertex < (rings + 1) * columns; vertex++) {
+            double latitude = Math.PI * (vertex / columns) / rings;
+            double longitude = 2 * Math.PI * (vertex % columns) / columns;
+            coordinates[3 * vertex] = Math.sin(latitude) * Math.cos(longitude);
+            coordinates[3 * vertex + 1] = Math.cos(latitude);
+            coordinates[3 * vertex + 2] = 10 + Math.sin(latitude) * Math.sin(longitude);
         }
-        return new TriangleMesh(
-                "sphere", new MeshData("sphere.obj", coordinates, corners, new byte[0]), ColouredSurface.DEFAULT);
+        return coordinates;
+    }
+
+    private static int[] corners(int rings) {
+        int columns = 2 * rings;
+        return IntStream.range(0, rings * columns)
+                .flatMap(vertex -> {
+                    int right = vertex - vertex % columns + (vertex + 1) % columns;
+                    int below = vertex + columns;
+                    return IntStream.of(vertex, right, below, right, right + columns, below);
+                })
+                .toArray();
     }
 
     /** The whole table as Markdown. */

@@ -124,7 +124,7 @@ final class PerformanceReport {
         measures.add(convergence.measure());
     }
 
-    private void growth() throws InterruptedException {
+    private void growth() throws IOException, InterruptedException {
         Growth growth = new Growth();
         growth.measure(measures);
         details.append(
@@ -139,6 +139,7 @@ final class PerformanceReport {
                 Double.isNaN(cold)
                         ? Measure.missing("cold start to a 640 x 480 file", "there is no target/tompkins.jar")
                         : Measure.atMost("cold start to a 640 x 480 file, fig1b", 900, "ms", cold));
+        Window.measure(quick ? 1 : 7, measures);
         LargePicture.measure(quick ? 2000 : 20_000, measures);
     }
 
@@ -209,8 +210,10 @@ final class PerformanceReport {
                 + processor() + ", " + Runtime.getRuntime().availableProcessors() + " cores, Java "
                 + System.getProperty("java.version") + ", by\n\n    mvn -Pbench -DskipTests verify\n\n"
                 + "which writes this file. All times are medians of one run in which everything takes turns; `-Dbench.mode=quick`"
-                + " tries the same in two minutes.\nDr TIM, the native tracers and Embree were measured on the same kind of machine"
-                + " with the same scene; POV-Ray runs in turns with the program.\n\n"
+                + " tries the same in a few minutes\nand writes to `target/performance.md`. The figures of the window need a display"
+                + " (`xvfb-run -a mvn ...`), those of POV-Ray that it is installed.\nDr TIM, the native tracers and Embree were"
+                + " measured on the same kind of machine with the same scene; POV-Ray runs in turns with the program.\nA warm picture"
+                + " takes over the prepared scene, as in the window, where only the camera changes.\n\n"
                 + "| measure | target | measured | met |\n| --- | --- | --- | --- |\n");
         measures.forEach(measure -> text.append(measure.line()));
         text.append(details);

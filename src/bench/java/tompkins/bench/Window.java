@@ -1,0 +1,77 @@
+package tompkins.bench;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+
+/** What the window takes with Fig. 1(b): each time with a fresh process, so that its start counts, too. */
+final class Window {
+
+    private static final String BENCHMARK = "tompkins.ui.WindowBenchmark";
+
+    private Window() {}
+
+    /** Opens the window some times, and adds the medians of what was measured in it. */
+    static void measure(int times, List<Measure> measures) throws IOException, InterruptedException {
+        if (System.getenv("DISPLAY") == null) {
+            measures.add(Measure.missing("window, fig1b", "there is no display (xvfb-run -a mvn ...)"));
+            return;
+        }
+        Map<String, List<Double>> values = new TreeMap<>();
+        for (int i = 0; i < times; i++) {
+            open(values);
+        }
+        measures.add(Measure.atMost(
+                "cold start to the first picture in the window, fig1b",
+                1200,
+                "ms",
+                median(values, "start to first picture")));
+        measures.add(Measure.atMost(
+                "window, fig1b: change of the speed to a picture on the screen",
+                50,
+                "ms",
+                median(values, "change to picture on screen")));
+        measures.add(Measure.atMost(
+                "window, fig1b: change of the speed to the complete picture",
+                300,
+                "ms",
+                median(values, "change to complete picture")));
+        measures.add(Measure.atLeast(
+                "window, fig1b: pictures in a second while the speed is dragged",
+                30,
+                "",
+                median(values, "pictures in a second while dragging")));
+    }
+
+    private static void open(Map<String, List<Double>> values) throws IOException, InterruptedException {
+        Process process = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        BENCHMARK,
+                        "scenes/fig1b.json")
+                .redirectError(ProcessBuilder.Redirect.INHERIT)
+                .start();
+        try (BufferedReader lines = process.inputReader()) {
+            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+                int colon = line.indexOf(": ");
+                values.computeIfAbsent(line.substring(0, colon), name -> new ArrayList<>())
+                        .add(Double.valueOf(line.substring(colon + 2)));
+            }
+        }
+        if (process.waitFor() != 0) {
+            throw new IOException("the window ended with exit code " + process.exitValue());
+        }
+    }
+
+    private static double median(Map<String, List<Double>> values, String name) {
+        List<Double> sorted = new ArrayList<>(values.get(name));
+        Collections.sort(sorted);
+        return sorted.get(sorted.size() / 2);
+    }
+}
