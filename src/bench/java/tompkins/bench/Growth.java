@@ -26,6 +26,9 @@ final class Growth {
 
     private static final int[] SIZES = {100, 1_000, 10_000, 100_000, 1_000_000};
 
+    private static final int FEWEST_PICTURES = 10;
+    private static final long SHORTEST_NANOSECONDS = 3_000_000_000L;
+
     private final StringBuilder table = new StringBuilder(
             "| scene | objects | ns per ray | plan and tree, ms | bytes per object |\n| --- | --- | --- | --- | --- |\n");
 
@@ -67,15 +70,22 @@ final class Growth {
         }
     }
 
+    /** The median of the second half of the pictures: the compiler has settled then. */
     private static double nanosecondsPerRay(RenderPlan plan) throws InterruptedException {
+        List<Double> nanoseconds = new ArrayList<>();
         try (Renderer renderer = new Renderer()) {
-            double best = Double.POSITIVE_INFINITY;
-            for (int i = 0; i < 8; i++) {
+            long start = System.nanoTime();
+            while (nanoseconds.size() < FEWEST_PICTURES || System.nanoTime() - start < SHORTEST_NANOSECONDS) {
                 RenderReport report = renderer.render(plan).report();
-                best = Math.min(best, report.time().toNanos() / (double) (report.rays() + report.shadowRays()));
+                nanoseconds.add(report.time().toNanos() / (double) (report.rays() + report.shadowRays()));
             }
-            return best;
         }
+        return nanoseconds.stream()
+                .skip(nanoseconds.size() / 2)
+                .sorted()
+                .skip(nanoseconds.size() / 4)
+                .findFirst()
+                .orElseThrow();
     }
 
     private static long usedMemory() {

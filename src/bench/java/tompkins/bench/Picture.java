@@ -5,6 +5,7 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadInfo;
 import java.util.Arrays;
 import java.util.stream.LongStream;
+import tompkins.render.RenderJob;
 import tompkins.render.RenderReport;
 import tompkins.render.Renderer;
 import tompkins.studio.Studio;
@@ -34,8 +35,9 @@ final class Picture implements AutoCloseable {
         long bytes = allocated();
         long start = System.nanoTime();
         plan = RenderPlan.of(studio, plan);
-        report = renderer.render(plan).report();
+        RenderJob job = renderer.render(plan);
         milliseconds[taken++] = (System.nanoTime() - start) / 1e6;
+        report = job.report();
         bytesPerSample = (double) (allocated() - bytes) / report.samples();
     }
 

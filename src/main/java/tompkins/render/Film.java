@@ -74,7 +74,10 @@ final class Film {
 
     /** The mean of a channel of a pixel that has samples. */
     double mean(int pixel, int channel) {
-        return (double) sums[3 * pixel + channel] / samples(pixel);
+        double sum = sums[3 * pixel + channel];
+        int count = samples(pixel);
+        // the window asks for every neighbour of every pixel: no division where there is nothing to divide
+        return count == 1 ? sum : sum / count;
     }
 
     /**

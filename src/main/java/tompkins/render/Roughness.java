@@ -108,7 +108,8 @@ final class Roughness {
 
     /** The variance that the mean of a pixel has. */
     double variance(int pixel) {
-        return shared[pixel] * Math.pow(Math.max(1, film.samples(pixel)), -POWER);
+        int samples = film.samples(pixel);
+        return samples <= 1 ? shared[pixel] : shared[pixel] * Math.pow(samples, -POWER);
     }
 
     /** Number of pixels that have samples. */
