@@ -60,12 +60,12 @@ class QualityWindowTest {
         assertThat(driver.studio().settings().samples()).isEqualTo(1);
 
         WindowDriver.await("all points", () -> state().startsWith("Click on a point") && entity("adaptive", 5) != null);
-        driver.click(WindowDriver.onEventThread(() -> place(entity("the same", 0))));
+        driver.click(WindowDriver.onEventThread(() -> place("the same", 0)));
         WindowDriver.await("the choice", () -> state().startsWith("Chosen for the picture:"));
         assertThat(driver.studio().settings().samples()).isEqualTo(4);
         assertThat(state()).endsWith("4 samples a pixel");
 
-        driver.click(WindowDriver.onEventThread(() -> place(entity("adaptive", 5))));
+        driver.click(WindowDriver.onEventThread(() -> place("adaptive", 5)));
         WindowDriver.await("the choice", () -> state().endsWith("Samples where they are needed, error 0.001"));
         WindowDriver.await(
                 "a picture that is as good",
@@ -107,8 +107,10 @@ class QualityWindowTest {
         return null;
     }
 
-    private static Point place(XYItemEntity entity) {
-        Rectangle bounds = entity.getArea().getBounds();
+    private static Point place(String curve, int point) {
+        // the places of the points are those of the last painting, which a new chart may still be waiting for
+        chart().paintImmediately(0, 0, chart().getWidth(), chart().getHeight());
+        Rectangle bounds = entity(curve, point).getArea().getBounds();
         Point corner = chart().getLocationOnScreen();
         return new Point((int) (corner.x + chart().getInsets().left + bounds.getCenterX() * chart().getScaleX()), (int)
                 (corner.y + chart().getInsets().top + bounds.getCenterY() * chart().getScaleY()));
