@@ -13,6 +13,7 @@ import picocli.CommandLine.Spec;
 import tompkins.image.PictureFormat;
 import tompkins.image.ToneCurve;
 import tompkins.io.StudioReader;
+import tompkins.property.Require;
 import tompkins.studio.Studio;
 
 /** Takes photographs of scene files. */
@@ -22,6 +23,9 @@ import tompkins.studio.Studio;
         description = "Takes the photographs of scene files. The scene travels inside the picture: render a saved"
                 + " photograph to take it again.")
 final class RenderCommand implements Callable<Integer> {
+
+    /** More than any machine has cores, and fewer than systems refuse to start. */
+    private static final int MOST_THREADS = 1024;
 
     @Parameters(arity = "1..*", paramLabel = "SCENE", description = "scene files, or saved photographs")
     private List<Path> scenes;
@@ -64,8 +68,8 @@ final class RenderCommand implements Callable<Integer> {
         if (output != null && !folder && scenes.size() > 1) {
             throw new MistakeException("-o must name a folder that exists for more than one scene, was " + output);
         }
-        if (threads != null && threads < 1) {
-            throw new MistakeException("--threads must be 1 or above, was " + threads);
+        if (threads != null) {
+            MistakeException.inOption("--threads", () -> Require.within("threads", threads, 1, MOST_THREADS));
         }
         Photographer photographer = new Photographer(spec.commandLine(), threads == null ? 0 : threads);
         for (Path scene : scenes) {

@@ -175,7 +175,8 @@ class CommandLineTest {
                 "--samples many | many",
                 "--shutter rolling | aperture-plane",
                 "--time NaN | --time must be a finite number, was NaN",
-                "--threads 0 | 1 or above",
+                "--threads 0 | --threads must be a whole number from 1 to 1024, was 0",
+                "--threads 1025 | --threads must be a whole number from 1 to 1024, was 1025",
                 "--tone loud | loud",
                 "--speed 3 | --speed",
                 "--format hdr | .hdr"
