@@ -78,6 +78,7 @@ final class Photographer {
         requireMemory(studio.settings());
         PhotographInfo info = info(studio, scene);
         RenderPlan plan = ScenePlan.of(studio, scene);
+        PhotographFile.requireWritable(target);
         ProgressLine progress = new ProgressLine(err);
         RenderJob job;
         try (Renderer renderer = new Renderer(threads)) {

@@ -33,6 +33,19 @@ public final class PhotographFile {
         }
     }
 
+    /**
+     * Tries whether a photograph can be saved, before the time is spent on taking it. Leaves everything as it was.
+     *
+     * @throws PictureException if there is no such folder, or no permission to write there
+     */
+    public static void requireWritable(Path file) throws PictureException {
+        try (PendingFile pending = PendingFile.file(file)) {
+            pending.open().close();
+        } catch (IOException e) {
+            throw PictureException.cannotWrite(file, e);
+        }
+    }
+
     private static void encode(
             OutputStream out, LinearImage image, PictureFormat format, ToneCurve curve, PhotographInfo info)
             throws IOException {

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -99,6 +100,20 @@ class CommandLineTest {
             assertThat(run.err().isEmpty() || run.err().startsWith("note: the photograph names mesh.obj,"))
                     .isTrue();
         }
+    }
+
+    @Test
+    @Timeout(60)
+    void placeThatCannotBeWrittenIsRefusedBeforeThePictureIsTaken() {
+        Path picture = folder.resolve("no/picture.png");
+
+        // would take hours
+        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", picture, "--samples", 1 << 20);
+
+        assertThat(run.code()).isEqualTo(Failures.FAILURE);
+        assertThat(run.err().strip())
+                .isEqualTo(picture + ": cannot be written: there is no folder " + folder.resolve("no"));
+        assertThat(folder).isEmptyDirectory();
     }
 
     @Test
