@@ -2,11 +2,12 @@ package tompkins.app;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.FileSystemException;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
-import tompkins.image.PictureException;
+import tompkins.io.FileFailure;
 import tompkins.io.SceneFileException;
 import tompkins.render.RenderFailedException;
 
@@ -31,7 +32,11 @@ final class Failures {
             err.println(exception.getMessage());
             return MISTAKE;
         }
-        if (exception instanceof PictureException || exception instanceof IOException) {
+        if (exception instanceof FileSystemException failure) {
+            err.println(failure.getFile() + ": cannot be read or written: " + FileFailure.reason(failure));
+            return FAILURE;
+        }
+        if (exception instanceof IOException) {
             err.println(exception.getMessage());
             return FAILURE;
         }

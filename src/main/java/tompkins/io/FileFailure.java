@@ -2,20 +2,25 @@ package tompkins.io;
 
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 
 /** Says in words why a file cannot be read or written. */
-final class FileFailure {
+public final class FileFailure {
 
     private FileFailure() {}
 
-    static String reason(IOException failure) {
+    /** The reason in a few words, without the name of the file. */
+    public static String reason(IOException failure) {
         if (failure instanceof NoSuchFileException) {
             return "there is no such file or folder";
         }
         if (failure instanceof AccessDeniedException) {
             return "there is no permission";
+        }
+        if (failure instanceof FileAlreadyExistsException) {
+            return "there is a file of this name already";
         }
         if (failure instanceof FileSystemException system && system.getReason() != null) {
             return system.getReason();

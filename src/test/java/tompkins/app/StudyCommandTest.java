@@ -48,6 +48,17 @@ class StudyCommandTest {
     }
 
     @Test
+    void folderThatCannotBeMadeIsNamedWithTheReason() throws IOException {
+        Path file = Files.writeString(folder.resolve("stability"), "a file where the folder of the charts goes");
+
+        ProgramRun run = ProgramRun.of("study", "stability", "-o", folder);
+
+        assertThat(run.code()).isEqualTo(Failures.FAILURE);
+        assertThat(run.err().strip())
+                .isEqualTo(file + ": cannot be read or written: there is a file of this name already");
+    }
+
+    @Test
     void unknownStudyIsAMistake() {
         ProgramRun run = ProgramRun.of("study", "speed", "-o", folder);
 
