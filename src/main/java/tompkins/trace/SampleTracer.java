@@ -75,13 +75,16 @@ public final class SampleTracer {
 
     /**
      * Takes one sample of each pixel of a block. All rays of the block are made first; where nothing stands before the lens,
-     * the few objects that they can meet are found for all of them at once. The colours are those of single samples.
+     * the few objects that they can meet are found for all of them at once, or else, for a few neighbours at a time, where they
+     * enter the tree. The colours are those of single samples.
      *
      * @param left first column
      * @param top first row
      * @param width columns of the block
      * @param height rows of the block
      * @param stride distance between the pixels that are sampled; at most {@link #LARGEST_BLOCK} of them each way
+     * @param sample number of the sample of each pixel
+     * @param taker says which pixels are wanted, and gets their colours
      */
     public void sampleBlock(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
         int count = makeRays(left, top, width, height, stride, sample, taker);
