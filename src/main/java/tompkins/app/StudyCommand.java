@@ -7,6 +7,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -91,7 +93,10 @@ final class StudyCommand implements Callable<Integer> {
                 return List.of(kind);
             }
         }
-        throw new MistakeException("NAME must be one of " + List.of(StudyKind.values()) + " or all; was " + name);
+        throw new MistakeException("NAME must be one of "
+                + Stream.of(StudyKind.values()).map(StudyKind::toString).collect(Collectors.joining(", "))
+                + ", all; was "
+                + name);
     }
 
     private List<StudyKind> requireScene(List<StudyKind> kinds) {
