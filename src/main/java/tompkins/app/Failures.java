@@ -2,6 +2,7 @@ package tompkins.app;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
@@ -36,7 +37,7 @@ final class Failures {
             err.println(failure.getFile() + ": cannot be read or written: " + FileFailure.reason(failure));
             return FAILURE;
         }
-        if (exception instanceof IOException) {
+        if (exception instanceof IOException || exception instanceof UncheckedIOException) {
             err.println(exception.getMessage());
             return FAILURE;
         }

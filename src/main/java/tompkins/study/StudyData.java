@@ -79,7 +79,7 @@ public final class StudyData {
         List<Measurement> known = lines.stream()
                 .skip(head.size())
                 .filter(line -> line.split(",", -1).length == COLUMNS.split(",", -1).length)
-                .map(StudyData::measurement)
+                .map(this::measurement)
                 .toList();
         rewrite(known);
         return known;
@@ -122,7 +122,7 @@ public final class StudyData {
         return text.replace(',', ';');
     }
 
-    private static Measurement measurement(String line) {
+    private Measurement measurement(String line) {
         String[] cells = line.split(",", -1);
         double[] numbers = new double[cells.length];
         try {
@@ -130,7 +130,9 @@ public final class StudyData {
                 numbers[i] = Double.parseDouble(cells[i]);
             }
         } catch (NumberFormatException damaged) {
-            throw new UncheckedIOException(new IOException("no figures of a study: " + line, damaged));
+            throw new UncheckedIOException(
+                    file + ": no figures of a study: " + line + "; without this line they are measured again",
+                    new IOException(damaged));
         }
         return new Measurement(
                 cells[0],

@@ -59,6 +59,20 @@ class StudyCommandTest {
     }
 
     @Test
+    void damagedFiguresAreNamed() throws IOException {
+        assertThat(ProgramRun.of("study", "stability", "-o", folder).code()).isZero();
+        Path figures = folder.resolve("stability/stability.csv");
+        Files.writeString(
+                figures, Files.readString(figures).replaceFirst("(?m)^(rest,the program,)[^,]*", "$1garbage"));
+
+        ProgramRun run = ProgramRun.of("study", "stability", "-o", folder);
+
+        assertThat(run.code()).isEqualTo(Failures.FAILURE);
+        assertThat(run.err().strip()).startsWith(figures + ": no figures of a study: rest,the program,garbage,");
+        assertThat(run.err()).doesNotContain("\tat ");
+    }
+
+    @Test
     void unknownStudyIsAMistake() {
         ProgramRun run = ProgramRun.of("study", "speed", "-o", folder);
 
