@@ -12,6 +12,7 @@ import tompkins.image.PhotographFile;
 import tompkins.image.PhotographInfo;
 import tompkins.image.PictureException;
 import tompkins.image.PictureFormat;
+import tompkins.io.SelfDescription;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.property.InvalidPropertyException;
@@ -101,8 +102,7 @@ final class Photographer {
 
     private static PhotographInfo info(Studio studio, Path scene) {
         try {
-            return new PhotographInfo(
-                    oneLine(studio.title()), ProgramVersion.text(), StudioWriter.writeSelfContained(studio));
+            return SelfDescription.of(studio);
         } catch (InvalidPropertyException tooLong) {
             throw new MistakeException(scene + ": the " + tooLong.getMessage());
         }
@@ -122,10 +122,6 @@ final class Photographer {
                     needed >> 20,
                     most >> 20));
         }
-    }
-
-    private static String oneLine(String text) {
-        return text.replaceAll("\\p{Cntrl}+", " ");
     }
 
     private static void refuseToReplace(Path target, boolean replace) {

@@ -7,12 +7,6 @@ final class ProgramVersion implements IVersionProvider {
 
     private static final String UNPACKED = "(not packaged)";
 
-    /** Name and version, as written into photographs. */
-    static String text() {
-        String version = ProgramVersion.class.getPackage().getImplementationVersion();
-        return "Tompkins" + (version == null ? "" : " " + version);
-    }
-
     @Override
     public String[] getVersion() {
         String version = ProgramVersion.class.getPackage().getImplementationVersion();

@@ -14,6 +14,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import tompkins.io.SelfDescription;
 import tompkins.io.StudioReader;
 import tompkins.studio.Studio;
 import tompkins.study.Finding;
@@ -75,7 +76,7 @@ final class StudyCommand implements Callable<Integer> {
         StudySetup setup = new StudySetup(seed, own, StudyCommand::bundled, bundledNames());
         StudyPage page = kinds.size() == 1
                 ? new StudyPage(output, kinds.get(0).toString(), "# Study: " + kinds.get(0))
-                : new StudyPage(output, PAGE_OF_ALL, StudyPage.introduction(ProgramVersion.text()));
+                : new StudyPage(output, PAGE_OF_ALL, StudyPage.introduction(SelfDescription.program()));
         boolean holds = true;
         for (StudyKind kind : kinds) {
             holds &= make(kind.study(setup), page);
@@ -108,7 +109,7 @@ final class StudyCommand implements Callable<Integer> {
     }
 
     private boolean make(Study study, StudyPage page) throws IOException {
-        StudyData data = new StudyData(study, page.dataOf(study), ProgramVersion.text());
+        StudyData data = new StudyData(study, page.dataOf(study), SelfDescription.program());
         List<Measurement> all = data.complete((point, done, count) -> progress(study, point, done, count), () -> false);
         progressEnds();
         page.add(study, all);

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import org.joml.Vector3dc;
 import tompkins.property.InvalidPropertyException;
+import tompkins.render.Quality;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.RenderSettings;
@@ -18,7 +19,7 @@ final class WindowCommandLine implements CommandLineWriter {
     private static final double SAME = 1e-9;
 
     @Override
-    public Optional<String> of(Studio studio, Studio opened, Path file) {
+    public Optional<String> of(Studio studio, Quality quality, Studio opened, Path file) {
         if (file == null || !isSayable(studio, opened)) {
             return Optional.empty();
         }
@@ -28,7 +29,9 @@ final class WindowCommandLine implements CommandLineWriter {
         if (settings.width() != before.width() || settings.height() != before.height()) {
             line.append(" --size ").append(settings.width()).append('x').append(settings.height());
         }
-        if (settings.samples() != before.samples()) {
+        if (quality instanceof Quality.TargetError target) {
+            line.append(" --error=").append(target.rootMeanSquare());
+        } else if (settings.samples() != before.samples()) {
             line.append(" --samples ").append(settings.samples());
         }
         if (settings.seed() != before.seed()) {

@@ -4,11 +4,14 @@ import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.function.Supplier;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
 import tompkins.image.PhotographInfo;
+import tompkins.io.SelfDescription;
+import tompkins.render.Quality;
 import tompkins.studio.Studio;
 
 /** Saves an animation as a file, or as a folder of pictures. */
@@ -16,10 +19,13 @@ final class AnimationExport {
 
     private final JFrame frame;
     private final StatusBar status;
+    private final Supplier<Quality> quality;
 
-    AnimationExport(JFrame frame, StatusBar status) {
+    /** An export that takes photographs of the quality that is wanted then. */
+    AnimationExport(JFrame frame, StatusBar status, Supplier<Quality> quality) {
         this.frame = frame;
         this.status = status;
+        this.quality = quality;
     }
 
     /** Asks where to save an animation of a studio. */
@@ -63,15 +69,17 @@ final class AnimationExport {
 
     /** Saves an animation, with progress and cancel. */
     void save(Studio studio, Animation animation, Path file, AnimationFormat format) {
+        Quality wanted = quality.get();
         BackgroundTask.start(
                 frame,
                 Texts.get("file.saving", file),
-                progress -> write(studio, animation, file, format, progress),
+                progress -> write(studio, wanted, animation, file, format, progress),
                 () -> status.say(Texts.get("file.saved", file)));
     }
 
     /** Takes all pictures and writes them; leaves nothing behind if the task is cancelled or fails. */
-    static void write(Studio studio, Animation animation, Path file, AnimationFormat format, Progress progress)
+    static void write(
+            Studio studio, Quality quality, Animation animation, Path file, AnimationFormat format, Progress progress)
             throws Exception {
         int frames = animation.frames();
         try (PhotographTaker taker = new PhotographTaker();
@@ -79,8 +87,8 @@ final class AnimationExport {
                         file, Animation.FRAME_RATE, studio.settings().toneCurve())) {
             for (int i = 0; i < frames; i++) {
                 Studio moment = animation.studio(studio, animation.timeOf(i));
-                PhotographInfo info = PhotographTaker.info(moment);
-                writer.add(taker.take(moment, progress, (double) i / frames, 1.0 / frames), info);
+                PhotographInfo info = SelfDescription.of(moment);
+                writer.add(taker.take(moment, quality, progress, (double) i / frames, 1.0 / frames), info);
             }
             writer.finish();
         }

@@ -16,8 +16,10 @@ import tompkins.image.LinearImage;
 import tompkins.image.PhotographFile;
 import tompkins.image.PhotographInfo;
 import tompkins.image.PictureFormat;
+import tompkins.io.SelfDescription;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
+import tompkins.render.Quality;
 import tompkins.studio.Studio;
 
 /** Opens and saves scenes, saves and copies photographs. What reads or writes files does so away from the event thread. */
@@ -183,15 +185,18 @@ final class FileActions {
     void savePhotograph(Path file, PictureFormat format) {
         Studio studio = model.studio();
         Picture onScreen = view.canvas().shown().now();
-        boolean ready =
-                onScreen != null && onScreen.complete() && onScreen.studio().equals(studio);
+        Quality quality = view.quality();
+        boolean ready = onScreen != null
+                && onScreen.complete()
+                && onScreen.studio().equals(studio)
+                && onScreen.quality().equals(quality);
         BackgroundTask.start(
                 frame,
                 Texts.get("file.saving", file),
                 task -> {
-                    PhotographInfo info = PhotographTaker.info(studio);
+                    PhotographInfo info = SelfDescription.of(studio);
                     try (PhotographTaker taker = new PhotographTaker()) {
-                        LinearImage image = ready ? onScreen.image() : taker.take(studio, task, 0, 1);
+                        LinearImage image = ready ? onScreen.image() : taker.take(studio, quality, task, 0, 1);
                         PhotographFile.write(
                                 file, image, format, studio.settings().toneCurve(), info);
                     }
@@ -230,7 +235,7 @@ final class FileActions {
 
     /** Puts the command line that takes this photograph on the clipboard. */
     void copyCommandLine() {
-        Optional<String> command = commandLine.of(model.studio(), model.opened(), model.file());
+        Optional<String> command = commandLine.of(model.studio(), view.quality(), model.opened(), model.file());
         command.ifPresent(
                 text -> Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(text), null));
         status.say(command.map(text -> Texts.get("file.commandCopied", text)).orElse(Texts.get("file.saveFirst")));

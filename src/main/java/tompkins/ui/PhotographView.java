@@ -75,6 +75,11 @@ final class PhotographView implements AutoCloseable {
         render();
     }
 
+    /** The quality that photographs get. */
+    Quality quality() {
+        return controller.quality(model.studio());
+    }
+
     /** Makes the picture of the current studio. */
     void render() {
         controller.show(model.studio());

@@ -64,6 +64,12 @@ final class RenderController implements AutoCloseable {
         quality = wish;
     }
 
+    /** The quality that pictures of a studio get. */
+    Quality quality(Studio studio) {
+        Quality wish = quality;
+        return wish == null ? new Quality.Samples(studio.settings().samples()) : wish;
+    }
+
     /** Ends the work on the picture; what is there stays. */
     void stop() {
         Run running = run;
@@ -94,8 +100,7 @@ final class RenderController implements AutoCloseable {
             RenderPlan plan = RenderPlan.of(request.studio, lastPlan);
             lastPlan = plan;
             if (!planner.hasNewer()) {
-                Quality wish = quality;
-                Run next = new Run(request.time, wish == null ? Quality.of(plan) : wish);
+                Run next = new Run(request.time, quality(request.studio));
                 next.job = renderer.startCoarse(plan, next.wanted, next);
                 run = next;
             }

@@ -48,7 +48,7 @@ public final class TompkinsWindow {
         side = new SidePanel(model, view);
         status = new StatusBar(view.controller());
         files = new FileActions(frame, model, view, status, settings, commandLine);
-        play = new PlayPanel(model, new AnimationExport(frame, status)::ask);
+        play = new PlayPanel(model, new AnimationExport(frame, status, view::quality)::ask);
         frame.setContentPane(content());
         menus = new Menus(files, model, settings, new WindowCommands());
         frame.setJMenuBar(menus.bar());

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeEach;
@@ -18,6 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
+import tompkins.render.Quality;
 import tompkins.sceneobject.Sphere;
 import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.FocusSurfaceShutter;
@@ -75,8 +77,20 @@ class WindowCommandLineTest {
         assertThat(StudioReader.read(photograph)).isEqualTo(studio);
     }
 
+    private static Optional<String> line(Studio studio, Path from) {
+        Quality quality = new Quality.Samples(studio.settings().samples());
+        return new WindowCommandLine().of(studio, quality, OPENED, from);
+    }
+
+    @Test
+    void aPromisedErrorIsSaidInsteadOfTheSamples() {
+        Studio studio = OPENED.withSettings(OPENED.settings().withSamples(7));
+        assertThat(new WindowCommandLine().of(studio, new Quality.TargetError(0.005), OPENED, file))
+                .contains("java -jar tompkins.jar render " + file + " --error=0.005");
+    }
+
     private List<Object> words(Studio studio) {
-        String line = new WindowCommandLine().of(studio, OPENED, file).orElseThrow();
+        String line = line(studio, file).orElseThrow();
         assertThat(line).startsWith("java -jar tompkins.jar render ");
         return new ArrayList<>(Arrays.asList(
                 (Object[]) line.substring("java -jar tompkins.jar ".length()).split(" ")));
@@ -103,18 +117,17 @@ class WindowCommandLineTest {
     @ParameterizedTest
     @MethodSource
     void unsayable(Studio studio) {
-        assertThat(new WindowCommandLine().of(studio, OPENED, file)).isEmpty();
+        assertThat(line(studio, file)).isEmpty();
     }
 
     @Test
     void withoutAFileThereIsNothingToRender() {
-        assertThat(new WindowCommandLine().of(OPENED, OPENED, null)).isEmpty();
+        assertThat(line(OPENED, null)).isEmpty();
     }
 
     @Test
     void namesWithSpacesAreQuoted() throws IOException {
         Path spaced = Files.createDirectories(folder.resolve("my scenes")).resolve("one.json");
-        assertThat(new WindowCommandLine().of(OPENED, OPENED, spaced))
-                .contains("java -jar tompkins.jar render '" + spaced + "'");
+        assertThat(line(OPENED, spaced)).contains("java -jar tompkins.jar render '" + spaced + "'");
     }
 }

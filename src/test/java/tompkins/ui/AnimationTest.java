@@ -17,12 +17,15 @@ import org.junit.jupiter.api.io.TempDir;
 import tompkins.image.AnimationFormat;
 import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
+import tompkins.render.Quality;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 
 class AnimationTest {
+
+    private static final Quality ONE_SAMPLE = new Quality.Samples(1);
 
     @TempDir
     private Path folder;
@@ -71,7 +74,12 @@ class AnimationTest {
     void framesHoldTheirOwnScenes() throws Exception {
         Path frames = folder.resolve("frames");
         AnimationExport.write(
-                Studios.sphere(), speed(Animation.Course.FORWARDS), frames, AnimationFormat.NUMBERED_PNG, progress());
+                Studios.sphere(),
+                ONE_SAMPLE,
+                speed(Animation.Course.FORWARDS),
+                frames,
+                AnimationFormat.NUMBERED_PNG,
+                progress());
         try (Stream<Path> files = Files.list(frames)) {
             assertThat(files).hasSize(10);
         }
@@ -93,6 +101,7 @@ class AnimationTest {
         };
         assertThatThrownBy(() -> AnimationExport.write(
                         Studios.lattice(),
+                        ONE_SAMPLE,
                         speed(Animation.Course.FORWARDS),
                         folder.resolve("a.gif"),
                         AnimationFormat.GIF,

@@ -41,7 +41,7 @@ final class WindowDriver implements AutoCloseable {
         }
         robot.setAutoDelay(8);
         window = onEventThread(() -> TompkinsWindow.opened(
-                studio, file, () -> examples, (now, opened, from) -> Optional.of("tompkins render " + from)));
+                studio, file, () -> examples, (now, quality, opened, from) -> Optional.of("tompkins render " + from)));
         await("a picture on the screen", () -> picture() != null);
     }
 
