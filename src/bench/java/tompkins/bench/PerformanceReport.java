@@ -150,7 +150,7 @@ final class PerformanceReport {
                 Double.isNaN(cold)
                         ? Measure.missing("cold start to a 640 x 480 file", "there is no target/tompkins.jar")
                         : Measure.atMost("cold start to a 640 x 480 file, fig1b", 900, "ms", cold));
-        Window.measure(quick ? 1 : 7, measures);
+        Window.measure(quick ? 1 : 5, measures);
         LargePicture.measure(quick ? 2000 : 20_000, measures);
     }
 
