@@ -38,6 +38,12 @@ final class PerformanceReport {
     private static final double PACKETS_REST = 4.3;
     private static final double PACKETS_MOVING = 1.4;
 
+    /** Pictures of one kind that follow each other in a round. */
+    private static final int PICTURES_IN_TURN = 5;
+
+    /** Slow scenes get fewer rounds. */
+    private static final long LONGEST_SCENE_NANOSECONDS = 5_000_000_000L;
+
     private static final String PACKETS = """
 
             What the program does to be fast, and what each part gains, stands in [Architecture](architecture.md#speed-in-few-places).
@@ -61,9 +67,9 @@ final class PerformanceReport {
     public static void main(String[] arguments) throws IOException, InterruptedException, RunnerException {
         PerformanceReport report = new PerformanceReport(arguments[0].equals("quick"));
         report.figures();
+        Drag.measure(report.quick ? 3 : 60, report.measures);
         report.lens();
         report.growth();
-        Drag.measure(report.quick ? 3 : 60, report.measures);
         report.processes();
         report.scenes();
         report.hotMethods();
@@ -72,18 +78,18 @@ final class PerformanceReport {
 
     /** The paper's two figures, alternating with one thread, two threads and POV-Ray. */
     private void figures() throws InterruptedException {
-        int rounds = quick ? 10 : 60;
+        int rounds = quick ? 10 : 40;
         double[] povRest = new double[rounds];
         double[] povMoving = new double[rounds];
-        try (Picture rest = new Picture(PaperStudios.fig1a(), 2, rounds);
-                Picture restAlone = new Picture(PaperStudios.fig1a(), 1, rounds);
-                Picture moving = new Picture(PaperStudios.fig1b(), 2, rounds);
-                Picture movingAlone = new Picture(PaperStudios.fig1b(), 1, rounds)) {
+        try (Picture rest = new Picture(PaperStudios.fig1a(), 2);
+                Picture restAlone = new Picture(PaperStudios.fig1a(), 1);
+                Picture moving = new Picture(PaperStudios.fig1b(), 2);
+                Picture movingAlone = new Picture(PaperStudios.fig1b(), 1)) {
+            List<Picture> pictures = List.of(rest, moving, restAlone, movingAlone);
             for (int round = 0; round < rounds; round++) {
-                rest.take();
-                moving.take();
-                restAlone.take();
-                movingAlone.take();
+                for (Picture picture : pictures) {
+                    picture.take(PICTURES_IN_TURN);
+                }
                 povRest[round] = PovRay.milliseconds(false);
                 povMoving[round] = PovRay.milliseconds(true);
             }
@@ -150,7 +156,7 @@ final class PerformanceReport {
                 Double.isNaN(cold)
                         ? Measure.missing("cold start to a 640 x 480 file", "there is no target/tompkins.jar")
                         : Measure.atMost("cold start to a 640 x 480 file, fig1b", 900, "ms", cold));
-        Window.measure(quick ? 1 : 5, measures);
+        Window.measure(quick ? 1 : 3, measures);
         LargePicture.measure(quick ? 2000 : 20_000, measures);
     }
 
@@ -161,11 +167,14 @@ final class PerformanceReport {
                 + "| scene | ms, 2 threads | rays, 1 | rays, 2 | shadow rays, 1 | shadow rays, 2 | bytes per ray | nodes per ray | tests per ray |\n"
                 + "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
         for (Named<Studio> scene : SceneFiles.all().toList()) {
-            try (Picture alone = new Picture(scene.getPayload(), 1, rounds);
-                    Picture both = new Picture(scene.getPayload(), 2, rounds)) {
-                for (int round = 0; round < rounds; round++) {
-                    alone.take();
-                    both.take();
+            try (Picture alone = new Picture(scene.getPayload(), 1);
+                    Picture both = new Picture(scene.getPayload(), 2)) {
+                long start = System.nanoTime();
+                for (int round = 0;
+                        round < 2 || round < rounds && System.nanoTime() - start < LONGEST_SCENE_NANOSECONDS;
+                        round++) {
+                    alone.take(1);
+                    both.take(1);
                 }
                 details.append(row(scene.getName(), alone.median(), both));
             }

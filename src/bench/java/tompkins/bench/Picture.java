@@ -3,7 +3,9 @@ package tompkins.bench;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadInfo;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.LongStream;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderReport;
@@ -18,25 +20,29 @@ final class Picture implements AutoCloseable {
 
     private final Studio studio;
     private final Renderer renderer;
-    private final double[] milliseconds;
-    private int taken;
+    private final List<Double> milliseconds = new ArrayList<>();
     private RenderPlan plan;
     private RenderReport report;
     private double bytesPerSample;
 
-    Picture(Studio studio, int threads, int most) {
+    Picture(Studio studio, int threads) {
         this.studio = studio;
         renderer = new Renderer(threads);
-        milliseconds = new double[most];
     }
 
-    /** Takes the picture once, from the plan to the last pixel; the prepared scene is taken over, as the window does. */
-    void take() throws InterruptedException {
+    /** Takes the picture some times, from the plan to the last pixel; the prepared scene is taken over, as the window does. */
+    void take(int times) throws InterruptedException {
+        for (int i = 0; i < times; i++) {
+            take();
+        }
+    }
+
+    private void take() throws InterruptedException {
         long bytes = allocated();
         long start = System.nanoTime();
         plan = RenderPlan.of(studio, plan);
         RenderJob job = renderer.render(plan);
-        milliseconds[taken++] = (System.nanoTime() - start) / 1e6;
+        milliseconds.add((System.nanoTime() - start) / 1e6);
         report = job.report();
         bytesPerSample = (double) (allocated() - bytes) / report.samples();
     }
@@ -54,8 +60,11 @@ final class Picture implements AutoCloseable {
 
     /** The median time, of the second half of the pictures: the compiler has settled then. */
     double median() {
-        double[] settled = Arrays.copyOfRange(milliseconds, taken / 2, taken);
-        Arrays.sort(settled);
+        double[] settled = milliseconds.stream()
+                .skip(milliseconds.size() / 2)
+                .mapToDouble(Double::doubleValue)
+                .sorted()
+                .toArray();
         return settled[settled.length / 2];
     }
 
