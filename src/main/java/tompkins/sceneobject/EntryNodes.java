@@ -4,8 +4,7 @@ import tompkins.ray.Ray;
 
 /**
  * Where a few neighbouring rays enter the tree: the way from its root down to the parts that they can meet is gone once for
- * all of them, which makes a picture of a million rods more than twice as fast. The result of each ray is that of a search
- * of its own. One for each thread, used again for every few rays.
+ * all of them. The result of each ray is that of a search of its own. One for each thread, used again for every few rays.
  */
 public final class EntryNodes {
 
@@ -19,8 +18,8 @@ public final class EntryNodes {
     private static final int MOST_STEPS = 32;
 
     private final RayBundle bundle = new RayBundle();
-    private final TreeNode[] nodes = new TreeNode[MOST + 1];
-    private final double[] distances = new double[MOST + 1];
+    private final TreeNode[] nodes = new TreeNode[MOST];
+    private final double[] distances = new double[MOST];
     private int count;
 
     /**
@@ -56,10 +55,8 @@ public final class EntryNodes {
 
     private void remove(int place) {
         count--;
-        for (int i = place; i < count; i++) {
-            nodes[i] = nodes[i + 1];
-            distances[i] = distances[i + 1];
-        }
+        System.arraycopy(nodes, place + 1, nodes, place, count - place);
+        System.arraycopy(distances, place + 1, distances, place, count - place);
     }
 
     /** Adds a node unless all rays miss it, behind those that are nearer. */
