@@ -5,6 +5,7 @@ import java.util.BitSet;
 import java.util.Map;
 import java.util.Queue;
 import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /**
  * Takes samples where they are needed. A pinhole begins with the centre of each pixel, a wide lens with
@@ -30,7 +31,7 @@ final class AdaptiveSchedule implements Schedule {
     private final TimeBudget time;
     private double work;
     private double expectedWork;
-    private volatile int passesBegun;
+    private final AtomicInteger passesBegun = new AtomicInteger();
 
     /**
      * A schedule for one picture.
@@ -53,7 +54,7 @@ final class AdaptiveSchedule implements Schedule {
         }
         Pass pass = waiting.poll();
         work += pass == null ? 0 : pass.work();
-        passesBegun++;
+        passesBegun.incrementAndGet();
         return pass;
     }
 
@@ -94,6 +95,6 @@ final class AdaptiveSchedule implements Schedule {
     /** The first pass is completed however short the time: there is always something to show. */
     @Override
     public boolean isOver() {
-        return passesBegun > 1 && time.isOver();
+        return passesBegun.get() > 1 && time.isOver();
     }
 }
