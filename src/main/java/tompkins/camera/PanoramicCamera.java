@@ -5,7 +5,7 @@ import org.joml.Vector3dc;
 import tompkins.math.Vectors;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
-import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.LensRay;
@@ -129,15 +129,15 @@ public record PanoramicCamera(
         }
 
         @Override
-        public Ray ray(double x, double y, double lensX, double lensY, RayCounts counts) {
+        public boolean add(double x, double y, double lensX, double lensY, RayBlock rays, RayCounts counts) {
             Vector3d chief = chiefDirection(x, y);
             LensRay lensRay = new LensRay(camera.position, camera.position, chief, 1 / camera.focusDistance, chief);
             double time = camera.shutter.transmissionTime(lensRay, sceneFromCamera);
             if (!Double.isFinite(time)) {
                 counts.withoutShutter++;
-                return null;
+                return false;
             }
-            return Ray.fromCamera(
+            rays.add(
                     camera.position.x(),
                     camera.position.y(),
                     camera.position.z(),
@@ -146,6 +146,7 @@ public record PanoramicCamera(
                     chief.z,
                     time,
                     latitudePerPixel);
+            return true;
         }
     }
 }

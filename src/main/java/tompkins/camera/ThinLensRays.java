@@ -2,7 +2,7 @@ package tompkins.camera;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.LensRay;
@@ -78,7 +78,7 @@ final class ThinLensRays implements CameraRays {
     }
 
     @Override
-    public Ray ray(double x, double y, double lensX, double lensY, RayCounts counts) {
+    public boolean add(double x, double y, double lensX, double lensY, RayBlock rays, RayCounts counts) {
         Vector3d chief = chiefDirection(x, y);
         double cosine = chief.x * forwardX + chief.y * forwardY + chief.z * forwardZ;
         double spread = pixelAngle * cosine * cosine;
@@ -91,7 +91,7 @@ final class ThinLensRays implements CameraRays {
                         new LensRay(centre, pupilPoint, chief, inverseFocusDistance, axes.forward()), sceneFromCamera);
         if (!Double.isFinite(time)) {
             counts.withoutShutter++;
-            return null;
+            return false;
         }
         // light that comes parallel to the chief ray meets in the detector point; the rest of the lens's power
         // makes the ray come from the point in focus
@@ -99,8 +99,8 @@ final class ThinLensRays implements CameraRays {
                 ? chief
                 : ThinLens.bend(chief, axes.forward(), offset, inverseFocusDistance / cosine)
                         .normalize();
-        return Ray.fromCamera(
-                pupilPoint.x, pupilPoint.y, pupilPoint.z, direction.x, direction.y, direction.z, time, spread);
+        rays.add(pupilPoint.x, pupilPoint.y, pupilPoint.z, direction.x, direction.y, direction.z, time, spread);
+        return true;
     }
 
     private double inverseFocusDistance(Vector3dc chief, RayCounts counts) {

@@ -89,6 +89,21 @@ public final class Ray {
         return new Ray(x, y, z, dx, dy, dz, time, 1, 1, 0, spread, 1, null, 0, 0);
     }
 
+    /** A ray that has met nothing since it left the camera. */
+    static Ray unmet(
+            double x,
+            double y,
+            double z,
+            double dx,
+            double dy,
+            double dz,
+            double time,
+            double slowness,
+            double frequency,
+            double spread) {
+        return new Ray(x, y, z, dx, dy, dz, time, slowness, frequency, 0, spread, 1, null, 0, 0);
+    }
+
     /**
      * The same light in another frame.
      *

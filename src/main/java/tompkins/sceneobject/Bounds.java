@@ -65,6 +65,14 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
         return x * y + y * z + z * x;
     }
 
+    /** Distance of a point from the box; 0 inside. */
+    public double distance(Vector3dc point) {
+        double x = Math.max(0, Math.max(minX - point.x(), point.x() - maxX));
+        double y = Math.max(0, Math.max(minY - point.y(), point.y() - maxY));
+        double z = Math.max(0, Math.max(minZ - point.z(), point.z() - maxZ));
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+
     /** Twice the coordinate of the centre along an axis (0, 1, 2). */
     public double twiceCentre(int axis) {
         return switch (axis) {

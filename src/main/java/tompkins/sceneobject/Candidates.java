@@ -1,6 +1,8 @@
 package tompkins.sceneobject;
 
+import java.util.Arrays;
 import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 
 /**
  * The few primitives that a block of neighbouring rays can meet, found once for all of them. Searching them gives the same
@@ -16,17 +18,21 @@ public final class Candidates {
     private final Primitive[] found = new Primitive[MOST];
     private int count;
 
+    private final double[] margins = new double[RayBlock.MOST];
+
+    /** For each ray a bit for each candidate that it may meet. */
+    private final long[] mayMeet = new long[RayBlock.MOST];
+
     /**
      * Looks for the primitives that some rays can meet.
      *
      * @param objects all primitives of the frame
-     * @param rays the rays; only the first {@code rayCount} count
-     * @param rayCount number of rays
+     * @param rays the rays; at most 256
      * @return false if the rays spread too widely, or can meet too many primitives; search the tree instead
      */
-    public boolean find(ObjectTree objects, Ray[] rays, int rayCount) {
+    public boolean find(ObjectTree objects, RayBlock rays) {
         count = 0;
-        if (rayCount == 0 || !bundle.enclose(rays, 0, rayCount)) {
+        if (rays.count() == 0 || !bundle.enclose(rays, 0, rays.count())) {
             return false;
         }
         for (Primitive primitive : objects.listed()) {
@@ -34,7 +40,35 @@ public final class Candidates {
                 return false;
             }
         }
-        return objects.root() == null || searchTree(objects.root());
+        if (objects.root() != null && !searchTree(objects.root())) {
+            return false;
+        }
+        sift(rays);
+        return true;
+    }
+
+    /** Notes for each ray which candidates it may meet; a few short loops over all rays tell most of the others. */
+    private void sift(RayBlock rays) {
+        Arrays.fill(mayMeet, 0, rays.count(), 0);
+        for (int i = 0; i < count; i++) {
+            if (found[i].margins(rays, margins)) {
+                note(1L << i, rays.count());
+            } else {
+                noteAll(1L << i, rays.count());
+            }
+        }
+    }
+
+    private void note(long bit, int rayCount) {
+        for (int ray = 0; ray < rayCount; ray++) {
+            mayMeet[ray] |= margins[ray] < 0 ? 0 : bit;
+        }
+    }
+
+    private void noteAll(long bit, int rayCount) {
+        for (int ray = 0; ray < rayCount; ray++) {
+            mayMeet[ray] |= bit;
+        }
     }
 
     private boolean searchTree(TreeNode root) {
@@ -70,12 +104,26 @@ public final class Candidates {
         return true;
     }
 
-    /** Searches the nearest candidate that a ray hits; whether there is one. */
-    public boolean nearest(Ray ray, NearestHit nearest) {
+    /** Whether the ray at a place may meet a candidate; it meets nothing else. */
+    public boolean mayMeet(int place) {
+        return mayMeet[place] != 0;
+    }
+
+    /**
+     * Searches the nearest candidate that a ray hits.
+     *
+     * @param ray one of the rays for which the candidates were found
+     * @param place its place among them
+     * @param nearest gets the result
+     * @return whether there is one
+     */
+    public boolean nearest(Ray ray, int place, NearestHit nearest) {
         Primitive primitive = null;
         double distance = Primitive.NO_HIT;
-        for (int i = 0; i < count; i++) {
-            Primitive candidate = found[i];
+        int tests = 0;
+        for (long left = mayMeet[place]; left != 0; left &= left - 1) {
+            tests++;
+            Primitive candidate = found[Long.numberOfTrailingZeros(left)];
             double candidateDistance = candidate.distance(ray, distance);
             if (NearestHit.isNearer(candidate, candidateDistance, primitive, distance)) {
                 primitive = candidate;
@@ -83,7 +131,7 @@ public final class Candidates {
             }
         }
         nearest.end(primitive, distance);
-        nearest.count(0, count);
+        nearest.count(0, tests);
         return primitive != null;
     }
 }

@@ -5,6 +5,7 @@ import tompkins.math.Precise;
 import tompkins.math.Vectors;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 import tompkins.ray.SurfaceCoordinates;
 
 /**
@@ -65,6 +66,36 @@ final class CylinderPrimitive extends Primitive {
                 ? mantle(ray, wx, wy, wz, crossX, crossY, crossZ, squaredCross, Math.abs(offset), alongStart, slope)
                 : nearestCap(ray, wx, wy, wz, alongStart, slope);
         return nearest <= limit ? nearest : NO_HIT;
+    }
+
+    /** By the distance between the ray's line and the axis, without the ends; rounding is allowed for many times over. */
+    @Override
+    boolean margins(RayBlock rays, double[] margins) {
+        if (!(radius > SMALLEST_SQUARED && length < LARGEST_SQUARED)) {
+            return false;
+        }
+        double reach = WIDER * radius * radius;
+        double rounding = ROUNDING * ROUNDING * 1000 * squaredLength;
+        double least = rounding * radius * radius;
+        double sx = startX;
+        double sy = startY;
+        double sz = startZ;
+        double ax = axisX;
+        double ay = axisY;
+        double az = axisZ;
+        for (int i = 0; i < rays.count(); i++) {
+            double wx = rays.x[i] - sx;
+            double wy = rays.y[i] - sy;
+            double wz = rays.z[i] - sz;
+            double crossX = ay * rays.dz[i] - az * rays.dy[i];
+            double crossY = az * rays.dx[i] - ax * rays.dz[i];
+            double crossZ = ax * rays.dy[i] - ay * rays.dx[i];
+            double squaredCross = crossX * crossX + crossY * crossY + crossZ * crossZ;
+            double offset = wx * crossX + wy * crossY + wz * crossZ;
+            double squaredStart = wx * wx + wy * wy + wz * wz;
+            margins[i] = reach * squaredCross + (rounding * squaredStart + least) - offset * offset;
+        }
+        return true;
     }
 
     /** The nearest hit of a ray that is not parallel to the axis: on the mantle, or on a cap. */
@@ -220,6 +251,11 @@ final class CylinderPrimitive extends Primitive {
         double rise = nx * axisX + ny * axisY + nz * axisZ;
         double across = nx * nx + ny * ny + nz * nz - rise * rise / squaredLength;
         return Math.min(start, start + rise) - radius * Math.sqrt(Math.max(0, across));
+    }
+
+    @Override
+    Vector3d longAxis() {
+        return length > 4 * radius ? new Vector3d(axisX, axisY, axisZ) : null;
     }
 
     @Override

@@ -1,6 +1,6 @@
 package tompkins.sceneobject;
 
-import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 
 /**
  * Where a few neighbouring rays enter the tree: the way from its root down to the parts that they can meet is gone once for
@@ -25,12 +25,12 @@ public final class EntryNodes {
     /**
      * Looks for the nodes through which some rays enter the tree.
      *
-     * @param rays an array that holds the rays
+     * @param rays a block that holds the rays
      * @param from place of the first ray
      * @param to place behind the last ray
      * @return false if there is no tree, or if the rays spread too widely
      */
-    public boolean find(ObjectTree objects, Ray[] rays, int from, int to) {
+    public boolean find(ObjectTree objects, RayBlock rays, int from, int to) {
         count = 0;
         if (objects.root() == null || !bundle.enclose(rays, from, to)) {
             return false;

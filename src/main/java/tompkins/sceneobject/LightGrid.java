@@ -5,6 +5,7 @@ import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
+import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
 /**
@@ -26,7 +27,7 @@ public final class LightGrid {
     /** With more primitives than this in the mean cell the tree is faster. */
     private static final int MOST_IN_MEAN_CELL = 24;
 
-    private static final Primitive[] NONE = {};
+    private static final Occluder[] NONE = {};
 
     private final double x;
     private final double y;
@@ -55,7 +56,7 @@ public final class LightGrid {
     private final Primitive[] everywhere;
     private final boolean complete;
     private int entries;
-    private final Primitive[][] cells = new Primitive[SIDE * SIDE][];
+    private final Occluder[][] cells = new Occluder[SIDE * SIDE][];
 
     private LightGrid(Vector3dc position, Vector3dc forward, ObjectTree objects, double[] extent) {
         x = position.x();
@@ -80,7 +81,13 @@ public final class LightGrid {
         forwardY = forward.y();
         forwardZ = forward.z();
         everywhere = objects.unbounded().toArray(Primitive[]::new);
-        complete = fill(0, 0, DEPTH, objects.bounded());
+        complete = fill(
+                0,
+                0,
+                DEPTH,
+                objects.bounded().stream()
+                        .map(primitive -> new Occluder(primitive, position))
+                        .toList());
     }
 
     /**
@@ -136,23 +143,23 @@ public final class LightGrid {
     }
 
     /** Hands primitives down to the quarters of a square of cells that they can be seen in; false if they are too many. */
-    private boolean fill(int column, int row, int depth, List<Primitive> primitives) {
-        if (primitives.isEmpty()) {
+    private boolean fill(int column, int row, int depth, List<Occluder> occluders) {
+        if (occluders.isEmpty()) {
             return true;
         }
         if (depth == 0) {
-            cells[row * SIDE + column] = primitives.toArray(Primitive[]::new);
-            entries += primitives.size();
+            cells[row * SIDE + column] = occluders.toArray(Occluder[]::new);
+            entries += occluders.size();
             return entries <= MOST_IN_MEAN_CELL * cells.length;
         }
         int half = 1 << (depth - 1);
         for (int quarter = 0; quarter < 4; quarter++) {
             int first = column + (quarter & 1) * half;
             int lowest = row + (quarter >> 1) * half;
-            List<Primitive> seen = new ArrayList<>();
-            for (Primitive primitive : primitives) {
-                if (isSeen(primitive, first, lowest, half)) {
-                    seen.add(primitive);
+            List<Occluder> seen = new ArrayList<>();
+            for (Occluder occluder : occluders) {
+                if (isSeen(occluder.primitive(), first, lowest, half)) {
+                    seen.add(occluder);
                 }
             }
             if (!fill(first, lowest, depth - 1, seen)) {
@@ -186,37 +193,52 @@ public final class LightGrid {
         return x == lampX && y == lampY && z == lampZ;
     }
 
-    /** Whether something throws a shadow on the start of a ray that goes to the lamp, {@code limit} away. */
-    public boolean shadows(Ray ray, double limit, NearestHit scratch) {
-        for (Primitive primitive : everywhere) {
-            if (primitive.shadows(ray, limit)) {
-                return true;
+    /**
+     * Whether something throws a shadow on a hit.
+     *
+     * @param dx unit vector from the hit to the lamp
+     * @param dy its second component
+     * @param dz its third component
+     * @param limit distance of the lamp
+     * @param scratch takes note of the work
+     */
+    public boolean shadows(Hit from, double dx, double dy, double dz, double limit, NearestHit scratch) {
+        Ray ray = null;
+        int tests = 0;
+        boolean shadow = false;
+        for (int i = 0; i < everywhere.length && !shadow; i++) {
+            if (!everywhere[i].surelyMisses(from, dx, dy, dz)) {
+                ray = ray == null ? Ray.shadow(from, dx, dy, dz) : ray;
+                shadow = everywhere[i].shadows(ray, limit);
+                tests++;
             }
         }
-        Primitive[] seen = cell(ray);
-        for (Primitive primitive : seen) {
-            if (primitive.shadows(ray, limit)) {
-                return true;
+        Occluder[] seen = shadow ? NONE : cell(dx, dy, dz);
+        for (int i = 0; i < seen.length && !shadow; i++) {
+            if (seen[i].isNear(dx, dy, dz)) {
+                ray = ray == null ? Ray.shadow(from, dx, dy, dz) : ray;
+                shadow = seen[i].primitive().shadows(ray, limit);
+                tests++;
             }
         }
-        scratch.count(0, everywhere.length + seen.length);
-        return false;
+        scratch.count(0, tests);
+        return shadow;
     }
 
-    private Primitive[] cell(Ray ray) {
-        double ahead = -(ray.dx * forwardX + ray.dy * forwardY + ray.dz * forwardZ);
+    private Occluder[] cell(double dx, double dy, double dz) {
+        double ahead = -(dx * forwardX + dy * forwardY + dz * forwardZ);
         if (!(ahead > 0)) {
             return NONE;
         }
         double scale = 1 / ahead;
-        double u = -(ray.dx * rightX + ray.dy * rightY + ray.dz * rightZ) * scale - leastU;
-        double v = -(ray.dx * upX + ray.dy * upY + ray.dz * upZ) * scale - leastV;
+        double u = -(dx * rightX + dy * rightY + dz * rightZ) * scale - leastU;
+        double v = -(dx * upX + dy * upY + dz * upZ) * scale - leastV;
         double column = u * cellsPerU;
         double row = v * cellsPerV;
         if (!(column >= 0 && row >= 0 && column < SIDE && row < SIDE)) {
             return NONE;
         }
-        Primitive[] seen = cells[((int) row) * SIDE + (int) column];
+        Occluder[] seen = cells[((int) row) * SIDE + (int) column];
         return seen == null ? NONE : seen;
     }
 }

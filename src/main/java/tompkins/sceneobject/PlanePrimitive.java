@@ -4,6 +4,7 @@ import org.joml.Vector3d;
 import tompkins.math.Vectors;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 import tompkins.ray.SurfaceCoordinates;
 
 /** An infinite plane in space. */
@@ -53,6 +54,24 @@ final class PlanePrimitive extends Primitive {
         }
         double distance = height / slope;
         return distance > 0 && distance <= limit ? distance : NO_HIT;
+    }
+
+    /** By the same signs as {@link #distance}. */
+    @Override
+    boolean margins(RayBlock rays, double[] margins) {
+        for (int i = 0; i < rays.count(); i++) {
+            double height =
+                    normalX * (pointX - rays.x[i]) + normalY * (pointY - rays.y[i]) + normalZ * (pointZ - rays.z[i]);
+            double slope = normalX * rays.dx[i] + normalY * rays.dy[i] + normalZ * rays.dz[i];
+            margins[i] = height * slope;
+        }
+        return true;
+    }
+
+    @Override
+    boolean surelyMisses(Hit from, double dx, double dy, double dz) {
+        double height = normalX * (pointX - from.x) + normalY * (pointY - from.y) + normalZ * (pointZ - from.z);
+        return from.boundary == this || height * (normalX * dx + normalY * dy + normalZ * dz) < 0;
     }
 
     /** The normal times (point - start): subtracted first, so that nothing cancels near the plane. */

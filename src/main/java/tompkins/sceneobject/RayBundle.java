@@ -1,6 +1,6 @@
 package tompkins.sceneobject;
 
-import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 
 /**
  * A region that holds a number of rays: the space between five planes, worked out from the rays themselves. It is right for
@@ -28,18 +28,18 @@ final class RayBundle {
     private double farthestStart;
 
     /**
-     * Bounds some of an array's rays, from one place to before another.
+     * Bounds some of a block's rays, from one place to before another.
      *
      * @return false if they spread too widely; the bundle must not be used then
      */
-    boolean enclose(Ray[] rays, int from, int to) {
+    boolean enclose(RayBlock rays, int from, int to) {
         double ax = 0;
         double ay = 0;
         double az = 0;
         for (int i = from; i < to; i++) {
-            ax += rays[i].dx;
-            ay += rays[i].dy;
-            az += rays[i].dz;
+            ax += rays.dx[i];
+            ay += rays.dy[i];
+            az += rays.dz[i];
         }
         double length = Math.sqrt(ax * ax + ay * ay + az * az);
         if (!(length > LEAST_COSINE * (to - from))) {
@@ -65,13 +65,15 @@ final class RayBundle {
         double leastF = Double.POSITIVE_INFINITY;
         double mostF = Double.NEGATIVE_INFINITY;
         for (int i = from; i < to; i++) {
-            Ray ray = rays[i];
-            double cosine = ray.dx * ax + ray.dy * ay + ray.dz * az;
+            double dx = rays.dx[i];
+            double dy = rays.dy[i];
+            double dz = rays.dz[i];
+            double cosine = dx * ax + dy * ay + dz * az;
             if (!(cosine > LEAST_COSINE)) {
                 return false;
             }
-            double slopeE = (ray.dx * ex + ray.dy * ey + ray.dz * ez) / cosine;
-            double slopeF = (ray.dx * fx + ray.dy * fy + ray.dz * fz) / cosine;
+            double slopeE = (dx * ex + dy * ey + dz * ez) / cosine;
+            double slopeF = (dx * fx + dy * fy + dz * fz) / cosine;
             leastE = slopeE < leastE ? slopeE : leastE;
             mostE = slopeE > mostE ? slopeE : mostE;
             leastF = slopeF < leastF ? slopeF : leastF;
@@ -97,24 +99,28 @@ final class RayBundle {
     }
 
     /** Along a ray n.x only falls, so that its start decides. */
-    private void boundStarts(Ray[] rays, int from, int to) {
-        Ray first = rays[from];
-        double farthest = Math.abs(first.x) + Math.abs(first.y) + Math.abs(first.z);
+    private void boundStarts(RayBlock rays, int from, int to) {
+        double firstX = rays.x[from];
+        double firstY = rays.y[from];
+        double firstZ = rays.z[from];
+        double farthest = Math.abs(firstX) + Math.abs(firstY) + Math.abs(firstZ);
         for (int plane = 0; plane < PLANES; plane++) {
-            bounds[plane] = height(plane, first);
+            bounds[plane] = height(plane, firstX, firstY, firstZ);
         }
         farthestStart = -bounds[AHEAD];
         for (int i = from + 1; i < to; i++) {
-            Ray ray = rays[i];
+            double x = rays.x[i];
+            double y = rays.y[i];
+            double z = rays.z[i];
             // all rays of a pinhole start at one point, usually
-            if (ray.x == first.x && ray.y == first.y && ray.z == first.z) {
+            if (x == firstX && y == firstY && z == firstZ) {
                 continue;
             }
-            farthest = Math.max(farthest, Math.abs(ray.x) + Math.abs(ray.y) + Math.abs(ray.z));
+            farthest = Math.max(farthest, Math.abs(x) + Math.abs(y) + Math.abs(z));
             for (int plane = 0; plane < PLANES; plane++) {
-                bounds[plane] = Math.max(bounds[plane], height(plane, ray));
+                bounds[plane] = Math.max(bounds[plane], height(plane, x, y, z));
             }
-            farthestStart = Math.max(farthestStart, -height(AHEAD, ray));
+            farthestStart = Math.max(farthestStart, -height(AHEAD, x, y, z));
         }
         for (int plane = 0; plane < PLANES; plane++) {
             bounds[plane] += MARGIN * (1 + farthest);
@@ -122,8 +128,8 @@ final class RayBundle {
         farthestStart += MARGIN * (1 + farthest);
     }
 
-    private double height(int plane, Ray ray) {
-        return normals[3 * plane] * ray.x + normals[3 * plane + 1] * ray.y + normals[3 * plane + 2] * ray.z;
+    private double height(int plane, double x, double y, double z) {
+        return normals[3 * plane] * x + normals[3 * plane + 1] * y + normals[3 * plane + 2] * z;
     }
 
     /** Whether no ray of the bundle can meet a primitive. */

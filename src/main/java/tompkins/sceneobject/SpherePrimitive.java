@@ -4,6 +4,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 import tompkins.ray.SurfaceCoordinates;
 
 /** A sphere in space. */
@@ -58,6 +59,27 @@ final class SpherePrimitive extends Primitive {
         // the centre lies behind: only a ray from inside meets the sphere
         double near = along - halfChord;
         return near < 0 ? nearest(height * (reach / near), 0, limit) : NO_HIT;
+    }
+
+    /** By the distance of the centre from the line; rounding is allowed for many times over. */
+    @Override
+    boolean margins(RayBlock rays, double[] margins) {
+        if (!(radius > SMALLEST_SQUARED && radius < LARGEST_SQUARED)) {
+            return false;
+        }
+        double reach = WIDER * radius * radius;
+        double cx = x;
+        double cy = y;
+        double cz = z;
+        for (int i = 0; i < rays.count(); i++) {
+            double fx = cx - rays.x[i];
+            double fy = cy - rays.y[i];
+            double fz = cz - rays.z[i];
+            double along = fx * rays.dx[i] + fy * rays.dy[i] + fz * rays.dz[i];
+            double squared = fx * fx + fy * fy + fz * fz;
+            margins[i] = reach + ROUNDING * squared - (squared - along * along);
+        }
+        return true;
     }
 
     @Override

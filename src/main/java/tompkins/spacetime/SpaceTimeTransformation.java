@@ -3,6 +3,7 @@ package tompkins.spacetime;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 
 /** A change of frame: takes the coordinates of one inertial frame and gives those of another. Linear, and immutable. */
 public sealed interface SpaceTimeTransformation
@@ -19,6 +20,13 @@ public sealed interface SpaceTimeTransformation
 
     /** The same light ray in the other frame, starting at the same event. */
     Ray transform(Ray ray);
+
+    /** Takes each ray of a block into the other frame. */
+    default void transform(RayBlock rays) {
+        for (int i = 0; i < rays.count(); i++) {
+            rays.set(i, transform(rays.ray(i)));
+        }
+    }
 
     /**
      * The time at which a place of the first frame has the same coordinates in the other frame: the event of the

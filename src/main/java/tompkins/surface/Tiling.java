@@ -79,9 +79,9 @@ public record Tiling(
         return (1 - waves) / 2;
     }
 
-    /** Parity by a remainder of doubles: a whole number that no int can hold is still odd or even. */
+    /** Parity by halves, which are exact: a whole number that no int can hold is still odd or even. */
     private static boolean isOdd(double whole) {
-        return Math.abs(whole % 2) == 1;
+        return 2 * Math.floor(whole / 2) < whole;
     }
 
     @Override

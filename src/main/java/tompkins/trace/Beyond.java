@@ -2,6 +2,7 @@ package tompkins.trace;
 
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 
 /** What becomes of a ray that leaves the objects of its frame. */
 @FunctionalInterface
@@ -9,4 +10,9 @@ interface Beyond {
 
     /** The light that comes back. */
     Colour colour(Ray ray);
+
+    /** The same for a ray of a block. */
+    default Colour colour(RayBlock rays, int place) {
+        return colour(rays.ray(place));
+    }
 }

@@ -3,6 +3,7 @@ package tompkins.trace;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.IdentityTransformation;
 import tompkins.spacetime.SpaceTimeTransformation;
@@ -57,6 +58,17 @@ final class FrameCrossing {
         }
         Ray fromLens = ray.moved(-base.x(), -base.y(), -base.z(), -base.time());
         return sceneFromCamera.transform(fromLens).moved(rest.x(), rest.y(), rest.z(), timeOfOrigin);
+    }
+
+    /** Takes each ray of a block into the scene frame, as {@link #cross(Ray)}. */
+    void cross(RayBlock rays) {
+        if (base == null) {
+            sceneFromCamera.transform(rays);
+            return;
+        }
+        for (int i = 0; i < rays.count(); i++) {
+            rays.set(i, cross(rays.ray(i)));
+        }
     }
 
     /** The place in the scene frame from which its objects are described to the tracer; usually (0, 0, 0). */

@@ -5,6 +5,7 @@ import tompkins.light.LightSource;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.Candidates;
 import tompkins.sceneobject.EntryNodes;
@@ -70,10 +71,14 @@ final class RayTracer implements Tracer {
         return colour(start, objects.nearest(start, nearest));
     }
 
-    /** As {@link #colour(Ray)}, for one of the rays for which candidates were found. */
-    Colour colour(Ray start, Candidates candidates) {
+    /** As {@link #colour(Ray)}, for the ray at a place of the block for which candidates were found. */
+    Colour colour(RayBlock rays, int place, Candidates candidates) {
         counts.rays++;
-        return colour(start, candidates.nearest(start, nearest));
+        if (!candidates.mayMeet(place)) {
+            return beyond.colour(rays, place);
+        }
+        Ray start = rays.ray(place);
+        return colour(start, candidates.nearest(start, place, nearest));
     }
 
     /** As {@link #colour(Ray)}, for one of the rays for which the nodes were found. */
@@ -83,14 +88,14 @@ final class RayTracer implements Tracer {
     }
 
     /** Looks for the nodes through which some rays enter the tree; false if each must search from its root. */
-    boolean find(EntryNodes entries, Ray[] rays, int from, int to) {
+    boolean find(EntryNodes entries, RayBlock rays, int from, int to) {
         return entries.find(objects, rays, from, to);
     }
 
     /** Looks for the primitives that some rays can meet; false if all must be searched. */
-    boolean find(Candidates candidates, Ray[] rays, int count) {
+    boolean find(Candidates candidates, RayBlock rays) {
         lastShadow = null;
-        return candidates.find(objects, rays, count);
+        return candidates.find(objects, rays);
     }
 
     /** Follows a ray whose nearest hit has just been searched. */
@@ -145,12 +150,15 @@ final class RayTracer implements Tracer {
         double toY = y - from.y;
         double toZ = z - from.z;
         double distance = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
-        Ray ray = Ray.shadow(from, toX / distance, toY / distance, toZ / distance);
+        toX /= distance;
+        toY /= distance;
+        toZ /= distance;
         for (LightGrid grid : lightGrids) {
             if (grid.isOf(x, y, z)) {
-                return !grid.shadows(ray, distance, nearest);
+                return !grid.shadows(from, toX, toY, toZ, distance, nearest);
             }
         }
+        Ray ray = Ray.shadow(from, toX, toY, toZ);
         if (lastShadow != null && lastShadow.shadows(ray, distance)) {
             return false;
         }

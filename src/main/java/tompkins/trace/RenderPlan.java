@@ -145,7 +145,7 @@ public final class RenderPlan {
                 scene.objects(),
                 scene.lights(),
                 scene.lightGrids(),
-                ray -> studio.background().colour(ray.dx, ray.dy, ray.dz),
+                new BeyondScene(studio.background()),
                 depth,
                 counts,
                 witness);

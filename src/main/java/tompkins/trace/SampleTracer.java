@@ -1,9 +1,11 @@
 package tompkins.trace;
 
+import java.util.Arrays;
 import tompkins.camera.CameraRays;
 import tompkins.camera.PixelSampler;
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.Candidates;
 import tompkins.sceneobject.EntryNodes;
@@ -22,10 +24,10 @@ public final class SampleTracer {
     private final RayCounts counts;
     private final RayWitness witness;
 
-    private final Ray[] rays = new Ray[LARGEST_BLOCK * LARGEST_BLOCK];
-    private final int[] columns = new int[rays.length];
-    private final int[] rows = new int[rays.length];
-    private final Colour[] colours = new Colour[rays.length];
+    private final RayBlock rays = new RayBlock(RayBlock.MOST);
+    private final int[] columns = new int[RayBlock.MOST];
+    private final int[] rows = new int[RayBlock.MOST];
+    private final Colour[] colours = new Colour[RayBlock.MOST];
     private final Candidates candidates = new Candidates();
     private final EntryNodes entries = new EntryNodes();
     private int column;
@@ -63,10 +65,11 @@ public final class SampleTracer {
      */
     public Colour sample(double x, double y, double lensX, double lensY) {
         counts.samples++;
-        Ray ray = cameraRays.ray(x, y, lensX, lensY, counts);
-        if (ray == null) {
+        rays.clear();
+        if (!cameraRays.add(x, y, lensX, lensY, rays, counts)) {
             return Colour.BLACK;
         }
+        Ray ray = rays.ray(0);
         if (witness != null) {
             witness.starts(ray);
         }
@@ -87,12 +90,15 @@ public final class SampleTracer {
      * @param taker says which pixels are wanted, and gets their colours
      */
     public void sampleBlock(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
-        int count = makeRays(left, top, width, height, stride, sample, taker);
+        makeRays(left, top, width, height, stride, sample, taker);
+        int count = rays.count();
+        Arrays.fill(colours, 0, count, null);
         if (cameraTracer == null) {
+            sceneEntry.cross(rays);
             followInScene(count, taker);
         } else {
             for (int i = 0; i < count && goTo(i, taker); i++) {
-                colours[i] = finite(cameraTracer.colour(rays[i]));
+                colours[i] = finite(cameraTracer.colour(rays.ray(i)));
             }
         }
         // all together, so that the pixels' memory is fetched at once
@@ -105,9 +111,9 @@ public final class SampleTracer {
 
     private void followInScene(int count, SampleTaker taker) {
         RayTracer tracer = sceneEntry.sceneTracer();
-        if (tracer.find(candidates, rays, count)) {
+        if (tracer.find(candidates, rays)) {
             for (int i = 0; i < count && goTo(i, taker); i++) {
-                colours[i] = finite(tracer.colour(rays[i], candidates));
+                colours[i] = finite(tracer.colour(rays, i, candidates));
             }
             return;
         }
@@ -116,13 +122,14 @@ public final class SampleTracer {
             if (i % EntryNodes.RAYS == 0) {
                 found = tracer.find(entries, rays, i, Math.min(count, i + EntryNodes.RAYS));
             }
-            colours[i] = finite(found ? tracer.colour(rays[i], entries) : tracer.colour(rays[i]));
+            Ray ray = rays.ray(i);
+            colours[i] = finite(found ? tracer.colour(ray, entries) : tracer.colour(ray));
         }
     }
 
-    private int makeRays(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
-        int count = 0;
-        for (int place = 0; place < rays.length; place++) {
+    private void makeRays(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
+        rays.clear();
+        for (int place = 0; place < LARGEST_BLOCK * LARGEST_BLOCK; place++) {
             int across = stride * mortonColumn(place);
             int down = stride * mortonColumn(place >> 1);
             column = left + across;
@@ -132,18 +139,14 @@ public final class SampleTracer {
             }
             sampler.start(column, row, sample);
             counts.samples++;
-            Ray ray = cameraRays.ray(sampler.x(), sampler.y(), sampler.lensX(), sampler.lensY(), counts);
-            if (ray == null) {
-                taker.take(column, row, Colour.BLACK);
+            int next = rays.count();
+            if (cameraRays.add(sampler.x(), sampler.y(), sampler.lensX(), sampler.lensY(), rays, counts)) {
+                columns[next] = column;
+                rows[next] = row;
             } else {
-                rays[count] = cameraTracer == null ? sceneEntry.cross(ray) : ray;
-                columns[count] = column;
-                rows[count] = row;
-                colours[count] = null;
-                count++;
+                taker.take(column, row, Colour.BLACK);
             }
         }
-        return count;
     }
 
     /** Column of a place on Morton's way through the block, on which those that follow each other are neighbours. */

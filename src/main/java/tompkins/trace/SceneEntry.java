@@ -2,6 +2,7 @@ package tompkins.trace;
 
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 
 /** What is beyond the objects of the camera frame: the scene, after the change of frame if there is one. */
 final class SceneEntry implements Beyond {
@@ -19,16 +20,18 @@ final class SceneEntry implements Beyond {
 
     @Override
     public Colour colour(Ray ray) {
-        return sceneTracer.colour(cross(ray));
-    }
-
-    /** The ray in the scene frame. */
-    Ray cross(Ray ray) {
         Ray crossed = crossing == null ? ray : crossing.cross(ray);
         if (witness != null) {
             witness.crosses(crossed);
         }
-        return crossed;
+        return sceneTracer.colour(crossed);
+    }
+
+    /** Takes each ray of a block into the scene frame; no witness is told. */
+    void cross(RayBlock rays) {
+        if (crossing != null) {
+            crossing.cross(rays);
+        }
     }
 
     /** The tracer of the scene frame. */

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 import tompkins.surface.ColouredSurface;
 
 class ObjectTreeTest {
@@ -54,7 +55,7 @@ class ObjectTreeTest {
         int hits = 0;
         for (int i = 0; i < 100; i++) {
             Ray[] rays = neighbours(ray(random), random.nextDouble(0.1), random);
-            assertThat(entries.find(tree, rays, 0, rays.length)).isTrue();
+            assertThat(entries.find(tree, block(rays), 0, rays.length)).isTrue();
             for (Ray ray : rays) {
                 boolean hit = list.nearest(ray, inList);
                 hits += hit ? 1 : 0;
@@ -72,7 +73,15 @@ class ObjectTreeTest {
         ObjectTree tree = new ObjectTree(spheres(100, new Random(1)), 1);
         Ray[] opposite = {Ray.fromCamera(0, 0, 0, 0, 0, 1, 0), Ray.fromCamera(0, 0, 0, 0, 0, -1, 0)};
 
-        assertThat(new EntryNodes().find(tree, opposite, 0, 2)).isFalse();
+        assertThat(new EntryNodes().find(tree, block(opposite), 0, 2)).isFalse();
+    }
+
+    private static RayBlock block(Ray... rays) {
+        RayBlock block = new RayBlock(rays.length);
+        for (Ray ray : rays) {
+            block.add(ray.x, ray.y, ray.z, ray.dx, ray.dy, ray.dz, ray.time, ray.spread);
+        }
+        return block;
     }
 
     /** Rays that start near another and go almost the same way. */
