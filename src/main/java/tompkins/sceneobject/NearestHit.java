@@ -18,6 +18,7 @@ public final class NearestHit {
     final double[] entries = new double[DEEPEST_TREE];
 
     private Primitive primitive;
+    private TreeNode leaf;
     private double distance;
     private long nodes;
     private long tests;
@@ -54,6 +55,16 @@ public final class NearestHit {
     void count(long moreNodes, long moreTests) {
         nodes += moreNodes;
         tests += moreTests;
+    }
+
+    /** Notes the leaf in which the nearest primitive so far was found. */
+    void foundIn(TreeNode node) {
+        leaf = node;
+    }
+
+    /** The leaf in which a nearest primitive was found last, or null if none was yet. */
+    TreeNode leaf() {
+        return leaf;
     }
 
     /** The nearest primitive, or null. */

@@ -122,9 +122,13 @@ public final class ObjectTree {
             nodes++;
             TreeNode next = null;
             if (node.primitives != null) {
+                Primitive before = nearest.primitive();
                 for (Primitive primitive : node.primitives) {
                     nearest.test(primitive, ray);
                     tests++;
+                }
+                if (nearest.primitive() != before) {
+                    nearest.foundIn(node);
                 }
             } else {
                 double limit = nearest.distance();
@@ -180,7 +184,8 @@ public final class ObjectTree {
         int count = 0;
         int nodes = 0;
         int tests = 0;
-        TreeNode node = root;
+        TreeNode climbed = scratch.leaf() == null ? root : scratch.leaf();
+        TreeNode node = climbed;
         Primitive shadow = null;
         search:
         while (node != null) {
@@ -206,7 +211,15 @@ public final class ObjectTree {
                     }
                 }
             }
-            node = next != null ? next : count > 0 ? waiting[--count] : null;
+            if (next == null && count > 0) {
+                next = waiting[--count];
+            }
+            while (next == null && climbed.parent() != null) {
+                TreeNode other = climbed.parent().other(climbed);
+                climbed = climbed.parent();
+                next = other.entry(x, y, z, inverseX, inverseY, inverseZ, limit) == TreeNode.MISSED ? null : other;
+            }
+            node = next;
         }
         scratch.count(nodes, tests);
         return shadow;

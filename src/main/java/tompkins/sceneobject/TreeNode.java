@@ -24,8 +24,12 @@ final class TreeNode {
     /** What a leaf holds, null in an inner node. */
     final Primitive[] primitives;
 
+    private TreeNode parent;
+
     TreeNode(Bounds bounds, TreeNode low, TreeNode high) {
         this(bounds, low, high, null);
+        low.parent = this;
+        high.parent = this;
     }
 
     TreeNode(Bounds bounds, Primitive[] primitives) {
@@ -43,6 +47,16 @@ final class TreeNode {
         this.low = low;
         this.high = high;
         this.primitives = primitives;
+    }
+
+    /** The node that this one is a half of, null for the root. */
+    TreeNode parent() {
+        return parent;
+    }
+
+    /** The other half of a half. */
+    TreeNode other(TreeNode half) {
+        return half == low ? high : low;
     }
 
     /**
