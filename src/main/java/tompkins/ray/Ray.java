@@ -2,80 +2,91 @@ package tompkins.ray;
 
 /**
  * A light ray that is traced backwards in time: from an event, in the direction in which the camera looks along it. The
- * light itself travels the other way. A plain immutable value of the hot path, in units with c = 1.
+ * light itself travels the other way. A plain value of the hot path, in units with c = 1.
+ *
+ * <p>Nobody outside this package changes a ray. It is valid until its sample is complete: after that its memory may be used
+ * again.
  */
 public final class Ray {
 
     /** Where the ray starts. */
-    public final double x;
+    public double x;
 
-    public final double y;
-    public final double z;
+    public double y;
+    public double z;
 
     /** Unit vector in which the ray is traced. */
-    public final double dx;
+    public double dx;
 
-    public final double dy;
-    public final double dz;
+    public double dy;
+    public double dz;
 
     /** When the light is at the start. */
-    public final double time;
+    public double time;
 
     /** Time that passes per unit length: 1 for light in vacuum; other values only in a Galilean world. */
-    public final double slowness;
+    public double slowness;
 
     /** Frequency of the light in the frame of this ray, divided by its frequency in the camera frame. */
-    public final double frequency;
+    public double frequency;
 
     /** Diameter, at the start, of the bundle of light that the ray stands for. */
-    public final double width;
+    public double width;
 
     /** Growth of that diameter per unit length: the opening angle of the bundle. */
-    public final double spread;
+    public double spread;
 
     /** The largest share of the sample's light that the ray can still bring, 1 at the camera. */
-    public final double weight;
+    public double weight;
 
     /** What the ray starts on, or null; the starting point itself is then no hit. */
-    public final Boundary boundary;
+    public Boundary boundary;
 
     /** Which part of the boundary the ray starts on. */
-    public final int part;
+    public int part;
 
     /** How many surfaces sent the light on between the camera and this ray. */
-    public final int generation;
+    public int generation;
 
-    private Ray(
-            double x,
-            double y,
-            double z,
-            double dx,
-            double dy,
-            double dz,
-            double time,
-            double slowness,
-            double frequency,
-            double width,
-            double spread,
-            double weight,
-            Boundary boundary,
-            int part,
-            int generation) {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-        this.dx = dx;
-        this.dy = dy;
-        this.dz = dz;
-        this.time = time;
-        this.slowness = slowness;
-        this.frequency = frequency;
-        this.width = width;
-        this.spread = spread;
-        this.weight = weight;
-        this.boundary = boundary;
-        this.part = part;
-        this.generation = generation;
+    private Ray() {}
+
+    /** Memory for a ray, to be filled by {@link RayBlock#copy} or {@link #setShadow} again and again. */
+    public static Ray blank() {
+        return new Ray();
+    }
+
+    private Ray set(
+            double newX,
+            double newY,
+            double newZ,
+            double newDx,
+            double newDy,
+            double newDz,
+            double newTime,
+            double newSlowness,
+            double newFrequency,
+            double newWidth,
+            double newSpread,
+            double newWeight,
+            Boundary newBoundary,
+            int newPart,
+            int newGeneration) {
+        x = newX;
+        y = newY;
+        z = newZ;
+        dx = newDx;
+        dy = newDy;
+        dz = newDz;
+        time = newTime;
+        slowness = newSlowness;
+        frequency = newFrequency;
+        width = newWidth;
+        spread = newSpread;
+        weight = newWeight;
+        boundary = newBoundary;
+        part = newPart;
+        generation = newGeneration;
+        return this;
     }
 
     /** A ray that leaves the camera at (x, y, z) at the given time, in the unit direction (dx, dy, dz), free of width. */
@@ -86,22 +97,23 @@ public final class Ray {
     /** As above, for a bundle with the given opening angle (the angle that one pixel sees, in radians). */
     public static Ray fromCamera(
             double x, double y, double z, double dx, double dy, double dz, double time, double spread) {
-        return new Ray(x, y, z, dx, dy, dz, time, 1, 1, 0, spread, 1, null, 0, 0);
+        return new Ray().set(x, y, z, dx, dy, dz, time, 1, 1, 0, spread, 1, null, 0, 0);
     }
 
-    /** A ray that has met nothing since it left the camera. */
-    static Ray unmet(
-            double x,
-            double y,
-            double z,
-            double dx,
-            double dy,
-            double dz,
-            double time,
-            double slowness,
-            double frequency,
-            double spread) {
-        return new Ray(x, y, z, dx, dy, dz, time, slowness, frequency, 0, spread, 1, null, 0, 0);
+    /** Makes this a ray that has met nothing since it left the camera. */
+    Ray setUnmet(
+            double newX,
+            double newY,
+            double newZ,
+            double newDx,
+            double newDy,
+            double newDz,
+            double newTime,
+            double newSlowness,
+            double newFrequency,
+            double newSpread) {
+        return set(
+                newX, newY, newZ, newDx, newDy, newDz, newTime, newSlowness, newFrequency, 0, newSpread, 1, null, 0, 0);
     }
 
     /**
@@ -120,42 +132,44 @@ public final class Ray {
             double newTime,
             double newSlowness,
             double frequencyFactor) {
-        return new Ray(
-                newX,
-                newY,
-                newZ,
-                newDx,
-                newDy,
-                newDz,
-                newTime,
-                newSlowness,
-                frequency * frequencyFactor,
-                width,
-                spread / frequencyFactor,
-                weight,
-                null,
-                0,
-                generation);
+        return new Ray()
+                .set(
+                        newX,
+                        newY,
+                        newZ,
+                        newDx,
+                        newDy,
+                        newDz,
+                        newTime,
+                        newSlowness,
+                        frequency * frequencyFactor,
+                        width,
+                        spread / frequencyFactor,
+                        weight,
+                        null,
+                        0,
+                        generation);
     }
 
     /** The same ray with its start moved in space and time. */
     public Ray moved(double byX, double byY, double byZ, double byTime) {
-        return new Ray(
-                x + byX,
-                y + byY,
-                z + byZ,
-                dx,
-                dy,
-                dz,
-                time + byTime,
-                slowness,
-                frequency,
-                width,
-                spread,
-                weight,
-                boundary,
-                part,
-                generation);
+        return new Ray()
+                .set(
+                        x + byX,
+                        y + byY,
+                        z + byZ,
+                        dx,
+                        dy,
+                        dz,
+                        time + byTime,
+                        slowness,
+                        frequency,
+                        width,
+                        spread,
+                        weight,
+                        boundary,
+                        part,
+                        generation);
     }
 
     /** The ray that goes on from a hit in a new unit direction, with a share of this ray's light. */
@@ -170,42 +184,44 @@ public final class Ray {
 
     /** The same ray with a share of its light. */
     public Ray dimmed(double share) {
-        return new Ray(
-                x,
-                y,
-                z,
-                dx,
-                dy,
-                dz,
-                time,
-                slowness,
-                frequency,
-                width,
-                spread,
-                weight * share,
-                boundary,
-                part,
-                generation);
+        return new Ray()
+                .set(
+                        x,
+                        y,
+                        z,
+                        dx,
+                        dy,
+                        dz,
+                        time,
+                        slowness,
+                        frequency,
+                        width,
+                        spread,
+                        weight * share,
+                        boundary,
+                        part,
+                        generation);
     }
 
     /** The same ray with its opening angle divided by a factor. */
     public Ray narrowed(double factor) {
-        return new Ray(
-                x,
-                y,
-                z,
-                dx,
-                dy,
-                dz,
-                time,
-                slowness,
-                frequency,
-                width,
-                spread / factor,
-                weight,
-                boundary,
-                part,
-                generation);
+        return new Ray()
+                .set(
+                        x,
+                        y,
+                        z,
+                        dx,
+                        dy,
+                        dz,
+                        time,
+                        slowness,
+                        frequency,
+                        width,
+                        spread / factor,
+                        weight,
+                        boundary,
+                        part,
+                        generation);
     }
 
     /** The same ray beyond a hit, with a share of its light. */
@@ -215,7 +231,12 @@ public final class Ray {
 
     /** A ray that starts at a hit in the unit direction (toX, toY, toZ), to ask whether something is in the way. */
     public static Ray shadow(Hit hit, double toX, double toY, double toZ) {
-        return new Ray(hit.x, hit.y, hit.z, toX, toY, toZ, hit.time, 1, 1, 0, 0, 1, hit.boundary, hit.part, 0);
+        return new Ray().setShadow(hit, toX, toY, toZ);
+    }
+
+    /** Makes this a ray as {@link #shadow}. */
+    public Ray setShadow(Hit hit, double toX, double toY, double toZ) {
+        return set(hit.x, hit.y, hit.z, toX, toY, toZ, hit.time, 1, 1, 0, 0, 1, hit.boundary, hit.part, 0);
     }
 
     /** The ray of a shadow test, beyond something clear. */
@@ -241,21 +262,22 @@ public final class Ray {
             double newSlowness,
             double newWeight,
             int newGeneration) {
-        return new Ray(
-                hit.x,
-                hit.y,
-                hit.z,
-                newDx,
-                newDy,
-                newDz,
-                hit.time,
-                newSlowness,
-                frequency,
-                widthAt(hit.distance),
-                spread,
-                newWeight,
-                hit.boundary,
-                hit.part,
-                newGeneration);
+        return new Ray()
+                .set(
+                        hit.x,
+                        hit.y,
+                        hit.z,
+                        newDx,
+                        newDy,
+                        newDz,
+                        hit.time,
+                        newSlowness,
+                        frequency,
+                        widthAt(hit.distance),
+                        spread,
+                        newWeight,
+                        hit.boundary,
+                        hit.part,
+                        newGeneration);
     }
 }

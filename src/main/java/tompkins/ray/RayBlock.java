@@ -90,7 +90,12 @@ public final class RayBlock {
 
     /** One of the rays. */
     public Ray ray(int place) {
-        return Ray.unmet(
+        return copy(place, Ray.blank());
+    }
+
+    /** One of the rays, in memory that is used again. */
+    public Ray copy(int place, Ray memory) {
+        return memory.setUnmet(
                 x[place],
                 y[place],
                 z[place],

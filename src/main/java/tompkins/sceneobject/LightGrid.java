@@ -200,15 +200,16 @@ public final class LightGrid {
      * @param dy its second component
      * @param dz its third component
      * @param limit distance of the lamp
+     * @param memory for the ray
      * @param scratch takes note of the work
      */
-    public boolean shadows(Hit from, double dx, double dy, double dz, double limit, NearestHit scratch) {
+    public boolean shadows(Hit from, double dx, double dy, double dz, double limit, Ray memory, NearestHit scratch) {
         Ray ray = null;
         int tests = 0;
         boolean shadow = false;
         for (int i = 0; i < everywhere.length && !shadow; i++) {
             if (!everywhere[i].surelyMisses(from, dx, dy, dz)) {
-                ray = ray == null ? Ray.shadow(from, dx, dy, dz) : ray;
+                ray = ray == null ? memory.setShadow(from, dx, dy, dz) : ray;
                 shadow = everywhere[i].shadows(ray, limit);
                 tests++;
             }
@@ -216,7 +217,7 @@ public final class LightGrid {
         Occluder[] seen = shadow ? NONE : cell(dx, dy, dz);
         for (int i = 0; i < seen.length && !shadow; i++) {
             if (seen[i].isNear(dx, dy, dz)) {
-                ray = ray == null ? Ray.shadow(from, dx, dy, dz) : ray;
+                ray = ray == null ? memory.setShadow(from, dx, dy, dz) : ray;
                 shadow = seen[i].primitive().shadows(ray, limit);
                 tests++;
             }

@@ -38,6 +38,8 @@ final class RayTracer implements Tracer {
     private final RayCounts counts;
     private final RayWitness witness;
     private final NearestHit nearest = new NearestHit();
+    private final Ray startMemory = Ray.blank();
+    private final Ray shadowMemory = Ray.blank();
 
     /** What threw the last shadow: it often throws the next one, too. */
     private Primitive lastShadow;
@@ -77,13 +79,14 @@ final class RayTracer implements Tracer {
         if (!candidates.mayMeet(place)) {
             return beyond.colour(rays, place);
         }
-        Ray start = rays.ray(place);
+        Ray start = rays.copy(place, startMemory);
         return colour(start, candidates.nearest(start, place, nearest));
     }
 
     /** As {@link #colour(Ray)}, for one of the rays for which the nodes were found. */
-    Colour colour(Ray start, EntryNodes entries) {
+    Colour colour(RayBlock rays, int place, EntryNodes entries) {
         counts.rays++;
+        Ray start = rays.copy(place, startMemory);
         return colour(start, objects.nearest(start, entries, nearest));
     }
 
@@ -155,10 +158,10 @@ final class RayTracer implements Tracer {
         toZ /= distance;
         for (LightGrid grid : lightGrids) {
             if (grid.isOf(x, y, z)) {
-                return !grid.shadows(from, toX, toY, toZ, distance, nearest);
+                return !grid.shadows(from, toX, toY, toZ, distance, shadowMemory, nearest);
             }
         }
-        Ray ray = Ray.shadow(from, toX, toY, toZ);
+        Ray ray = shadowMemory.setShadow(from, toX, toY, toZ);
         if (lastShadow != null && lastShadow.shadows(ray, distance)) {
             return false;
         }

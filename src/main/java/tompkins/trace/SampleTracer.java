@@ -122,8 +122,7 @@ public final class SampleTracer {
             if (i % EntryNodes.RAYS == 0) {
                 found = tracer.find(entries, rays, i, Math.min(count, i + EntryNodes.RAYS));
             }
-            Ray ray = rays.ray(i);
-            colours[i] = finite(found ? tracer.colour(ray, entries) : tracer.colour(ray));
+            colours[i] = finite(found ? tracer.colour(rays, i, entries) : tracer.colour(rays.ray(i)));
         }
     }
 
