@@ -9,22 +9,23 @@ import tompkins.ray.RayCounts;
 public interface CameraRays {
 
     /**
-     * The ray that belongs to a point of the picture and a point of the lens, in the camera frame.
+     * Makes the rays of some samples, in the camera frame. A sample that brings no light because it never crosses the shutter
+     * gets none.
      *
-     * @param x place in the picture in pixels, from 0 at the left edge; pixel centres lie at halves
-     * @param y place in the picture in pixels, from 0 at the upper edge
-     * @param lensX place on the lens in units of its radius, to the right; a point of the unit disc
-     * @param lensY place on the lens in units of its radius, up
+     * @param places the samples
+     * @param rays receives the rays, which know their samples
      * @param counts takes note of rays without focus or shutter
-     * @return the ray, or null if it brings no light because it never crosses the shutter
      */
-    default Ray ray(double x, double y, double lensX, double lensY, RayCounts counts) {
-        RayBlock one = new RayBlock(1);
-        return add(x, y, lensX, lensY, one, counts) ? one.ray(0) : null;
-    }
+    void make(SamplePlaces places, RayBlock rays, RayCounts counts);
 
-    /** Adds that ray to a block; false if there is none. */
-    boolean add(double x, double y, double lensX, double lensY, RayBlock rays, RayCounts counts);
+    /** The ray of a single sample, or null; for the place see {@link SamplePlaces#add}. */
+    default Ray ray(double x, double y, double lensX, double lensY, RayCounts counts) {
+        SamplePlaces place = new SamplePlaces(1);
+        RayBlock rays = new RayBlock(1);
+        place.add(x, y, lensX, lensY);
+        make(place, rays, counts);
+        return rays.count() == 0 ? null : rays.ray(0);
+    }
 
     /** The unit direction of the ray through the centre of the lens for a point of the picture in pixels. */
     Vector3dc chiefDirection(double x, double y);

@@ -129,24 +129,29 @@ public record PanoramicCamera(
         }
 
         @Override
-        public boolean add(double x, double y, double lensX, double lensY, RayBlock rays, RayCounts counts) {
-            Vector3d chief = chiefDirection(x, y);
-            LensRay lensRay = new LensRay(camera.position, camera.position, chief, 1 / camera.focusDistance, chief);
-            double time = camera.shutter.transmissionTime(lensRay, sceneFromCamera);
-            if (!Double.isFinite(time)) {
-                counts.withoutShutter++;
-                return false;
+        public void make(SamplePlaces places, RayBlock rays, RayCounts counts) {
+            rays.begin(places.count());
+            int made = 0;
+            for (int i = 0; i < places.count(); i++) {
+                Vector3d chief = chiefDirection(places.x[i], places.y[i]);
+                LensRay lensRay = new LensRay(camera.position, camera.position, chief, 1 / camera.focusDistance, chief);
+                double time = camera.shutter.transmissionTime(lensRay, sceneFromCamera);
+                if (!Double.isFinite(time)) {
+                    counts.withoutShutter++;
+                    continue;
+                }
+                rays.x[i] = camera.position.x();
+                rays.y[i] = camera.position.y();
+                rays.z[i] = camera.position.z();
+                rays.dx[i] = chief.x;
+                rays.dy[i] = chief.y;
+                rays.dz[i] = chief.z;
+                rays.time[i] = time;
+                rays.spread[i] = latitudePerPixel;
+                rays.move(i, made);
+                made++;
             }
-            rays.add(
-                    camera.position.x(),
-                    camera.position.y(),
-                    camera.position.z(),
-                    chief.x,
-                    chief.y,
-                    chief.z,
-                    time,
-                    latitudePerPixel);
-            return true;
+            rays.keep(made);
         }
     }
 }

@@ -1,5 +1,6 @@
 package tompkins.camera;
 
+import java.util.Arrays;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.RayBlock;
@@ -68,20 +69,58 @@ final class ThinLensRays implements CameraRays {
 
     @Override
     public Vector3d chiefDirection(double x, double y) {
-        double right = (x - middleX) * slopePerColumn;
-        double up = (middleY - y) * slopePerRow;
-        double scale = 1 / Math.sqrt(1 + right * right + up * up);
-        return new Vector3d(
-                (forwardX + right * rightX + up * upX) * scale,
-                (forwardY + right * rightY + up * upY) * scale,
-                (forwardZ + right * rightZ + up * upZ) * scale);
+        SamplePlaces place = new SamplePlaces(1);
+        RayBlock rays = new RayBlock(1);
+        place.add(x, y, 0, 0);
+        aim(place, rays);
+        return new Vector3d(rays.dx[0], rays.dy[0], rays.dz[0]);
     }
 
     @Override
-    public boolean add(double x, double y, double lensX, double lensY, RayBlock rays, RayCounts counts) {
-        Vector3d chief = chiefDirection(x, y);
-        double cosine = chief.x * forwardX + chief.y * forwardY + chief.z * forwardZ;
-        double spread = pixelAngle * cosine * cosine;
+    public void make(SamplePlaces places, RayBlock rays, RayCounts counts) {
+        rays.begin(places.count());
+        aim(places, rays);
+        if (constantTime && apertureRadius == 0 && focus == null) {
+            startInPinhole(rays);
+            return;
+        }
+        int made = 0;
+        for (int i = 0; i < places.count(); i++) {
+            if (startOnLens(places.lensX[i], places.lensY[i], rays, i, counts)) {
+                rays.move(i, made);
+                made++;
+            }
+        }
+        rays.keep(made);
+    }
+
+    /** Sets all directions to those through the centre of the lens. */
+    private void aim(SamplePlaces places, RayBlock rays) {
+        for (int i = 0; i < places.count(); i++) {
+            double right = (places.x[i] - middleX) * slopePerColumn;
+            double up = (middleY - places.y[i]) * slopePerRow;
+            double scale = 1 / Math.sqrt(1 + right * right + up * up);
+            double dx = (forwardX + right * rightX + up * upX) * scale;
+            double dy = (forwardY + right * rightY + up * upY) * scale;
+            double dz = (forwardZ + right * rightZ + up * upZ) * scale;
+            double cosine = dx * forwardX + dy * forwardY + dz * forwardZ;
+            rays.dx[i] = dx;
+            rays.dy[i] = dy;
+            rays.dz[i] = dz;
+            rays.spread[i] = pixelAngle * cosine * cosine;
+        }
+    }
+
+    private void startInPinhole(RayBlock rays) {
+        Arrays.fill(rays.x, 0, rays.count(), centre.x());
+        Arrays.fill(rays.y, 0, rays.count(), centre.y());
+        Arrays.fill(rays.z, 0, rays.count(), centre.z());
+        Arrays.fill(rays.time, 0, rays.count(), shutter.openingTime());
+    }
+
+    /** Lets a ray that was aimed start at a place on the lens; false if it never crosses the shutter. */
+    private boolean startOnLens(double lensX, double lensY, RayBlock rays, int place, RayCounts counts) {
+        Vector3d chief = new Vector3d(rays.dx[place], rays.dy[place], rays.dz[place]);
         double inverseFocusDistance = focus == null ? 0 : inverseFocusDistance(chief, counts);
         Vector3d offset = offset(lensX, lensY);
         Vector3d pupilPoint = offset.add(centre, new Vector3d());
@@ -93,13 +132,20 @@ final class ThinLensRays implements CameraRays {
             counts.withoutShutter++;
             return false;
         }
-        // light that comes parallel to the chief ray meets in the detector point; the rest of the lens's power
-        // makes the ray come from the point in focus
-        Vector3d direction = apertureRadius == 0
-                ? chief
-                : ThinLens.bend(chief, axes.forward(), offset, inverseFocusDistance / cosine)
-                        .normalize();
-        rays.add(pupilPoint.x, pupilPoint.y, pupilPoint.z, direction.x, direction.y, direction.z, time, spread);
+        rays.x[place] = pupilPoint.x;
+        rays.y[place] = pupilPoint.y;
+        rays.z[place] = pupilPoint.z;
+        rays.time[place] = time;
+        if (apertureRadius > 0) {
+            // light that comes parallel to the chief ray meets in the detector point; the rest of the lens's power
+            // makes the ray come from the point in focus
+            double cosine = chief.dot(axes.forward());
+            Vector3d direction = ThinLens.bend(chief, axes.forward(), offset, inverseFocusDistance / cosine)
+                    .normalize();
+            rays.dx[place] = direction.x;
+            rays.dy[place] = direction.y;
+            rays.dz[place] = direction.z;
+        }
         return true;
     }
 

@@ -21,10 +21,15 @@ public final class RayBlock {
     public final double[] dy;
     public final double[] dz;
 
-    private final double[] time;
+    /** When the light is at the start. */
+    public final double[] time;
+
+    /** Opening angles of the bundles. */
+    public final double[] spread;
+
     private final double[] slowness;
     private final double[] frequency;
-    private final double[] spread;
+    private final int[] samples;
     private int count;
 
     /** A block without rays, with room for {@code most}. */
@@ -39,6 +44,7 @@ public final class RayBlock {
         slowness = new double[most];
         frequency = new double[most];
         spread = new double[most];
+        samples = new int[most];
     }
 
     /** Number of rays. */
@@ -46,32 +52,37 @@ public final class RayBlock {
         return count;
     }
 
-    /** Forgets all rays. */
-    public void clear() {
-        count = 0;
+    /** Begins anew with a number of rays that have just left the camera, one for each sample; the other numbers are to be set. */
+    public void begin(int newCount) {
+        count = newCount;
+        for (int i = 0; i < count; i++) {
+            slowness[i] = 1;
+            frequency[i] = 1;
+            samples[i] = i;
+        }
     }
 
-    /** Adds a ray that has just left the camera, as {@link Ray#fromCamera}. */
-    public void add(
-            double startX,
-            double startY,
-            double startZ,
-            double directionX,
-            double directionY,
-            double directionZ,
-            double startTime,
-            double openingAngle) {
-        int place = count++;
-        x[place] = startX;
-        y[place] = startY;
-        z[place] = startZ;
-        dx[place] = directionX;
-        dy[place] = directionY;
-        dz[place] = directionZ;
-        time[place] = startTime;
-        slowness[place] = 1;
-        frequency[place] = 1;
-        spread[place] = openingAngle;
+    /** Lets a ray take the place of an earlier one. */
+    public void move(int from, int to) {
+        x[to] = x[from];
+        y[to] = y[from];
+        z[to] = z[from];
+        dx[to] = dx[from];
+        dy[to] = dy[from];
+        dz[to] = dz[from];
+        time[to] = time[from];
+        spread[to] = spread[from];
+        samples[to] = samples[from];
+    }
+
+    /** Keeps only the first rays. */
+    public void keep(int newCount) {
+        count = newCount;
+    }
+
+    /** The number of the sample to which a ray belongs. */
+    public int sample(int place) {
+        return samples[place];
     }
 
     /** Puts a ray that has met nothing in the place of another. */

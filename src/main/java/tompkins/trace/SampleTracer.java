@@ -3,6 +3,7 @@ package tompkins.trace;
 import java.util.Arrays;
 import tompkins.camera.CameraRays;
 import tompkins.camera.PixelSampler;
+import tompkins.camera.SamplePlaces;
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
 import tompkins.ray.RayBlock;
@@ -24,6 +25,7 @@ public final class SampleTracer {
     private final RayCounts counts;
     private final RayWitness witness;
 
+    private final SamplePlaces places = new SamplePlaces(RayBlock.MOST);
     private final RayBlock rays = new RayBlock(RayBlock.MOST);
     private final int[] columns = new int[RayBlock.MOST];
     private final int[] rows = new int[RayBlock.MOST];
@@ -65,8 +67,10 @@ public final class SampleTracer {
      */
     public Colour sample(double x, double y, double lensX, double lensY) {
         counts.samples++;
-        rays.clear();
-        if (!cameraRays.add(x, y, lensX, lensY, rays, counts)) {
+        places.clear();
+        places.add(x, y, lensX, lensY);
+        cameraRays.make(places, rays, counts);
+        if (rays.count() == 0) {
             return Colour.BLACK;
         }
         Ray ray = rays.ray(0);
@@ -90,30 +94,35 @@ public final class SampleTracer {
      * @param taker says which pixels are wanted, and gets their colours
      */
     public void sampleBlock(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
-        makeRays(left, top, width, height, stride, sample, taker);
-        int count = rays.count();
-        Arrays.fill(colours, 0, count, null);
+        choosePlaces(left, top, width, height, stride, sample, taker);
+        cameraRays.make(places, rays, counts);
+        counts.samples += places.count();
+        Arrays.fill(colours, 0, places.count(), Colour.BLACK);
+        for (int i = 0; i < rays.count(); i++) {
+            colours[rays.sample(i)] = null;
+        }
         if (cameraTracer == null) {
             sceneEntry.cross(rays);
-            followInScene(count, taker);
+            followInScene(taker);
         } else {
-            for (int i = 0; i < count && goTo(i, taker); i++) {
-                colours[i] = finite(cameraTracer.colour(rays.ray(i)));
+            for (int i = 0; i < rays.count() && goTo(i, taker); i++) {
+                take(i, cameraTracer.colour(rays.ray(i)));
             }
         }
         // all together, so that the pixels' memory is fetched at once
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; i < places.count(); i++) {
             if (colours[i] != null) {
                 taker.take(columns[i], rows[i], colours[i]);
             }
         }
     }
 
-    private void followInScene(int count, SampleTaker taker) {
+    private void followInScene(SampleTaker taker) {
         RayTracer tracer = sceneEntry.sceneTracer();
+        int count = rays.count();
         if (tracer.find(candidates, rays)) {
             for (int i = 0; i < count && goTo(i, taker); i++) {
-                colours[i] = finite(tracer.colour(rays, i, candidates));
+                take(i, tracer.colour(rays, i, candidates));
             }
             return;
         }
@@ -122,28 +131,22 @@ public final class SampleTracer {
             if (i % EntryNodes.RAYS == 0) {
                 found = tracer.find(entries, rays, i, Math.min(count, i + EntryNodes.RAYS));
             }
-            colours[i] = finite(found ? tracer.colour(rays, i, entries) : tracer.colour(rays.ray(i)));
+            take(i, found ? tracer.colour(rays, i, entries) : tracer.colour(rays.ray(i)));
         }
     }
 
-    private void makeRays(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
-        rays.clear();
+    private void choosePlaces(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
+        places.clear();
         for (int place = 0; place < LARGEST_BLOCK * LARGEST_BLOCK; place++) {
             int across = stride * mortonColumn(place);
             int down = stride * mortonColumn(place >> 1);
             column = left + across;
             row = top + down;
-            if (across >= width || down >= height || !taker.wants(column, row)) {
-                continue;
-            }
-            sampler.start(column, row, sample);
-            counts.samples++;
-            int next = rays.count();
-            if (cameraRays.add(sampler.x(), sampler.y(), sampler.lensX(), sampler.lensY(), rays, counts)) {
-                columns[next] = column;
-                rows[next] = row;
-            } else {
-                taker.take(column, row, Colour.BLACK);
+            if (across < width && down < height && taker.wants(column, row)) {
+                sampler.start(column, row, sample);
+                columns[places.count()] = column;
+                rows[places.count()] = row;
+                places.add(sampler.x(), sampler.y(), sampler.lensX(), sampler.lensY());
             }
         }
     }
@@ -154,9 +157,13 @@ public final class SampleTracer {
     }
 
     private boolean goTo(int index, SampleTaker taker) {
-        column = columns[index];
-        row = rows[index];
+        column = columns[rays.sample(index)];
+        row = rows[rays.sample(index)];
         return taker.wants(column, row);
+    }
+
+    private void take(int index, Colour colour) {
+        colours[rays.sample(index)] = finite(colour);
     }
 
     private Colour finite(Colour colour) {

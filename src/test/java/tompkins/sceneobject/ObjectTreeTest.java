@@ -78,8 +78,9 @@ class ObjectTreeTest {
 
     private static RayBlock block(Ray... rays) {
         RayBlock block = new RayBlock(rays.length);
-        for (Ray ray : rays) {
-            block.add(ray.x, ray.y, ray.z, ray.dx, ray.dy, ray.dz, ray.time, ray.spread);
+        block.begin(rays.length);
+        for (int i = 0; i < rays.length; i++) {
+            block.set(i, rays[i]);
         }
         return block;
     }
