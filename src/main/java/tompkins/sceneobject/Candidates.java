@@ -51,7 +51,7 @@ public final class Candidates {
     private void sift(RayBlock rays) {
         Arrays.fill(mayMeet, 0, rays.count(), 0);
         for (int i = 0; i < count; i++) {
-            if (found[i].margins(rays, margins)) {
+            if (found[i].margins(rays, bundle.farthest(), margins)) {
                 note(1L << i, rays.count());
             } else {
                 noteAll(1L << i, rays.count());

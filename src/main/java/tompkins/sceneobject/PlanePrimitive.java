@@ -58,12 +58,14 @@ final class PlanePrimitive extends Primitive {
 
     /** By the same signs as {@link #distance}. */
     @Override
-    boolean margins(RayBlock rays, double[] margins) {
-        for (int i = 0; i < rays.count(); i++) {
-            double height =
+    boolean margins(RayBlock rays, double farthest, double[] margins) {
+        int count = rays.count();
+        for (int i = 0; i < count; i++) {
+            margins[i] = normalX * rays.dx[i] + normalY * rays.dy[i] + normalZ * rays.dz[i];
+        }
+        for (int i = 0; i < count; i++) {
+            margins[i] *=
                     normalX * (pointX - rays.x[i]) + normalY * (pointY - rays.y[i]) + normalZ * (pointZ - rays.z[i]);
-            double slope = normalX * rays.dx[i] + normalY * rays.dy[i] + normalZ * rays.dz[i];
-            margins[i] = height * slope;
         }
         return true;
     }

@@ -50,10 +50,11 @@ public abstract class Primitive implements Boundary {
      * Tells many rays at once from this primitive: those with a margin below 0 surely miss it, also if rounding speaks for it.
      * The others may hit or miss. It saves most calls of {@link #distance}.
      *
+     * @param farthest a number that no |x| + |y| + |z| of a start exceeds
      * @param margins receives a number for each ray of the block
      * @return false if this primitive has no such margins; nothing is written then
      */
-    boolean margins(RayBlock rays, double[] margins) {
+    boolean margins(RayBlock rays, double farthest, double[] margins) {
         return false;
     }
 

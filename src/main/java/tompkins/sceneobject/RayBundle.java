@@ -25,6 +25,12 @@ final class RayBundle {
     final double[] normals = new double[3 * PLANES];
     final double[] bounds = new double[PLANES];
 
+    private final double[] cosines = new double[RayBlock.MOST];
+    private final double[] inverses = new double[RayBlock.MOST];
+    private final double[] slopesE = new double[RayBlock.MOST];
+    private final double[] slopesF = new double[RayBlock.MOST];
+
+    private double farthest;
     private double farthestStart;
 
     /**
@@ -33,16 +39,13 @@ final class RayBundle {
      * @return false if they spread too widely; the bundle must not be used then
      */
     boolean enclose(RayBlock rays, int from, int to) {
-        double ax = 0;
-        double ay = 0;
-        double az = 0;
-        for (int i = from; i < to; i++) {
-            ax += rays.dx[i];
-            ay += rays.dy[i];
-            az += rays.dz[i];
-        }
+        // on Morton's way through a block its first and its last ray lie in opposite corners: between them lies the
+        // middle
+        double ax = rays.dx[from] + rays.dx[to - 1];
+        double ay = rays.dy[from] + rays.dy[to - 1];
+        double az = rays.dz[from] + rays.dz[to - 1];
         double length = Math.sqrt(ax * ax + ay * ay + az * az);
-        if (!(length > LEAST_COSINE * (to - from))) {
+        if (!(length > LEAST_COSINE)) {
             return false;
         }
         ax /= length;
@@ -60,20 +63,28 @@ final class RayBundle {
         double fx = ay * ez - az * ey;
         double fy = az * ex - ax * ez;
         double fz = ax * ey - ay * ex;
+        for (int i = from; i < to; i++) {
+            cosines[i] = rays.dx[i] * ax + rays.dy[i] * ay + rays.dz[i] * az;
+        }
+        for (int i = from; i < to; i++) {
+            inverses[i] = 1 / cosines[i];
+        }
+        for (int i = from; i < to; i++) {
+            slopesE[i] = (rays.dx[i] * ex + rays.dy[i] * ey + rays.dz[i] * ez) * inverses[i];
+        }
+        for (int i = from; i < to; i++) {
+            slopesF[i] = (rays.dx[i] * fx + rays.dy[i] * fy + rays.dz[i] * fz) * inverses[i];
+        }
         double leastE = Double.POSITIVE_INFINITY;
         double mostE = Double.NEGATIVE_INFINITY;
         double leastF = Double.POSITIVE_INFINITY;
         double mostF = Double.NEGATIVE_INFINITY;
         for (int i = from; i < to; i++) {
-            double dx = rays.dx[i];
-            double dy = rays.dy[i];
-            double dz = rays.dz[i];
-            double cosine = dx * ax + dy * ay + dz * az;
-            if (!(cosine > LEAST_COSINE)) {
+            if (!(cosines[i] > LEAST_COSINE)) {
                 return false;
             }
-            double slopeE = (dx * ex + dy * ey + dz * ez) / cosine;
-            double slopeF = (dx * fx + dy * fy + dz * fz) / cosine;
+            double slopeE = slopesE[i];
+            double slopeF = slopesF[i];
             leastE = slopeE < leastE ? slopeE : leastE;
             mostE = slopeE > mostE ? slopeE : mostE;
             leastF = slopeF < leastF ? slopeF : leastF;
@@ -103,7 +114,7 @@ final class RayBundle {
         double firstX = rays.x[from];
         double firstY = rays.y[from];
         double firstZ = rays.z[from];
-        double farthest = Math.abs(firstX) + Math.abs(firstY) + Math.abs(firstZ);
+        farthest = Math.abs(firstX) + Math.abs(firstY) + Math.abs(firstZ);
         for (int plane = 0; plane < PLANES; plane++) {
             bounds[plane] = height(plane, firstX, firstY, firstZ);
         }
@@ -126,6 +137,11 @@ final class RayBundle {
             bounds[plane] += MARGIN * (1 + farthest);
         }
         farthestStart += MARGIN * (1 + farthest);
+    }
+
+    /** The largest |x| + |y| + |z| of a start. */
+    double farthest() {
+        return farthest;
     }
 
     private double height(int plane, double x, double y, double z) {
