@@ -2,6 +2,7 @@ package tompkins.light;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.math.Powers;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.Colour;
@@ -54,11 +55,14 @@ public record PointLight(
         if (distance == 0) {
             return Colour.BLACK;
         }
-        Colour dull = diffuse.times(colour).times(Math.abs(lightAlongNormal) / distance);
+        double dull = Math.abs(lightAlongNormal) / distance;
         double cosine = mirroredCosine(ray, hit, lx, ly, lz, lightAlongNormal);
-        return cosine > 0
-                ? dull.plus(specular.times(highlightColour).times(Math.pow(cosine, highlightExponent)))
-                : dull;
+        double shine = cosine > 0 ? Powers.power(cosine, highlightExponent) : 0;
+        // channel by channel, so that a single colour is made
+        return new Colour(
+                diffuse.red() * colour.red() * dull + specular.red() * highlightColour.red() * shine,
+                diffuse.green() * colour.green() * dull + specular.green() * highlightColour.green() * shine,
+                diffuse.blue() * colour.blue() * dull + specular.blue() * highlightColour.blue() * shine);
     }
 
     /** Cosine between the ray and the light that the surface mirrors; both point into the surface. */
