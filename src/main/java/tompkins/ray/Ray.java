@@ -100,8 +100,8 @@ public final class Ray {
         return new Ray().set(x, y, z, dx, dy, dz, time, 1, 1, 0, spread, 1, null, 0, 0);
     }
 
-    /** Makes this a ray that has met nothing since it left the camera. */
-    Ray setUnmet(
+    /** Makes this a ray that starts on nothing. */
+    Ray setFree(
             double newX,
             double newY,
             double newZ,
@@ -111,9 +111,26 @@ public final class Ray {
             double newTime,
             double newSlowness,
             double newFrequency,
-            double newSpread) {
+            double newWidth,
+            double newSpread,
+            double newWeight,
+            int newGeneration) {
         return set(
-                newX, newY, newZ, newDx, newDy, newDz, newTime, newSlowness, newFrequency, 0, newSpread, 1, null, 0, 0);
+                newX,
+                newY,
+                newZ,
+                newDx,
+                newDy,
+                newDz,
+                newTime,
+                newSlowness,
+                newFrequency,
+                newWidth,
+                newSpread,
+                newWeight,
+                null,
+                0,
+                newGeneration);
     }
 
     /**

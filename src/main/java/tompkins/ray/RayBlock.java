@@ -2,7 +2,7 @@ package tompkins.ray;
 
 /**
  * The rays of neighbouring samples, as arrays of numbers: what is done to all of them is done in short loops, which the compiler
- * turns into instructions for several rays at once. They have met nothing yet. One for each thread, filled again for each block.
+ * turns into instructions for several rays at once. They start on nothing. One for each thread, filled again for each block.
  */
 public final class RayBlock {
 
@@ -29,6 +29,9 @@ public final class RayBlock {
 
     private final double[] slowness;
     private final double[] frequency;
+    private final double[] width;
+    private final double[] weight;
+    private final int[] generation;
     private final int[] samples;
     private int count;
 
@@ -43,6 +46,9 @@ public final class RayBlock {
         time = new double[most];
         slowness = new double[most];
         frequency = new double[most];
+        width = new double[most];
+        weight = new double[most];
+        generation = new int[most];
         spread = new double[most];
         samples = new int[most];
     }
@@ -58,11 +64,14 @@ public final class RayBlock {
         for (int i = 0; i < count; i++) {
             slowness[i] = 1;
             frequency[i] = 1;
+            width[i] = 0;
+            weight[i] = 1;
+            generation[i] = 0;
             samples[i] = i;
         }
     }
 
-    /** Lets a ray take the place of an earlier one. */
+    /** Lets a ray that has just left the camera take the place of an earlier one. */
     public void move(int from, int to) {
         x[to] = x[from];
         y[to] = y[from];
@@ -75,6 +84,12 @@ public final class RayBlock {
         samples[to] = samples[from];
     }
 
+    /** Puts what became of a ray in the place of an earlier one. */
+    public void move(int from, int to, Ray ray) {
+        samples[to] = samples[from];
+        set(to, ray);
+    }
+
     /** Keeps only the first rays. */
     public void keep(int newCount) {
         count = newCount;
@@ -85,7 +100,7 @@ public final class RayBlock {
         return samples[place];
     }
 
-    /** Puts a ray that has met nothing in the place of another. */
+    /** Puts a ray in the place of another; what it starts on is forgotten. */
     public void set(int place, Ray ray) {
         x[place] = ray.x;
         y[place] = ray.y;
@@ -96,6 +111,9 @@ public final class RayBlock {
         time[place] = ray.time;
         slowness[place] = ray.slowness;
         frequency[place] = ray.frequency;
+        width[place] = ray.width;
+        weight[place] = ray.weight;
+        generation[place] = ray.generation;
         spread[place] = ray.spread;
     }
 
@@ -106,7 +124,7 @@ public final class RayBlock {
 
     /** One of the rays, in memory that is used again. */
     public Ray copy(int place, Ray memory) {
-        return memory.setUnmet(
+        return memory.setFree(
                 x[place],
                 y[place],
                 z[place],
@@ -116,6 +134,9 @@ public final class RayBlock {
                 time[place],
                 slowness[place],
                 frequency[place],
-                spread[place]);
+                width[place],
+                spread[place],
+                weight[place],
+                generation[place]);
     }
 }

@@ -57,6 +57,14 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
         return Math.max(x, Math.max(y, z));
     }
 
+    /** Half the distance between opposite corners. */
+    public double halfDiagonal() {
+        double x = maxX - minX;
+        double y = maxY - minY;
+        double z = maxZ - minZ;
+        return Math.sqrt(x * x + y * y + z * z) / 2;
+    }
+
     /** Half the area of the sides. */
     public double halfArea() {
         double x = maxX - minX;

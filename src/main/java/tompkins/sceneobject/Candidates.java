@@ -11,7 +11,7 @@ import tompkins.ray.RayBlock;
 public final class Candidates {
 
     /** With more candidates than this the tree is faster. */
-    private static final int MOST = 24;
+    private static final int MOST = 48;
 
     private final RayBundle bundle = new RayBundle();
     private final TreeNode[] waiting = new TreeNode[NearestHit.DEEPEST_TREE];

@@ -74,7 +74,7 @@ final class CylinderPrimitive extends Primitive {
      */
     @Override
     boolean margins(RayBlock rays, double farthest, double[] margins) {
-        if (!(radius > SMALLEST_SQUARED && length < LARGEST_SQUARED)) {
+        if (!hasSquare(radius) || !hasSquare(length)) {
             return false;
         }
         int count = rays.count();

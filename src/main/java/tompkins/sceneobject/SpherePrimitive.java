@@ -61,28 +61,9 @@ final class SpherePrimitive extends Primitive {
         return near < 0 ? nearest(height * (reach / near), 0, limit) : NO_HIT;
     }
 
-    /** By the distance of the centre from the line. */
     @Override
     boolean margins(RayBlock rays, double farthest, double[] margins) {
-        if (!(radius > SMALLEST_SQUARED && radius < LARGEST_SQUARED)) {
-            return false;
-        }
-        int count = rays.count();
-        double[] startX = rays.x;
-        double[] startY = rays.y;
-        double[] startZ = rays.z;
-        for (int i = 0; i < count; i++) {
-            margins[i] = (x - startX[i]) * rays.dx[i] + (y - startY[i]) * rays.dy[i] + (z - startZ[i]) * rays.dz[i];
-        }
-        double rounding = ROUNDING * (farthest + Math.abs(x) + Math.abs(y) + Math.abs(z));
-        double most = WIDER * radius * radius + rounding * rounding;
-        for (int i = 0; i < count; i++) {
-            double fx = x - startX[i];
-            double fy = y - startY[i];
-            double fz = z - startZ[i];
-            margins[i] = most + margins[i] * margins[i] - (fx * fx + fy * fy + fz * fz);
-        }
-        return true;
+        return ballMargins(x, y, z, radius, rays, farthest, margins);
     }
 
     @Override

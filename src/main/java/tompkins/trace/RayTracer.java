@@ -41,6 +41,10 @@ final class RayTracer implements Tracer {
     private final Ray startMemory = Ray.blank();
     private final Ray shadowMemory = Ray.blank();
 
+    // of the ray followed last
+    private Colour sum = Colour.BLACK;
+    private Colour factor = Colour.WHITE;
+
     /** What threw the last shadow: it often throws the next one, too. */
     private Primitive lastShadow;
 
@@ -66,11 +70,37 @@ final class RayTracer implements Tracer {
 
     @Override
     public Colour colour(Ray start) {
+        Ray left = follow(start);
+        return left == null ? sum : with(sum, factor, beyond.colour(left));
+    }
+
+    /** The light that a ray has brought by itself, with what comes back from where it has left. */
+    static Colour with(Colour sum, Colour factor, Colour beyond) {
+        return factor == Colour.WHITE ? beyond : sum.plus(beyond.times(factor));
+    }
+
+    /**
+     * Follows a ray from the camera until it ends or leaves the objects of this frame.
+     *
+     * @return what leaves, or null; {@link #sum()} and {@link #factor()} tell of the way
+     */
+    Ray follow(Ray start) {
         if (isGivenUp(start)) {
-            return Colour.BLACK;
+            sum = Colour.BLACK;
+            return null;
         }
         counts.rays++;
-        return colour(start, objects.nearest(start, nearest));
+        return follow(start, objects.nearest(start, nearest));
+    }
+
+    /** The light that the ray followed last has brought by itself. */
+    Colour sum() {
+        return sum;
+    }
+
+    /** What becomes of the light that comes back to where that ray has left. */
+    Colour factor() {
+        return factor;
     }
 
     /** As {@link #colour(Ray)}, for the ray at a place of the block for which candidates were found. */
@@ -101,37 +131,39 @@ final class RayTracer implements Tracer {
         return candidates.find(objects, rays);
     }
 
+    private Colour colour(Ray start, boolean hits) {
+        Ray left = follow(start, hits);
+        return left == null ? sum : with(sum, factor, beyond.colour(left));
+    }
+
     /** Follows a ray whose nearest hit has just been searched. */
-    private Colour colour(Ray start, boolean startHits) {
+    private Ray follow(Ray start, boolean startHits) {
         Ray ray = start;
         boolean hits = startHits;
-        Colour sum = Colour.BLACK;
-        Colour factor = Colour.WHITE;
-        while (true) {
-            if (!hits) {
-                return ray == start
-                        ? beyond.colour(ray)
-                        : sum.plus(beyond.colour(ray).times(factor));
-            }
+        Colour light = Colour.BLACK;
+        Colour share = Colour.WHITE;
+        while (hits) {
             Hit hit = nearest.hit(ray);
             Surface surface = nearest.primitive().surface();
             if (witness != null) {
                 witness.hits(frame, ray, hit, surface);
             }
             Response response = surface.respond(ray, hit, this);
-            if (ray == start && response.next() == null) {
-                return response.light();
+            light = ray == start
+                    ? response.light()
+                    : light.plus(response.light().times(share));
+            ray = response.next();
+            if (ray == null || isGivenUp(ray)) {
+                sum = light;
+                return null;
             }
-            sum = sum.plus(response.light().times(factor));
-            Ray next = response.next();
-            if (next == null || isGivenUp(next)) {
-                return sum;
-            }
-            factor = factor.times(response.factor());
-            ray = next;
+            share = share.times(response.factor());
             counts.rays++;
             hits = objects.nearest(ray, nearest);
         }
+        sum = light;
+        factor = share;
+        return ray;
     }
 
     private boolean isGivenUp(Ray ray) {

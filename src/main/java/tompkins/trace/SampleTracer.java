@@ -30,6 +30,8 @@ public final class SampleTracer {
     private final int[] columns = new int[RayBlock.MOST];
     private final int[] rows = new int[RayBlock.MOST];
     private final Colour[] colours = new Colour[RayBlock.MOST];
+    private final Colour[] sums = new Colour[RayBlock.MOST];
+    private final Colour[] factors = new Colour[RayBlock.MOST];
     private final Candidates candidates = new Candidates();
     private final EntryNodes entries = new EntryNodes();
     private int column;
@@ -101,14 +103,11 @@ public final class SampleTracer {
         for (int i = 0; i < rays.count(); i++) {
             colours[rays.sample(i)] = null;
         }
-        if (cameraTracer == null) {
-            sceneEntry.cross(rays);
-            followInScene(taker);
-        } else {
-            for (int i = 0; i < rays.count() && goTo(i, taker); i++) {
-                take(i, cameraTracer.colour(rays.ray(i)));
-            }
+        if (cameraTracer != null) {
+            followInCameraFrame(taker);
         }
+        sceneEntry.cross(rays);
+        followInScene(taker);
         // all together, so that the pixels' memory is fetched at once
         for (int i = 0; i < places.count(); i++) {
             if (colours[i] != null) {
@@ -117,12 +116,29 @@ public final class SampleTracer {
         }
     }
 
+    /** Keeps the rays that leave what moves with the camera. */
+    private void followInCameraFrame(SampleTaker taker) {
+        int leaving = 0;
+        for (int i = 0; i < rays.count() && goTo(i, taker); i++) {
+            Ray left = cameraTracer.follow(rays.ray(i));
+            if (left == null) {
+                take(i, cameraTracer.sum());
+            } else {
+                sums[leaving] = cameraTracer.sum();
+                factors[leaving] = cameraTracer.factor();
+                rays.move(i, leaving, left);
+                leaving++;
+            }
+        }
+        rays.keep(leaving);
+    }
+
     private void followInScene(SampleTaker taker) {
         RayTracer tracer = sceneEntry.sceneTracer();
         int count = rays.count();
         if (tracer.find(candidates, rays)) {
             for (int i = 0; i < count && goTo(i, taker); i++) {
-                take(i, tracer.colour(rays, i, candidates));
+                takeFromScene(i, tracer.colour(rays, i, candidates));
             }
             return;
         }
@@ -131,7 +147,7 @@ public final class SampleTracer {
             if (i % EntryNodes.RAYS == 0) {
                 found = tracer.find(entries, rays, i, Math.min(count, i + EntryNodes.RAYS));
             }
-            take(i, found ? tracer.colour(rays, i, entries) : tracer.colour(rays.ray(i)));
+            takeFromScene(i, found ? tracer.colour(rays, i, entries) : tracer.colour(rays.ray(i)));
         }
     }
 
@@ -160,6 +176,10 @@ public final class SampleTracer {
         column = columns[rays.sample(index)];
         row = rows[rays.sample(index)];
         return taker.wants(column, row);
+    }
+
+    private void takeFromScene(int index, Colour colour) {
+        take(index, cameraTracer == null ? colour : RayTracer.with(sums[index], factors[index], colour));
     }
 
     private void take(int index, Colour colour) {
