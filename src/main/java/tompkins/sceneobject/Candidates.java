@@ -13,6 +13,9 @@ public final class Candidates {
     /** With more candidates than this the tree is faster. */
     private static final int MOST = 48;
 
+    /** Where the way through the tree is longer than this, it is not worth while either. */
+    private static final int MOST_STEPS = 400;
+
     private final RayBundle bundle = new RayBundle();
     private final TreeNode[] waiting = new TreeNode[NearestHit.DEEPEST_TREE];
     private final Primitive[] found = new Primitive[MOST];
@@ -73,9 +76,13 @@ public final class Candidates {
 
     private boolean searchTree(TreeNode root) {
         int open = 0;
+        int steps = 0;
         waiting[open++] = root;
         while (open > 0) {
             TreeNode node = waiting[--open];
+            if (++steps > MOST_STEPS) {
+                return false;
+            }
             if (bundle.misses(node)) {
                 continue;
             }
