@@ -1,87 +1,99 @@
 package tompkins.ray;
 
-/** Where and when a ray meets a boundary. A plain value of the hot path, built once for the nearest boundary. */
+/**
+ * Where and when a ray meets a boundary. A plain value of the hot path, made for the nearest boundary only. Whoever is given one
+ * does not keep it: its memory is used again.
+ */
 public final class Hit {
 
     /** Position, in the frame of the ray. */
-    public final double x;
+    public double x;
 
-    public final double y;
-    public final double z;
+    public double y;
+    public double z;
 
     /** Unit normal of the boundary, pointing out of the object (for open surfaces: to the side named as front). */
-    public final double normalX;
+    public double normalX;
 
-    public final double normalY;
-    public final double normalZ;
+    public double normalY;
+    public double normalZ;
 
     /** Distance from the start of the ray. */
-    public final double distance;
+    public double distance;
 
     /** Time of the hit, in the frame of the ray. */
-    public final double time;
+    public double time;
 
     /** What is hit. */
-    public final Boundary boundary;
+    public Boundary boundary;
 
     /** Which part of it: objects number their mantles, caps and faces. */
-    public final int part;
+    public int part;
 
     /** Coordinates on the surface, or null where the surface does not ask for them. */
-    public final SurfaceCoordinates coordinates;
+    public SurfaceCoordinates coordinates;
 
-    /**
-     * A hit of {@code ray} on part {@code part} of a boundary with the given unit normal.
-     *
-     * @param coordinates coordinates on the surface at the hit, or null
-     */
-    public Hit(
-            Ray ray,
-            double distance,
-            double normalX,
-            double normalY,
-            double normalZ,
-            Boundary boundary,
-            int part,
-            SurfaceCoordinates coordinates) {
-        this(
-                ray,
-                distance,
-                ray.x + distance * ray.dx,
-                ray.y + distance * ray.dy,
-                ray.z + distance * ray.dz,
-                normalX,
-                normalY,
-                normalZ,
-                boundary,
-                part,
-                coordinates);
+    private Hit() {}
+
+    /** Memory for a hit, to be set again and again. */
+    public static Hit blank() {
+        return new Hit();
     }
 
-    /** As the other constructor, for objects that know the position of the hit better than the ray does. */
-    public Hit(
+    /**
+     * Makes this the hit of {@code ray} on part {@code newPart} of a boundary with the given unit normal.
+     *
+     * @param newCoordinates coordinates on the surface at the hit, or null
+     * @return this
+     */
+    public Hit set(
             Ray ray,
-            double distance,
-            double x,
-            double y,
-            double z,
-            double normalX,
-            double normalY,
-            double normalZ,
-            Boundary boundary,
-            int part,
-            SurfaceCoordinates coordinates) {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-        this.normalX = normalX;
-        this.normalY = normalY;
-        this.normalZ = normalZ;
-        this.distance = distance;
-        this.time = ray.timeAt(distance);
-        this.boundary = boundary;
-        this.part = part;
-        this.coordinates = coordinates;
+            double newDistance,
+            double newNormalX,
+            double newNormalY,
+            double newNormalZ,
+            Boundary newBoundary,
+            int newPart,
+            SurfaceCoordinates newCoordinates) {
+        return set(
+                ray,
+                newDistance,
+                ray.x + newDistance * ray.dx,
+                ray.y + newDistance * ray.dy,
+                ray.z + newDistance * ray.dz,
+                newNormalX,
+                newNormalY,
+                newNormalZ,
+                newBoundary,
+                newPart,
+                newCoordinates);
+    }
+
+    /** As above, for objects that know the position of the hit better than the ray does. */
+    public Hit set(
+            Ray ray,
+            double newDistance,
+            double newX,
+            double newY,
+            double newZ,
+            double newNormalX,
+            double newNormalY,
+            double newNormalZ,
+            Boundary newBoundary,
+            int newPart,
+            SurfaceCoordinates newCoordinates) {
+        x = newX;
+        y = newY;
+        z = newZ;
+        normalX = newNormalX;
+        normalY = newNormalY;
+        normalZ = newNormalZ;
+        distance = newDistance;
+        time = ray.timeAt(newDistance);
+        boundary = newBoundary;
+        part = newPart;
+        coordinates = newCoordinates;
+        return this;
     }
 
     /** Cosine between the ray and the outward normal: negative where the ray comes from outside. */

@@ -64,7 +64,7 @@ final class BoxPrimitive extends Primitive {
     }
 
     @Override
-    public Hit hit(Ray ray, double distance) {
+    public Hit hit(Ray ray, double distance, Hit memory) {
         double x = ray.x + distance * ray.dx - centre.x;
         double y = ray.y + distance * ray.dy - centre.y;
         double z = ray.z + distance * ray.dz - centre.z;
@@ -80,7 +80,7 @@ final class BoxPrimitive extends Primitive {
         }
         Vector3d normal = axes[face / 2];
         double side = face % 2 == 0 ? -1 : 1;
-        return new Hit(
+        return memory.set(
                 ray,
                 distance,
                 side * normal.x,

@@ -64,7 +64,7 @@ final class ConePrimitive extends Primitive {
     }
 
     @Override
-    public Hit hit(Ray ray, double distance) {
+    public Hit hit(Ray ray, double distance, Hit memory) {
         double x = ray.x - tip.x + distance * ray.dx;
         double y = ray.y - tip.y + distance * ray.dy;
         double z = ray.z - tip.z + distance * ray.dz;
@@ -79,7 +79,7 @@ final class ConePrimitive extends Primitive {
         double steepness = 1 / Math.sqrt(1 + slope * slope);
         Vector3d normal =
                 new Vector3d(radial).sub(new Vector3d(axis).mul(slope)).mul(steepness);
-        return new Hit(
+        return memory.set(
                 ray,
                 distance,
                 normal.x,

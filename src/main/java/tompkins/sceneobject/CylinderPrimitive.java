@@ -171,17 +171,17 @@ final class CylinderPrimitive extends Primitive {
     }
 
     @Override
-    public Hit hit(Ray ray, double distance) {
+    public Hit hit(Ray ray, double distance, Hit memory) {
         double wx = ray.x - startX;
         double wy = ray.y - startY;
         double wz = ray.z - startZ;
         double alongStart = alongAxis(wx, wy, wz);
         double slope = alongAxis(ray.dx, ray.dy, ray.dz);
         if (caps && cap(ray, START_CAP, wx, wy, wz, -alongStart / slope) == distance) {
-            return capHit(ray, distance, START_CAP, -1 / length);
+            return capHit(ray, distance, START_CAP, -1 / length, memory);
         }
         if (caps && cap(ray, END_CAP, wx, wy, wz, (squaredLength - alongStart) / slope) == distance) {
-            return capHit(ray, distance, END_CAP, 1 / length);
+            return capHit(ray, distance, END_CAP, 1 / length, memory);
         }
         double along = (alongStart + distance * slope) / squaredLength;
         Vector3d normal = new Vector3d(
@@ -194,7 +194,7 @@ final class CylinderPrimitive extends Primitive {
             // too thin to be told from its axis at this distance: facing the ray
             normal.set(-ray.dx, -ray.dy, -ray.dz);
         }
-        return new Hit(
+        return memory.set(
                 ray,
                 distance,
                 startX + along * axisX + radius * normal.x,
@@ -208,8 +208,8 @@ final class CylinderPrimitive extends Primitive {
                 surface().usesCoordinates() ? mantleCoordinates(normal, along) : null);
     }
 
-    private Hit capHit(Ray ray, double distance, int part, double scale) {
-        return new Hit(
+    private Hit capHit(Ray ray, double distance, int part, double scale, Hit memory) {
+        return memory.set(
                 ray,
                 distance,
                 axisX * scale,

@@ -103,7 +103,7 @@ final class FlatPrimitive extends Primitive {
     }
 
     @Override
-    public Hit hit(Ray ray, double distance) {
+    public Hit hit(Ray ray, double distance, Hit memory) {
         SurfaceCoordinates coordinates = null;
         if (surface().usesCoordinates()) {
             double offsetX = ray.x - cornerX + distance * ray.dx;
@@ -119,7 +119,7 @@ final class FlatPrimitive extends Primitive {
                     vY,
                     vZ);
         }
-        return new Hit(ray, distance, normalX, normalY, normalZ, this, 0, coordinates);
+        return memory.set(ray, distance, normalX, normalY, normalZ, this, 0, coordinates);
     }
 
     @Override

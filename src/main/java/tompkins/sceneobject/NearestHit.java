@@ -79,7 +79,12 @@ public final class NearestHit {
 
     /** The hit on the nearest primitive. */
     public Hit hit(Ray ray) {
-        return primitive.hit(ray, distance);
+        return hit(ray, Hit.blank());
+    }
+
+    /** The same, in memory that is used again. */
+    public Hit hit(Ray ray, Hit memory) {
+        return primitive.hit(ray, distance, memory);
     }
 
     /** Nodes of trees that were visited since this object was made. */

@@ -91,7 +91,7 @@ final class PlanePrimitive extends Primitive {
     }
 
     @Override
-    public Hit hit(Ray ray, double distance) {
+    public Hit hit(Ray ray, double distance, Hit memory) {
         SurfaceCoordinates coordinates = null;
         if (surface().usesCoordinates()) {
             Vector3d offset = new Vector3d(
@@ -108,7 +108,7 @@ final class PlanePrimitive extends Primitive {
                     second.y * scale,
                     second.z * scale);
         }
-        return new Hit(ray, distance, normal.x, normal.y, normal.z, this, 0, coordinates);
+        return memory.set(ray, distance, normal.x, normal.y, normal.z, this, 0, coordinates);
     }
 
     @Override

@@ -109,7 +109,12 @@ public abstract class Primitive implements Boundary {
     }
 
     /** The hit at a distance that {@link #distance} returned. */
-    public abstract Hit hit(Ray ray, double distance);
+    public final Hit hit(Ray ray, double distance) {
+        return hit(ray, distance, Hit.blank());
+    }
+
+    /** The same, in memory that is used again. */
+    public abstract Hit hit(Ray ray, double distance, Hit memory);
 
     /** A box that holds the primitive, or null if none does. */
     public abstract Bounds bounds();

@@ -67,7 +67,7 @@ final class SpherePrimitive extends Primitive {
     }
 
     @Override
-    public Hit hit(Ray ray, double distance) {
+    public Hit hit(Ray ray, double distance, Hit memory) {
         double nx = ray.x - x + distance * ray.dx;
         double ny = ray.y - y + distance * ray.dy;
         double nz = ray.z - z + distance * ray.dz;
@@ -77,7 +77,7 @@ final class SpherePrimitive extends Primitive {
         ny = length > 0 ? ny / length : -ray.dy;
         nz = length > 0 ? nz / length : -ray.dz;
         SurfaceCoordinates coordinates = surface().usesCoordinates() ? coordinates(new Vector3d(nx, ny, nz)) : null;
-        return new Hit(
+        return memory.set(
                 ray, distance, x + radius * nx, y + radius * ny, z + radius * nz, nx, ny, nz, this, 0, coordinates);
     }
 

@@ -38,6 +38,7 @@ final class RayTracer implements Tracer {
     private final RayCounts counts;
     private final RayWitness witness;
     private final NearestHit nearest = new NearestHit();
+    private final Hit hitMemory = Hit.blank();
     private final Ray startMemory = Ray.blank();
     private final Ray shadowMemory = Ray.blank();
 
@@ -90,7 +91,7 @@ final class RayTracer implements Tracer {
             return null;
         }
         counts.rays++;
-        return follow(start, objects.nearest(start, nearest));
+        return follow(start, objects.nearest(start, nearest), Hit.blank());
     }
 
     /** The light that the ray followed last has brought by itself. */
@@ -132,18 +133,18 @@ final class RayTracer implements Tracer {
     }
 
     private Colour colour(Ray start, boolean hits) {
-        Ray left = follow(start, hits);
+        Ray left = follow(start, hits, hitMemory);
         return left == null ? sum : with(sum, factor, beyond.colour(left));
     }
 
-    /** Follows a ray whose nearest hit has just been searched. */
-    private Ray follow(Ray start, boolean startHits) {
+    /** Follows a ray whose nearest hit has just been searched. The memory is for its hits, of which each is over before the next. */
+    private Ray follow(Ray start, boolean startHits, Hit memory) {
         Ray ray = start;
         boolean hits = startHits;
         Colour light = Colour.BLACK;
         Colour share = Colour.WHITE;
         while (hits) {
-            Hit hit = nearest.hit(ray);
+            Hit hit = nearest.hit(ray, memory);
             Surface surface = nearest.primitive().surface();
             if (witness != null) {
                 witness.hits(frame, ray, hit, surface);

@@ -60,7 +60,7 @@ public interface HitMethod {
             Vector3d d = direction.normalize(new Vector3d());
             Ray ray = Ray.fromCamera(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 0);
             if (fromItself) {
-                Hit start = new Hit(ray, 0, 0, 0, 0, primitive, 0, null);
+                Hit start = Hit.blank().set(ray, 0, 0, 0, 0, primitive, 0, null);
                 ray = ray.bent(start, d.x, d.y, d.z, 1);
             }
             return primitive.distance(ray, Primitive.NO_HIT) / direction.length();
