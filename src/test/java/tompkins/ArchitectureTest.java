@@ -40,6 +40,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
 
 /** Holds what the design promises about packages, names, state and size, over all classes and source files. */
 class ArchitectureTest {
@@ -182,6 +184,20 @@ class ArchitectureTest {
     @Test
     void noStateIsShared() {
         fields().that().areStatic().should().beFinal().check(CLASSES);
+    }
+
+    /** A ray and a hit are values to everybody else, although their memory is used again. */
+    @Test
+    void onlyRaysChangeRays() {
+        noClasses()
+                .that()
+                .resideOutsideOfPackage("tompkins.ray")
+                .should()
+                .setFieldWhere(DescribedPredicate.describe(
+                        "it belongs to a ray or a hit",
+                        access -> access.getTargetOwner().isEquivalentTo(Ray.class)
+                                || access.getTargetOwner().isEquivalentTo(Hit.class)))
+                .check(CLASSES);
     }
 
     @Test

@@ -1,0 +1,211 @@
+package tompkins.sceneobject;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.fuzz.RandomStudio;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
+import tompkins.surface.ColouredSurface;
+
+/** What tells rays from a primitive without testing them never tells one that hits, and tells most that miss. */
+class QuickRejectionTest {
+
+    private static final int RAYS = 200;
+    private static final double RADIUS = 0.02;
+
+    private final SplittableRandom random = new SplittableRandom(3);
+
+    static Stream<Primitive> primitives() {
+        return Arrays.stream(SceneObject.class.getPermittedSubclasses())
+                .flatMap(type -> Stream.of(1, 2, 3, 4)
+                        .flatMap(seed ->
+                                PrimitiveCollector.primitivesOf(
+                                                RandomStudio.object(seed, type, ColouredSurface.DEFAULT))
+                                        .stream()
+                                        .limit(3)));
+    }
+
+    @Test
+    void noRayThatHitsHasAMarginBelowZero() {
+        int hits = 0;
+        for (Primitive primitive : primitives().toList()) {
+            hits += hitsThatKeepTheirMargin(primitive, 30);
+        }
+        assertThat(hits).isGreaterThan(5000);
+    }
+
+    /** Rounding grows with the distance of the start; the margin knows. */
+    @ParameterizedTest
+    @MethodSource("thinOnes")
+    void rayThatStartsFarAwayAndHitsHasNoMarginBelowZero(Primitive primitive) {
+        for (double distance : new double[] {1e2, 1e4, 1e6, 1e8}) {
+            assertThat(hitsThatKeepTheirMargin(primitive, distance)).isPositive();
+        }
+    }
+
+    static Stream<Primitive> thinOnes() {
+        return Stream.of(
+                        new Cylinder(
+                                "rod",
+                                new Vector3d(-3, 1, 2),
+                                new Vector3d(4, 2, 3),
+                                RADIUS,
+                                false,
+                                ColouredSurface.DEFAULT),
+                        new Sphere("ball", new Vector3d(1, 2, 3), RADIUS, ColouredSurface.DEFAULT))
+                .map(object -> PrimitiveCollector.primitivesOf(object).get(0));
+    }
+
+    private int hitsThatKeepTheirMargin(Primitive primitive, double reach) {
+        RayBlock rays = new RayBlock(RAYS);
+        rays.begin(RAYS);
+        double farthest = 0;
+        for (int i = 0; i < RAYS; i++) {
+            Ray ray = aimed(primitive, vector(reach));
+            rays.set(i, ray);
+            farthest = Math.max(farthest, Math.abs(ray.x) + Math.abs(ray.y) + Math.abs(ray.z));
+        }
+        double[] margins = new double[RAYS];
+        if (!primitive.margins(rays, farthest, margins)) {
+            return 0;
+        }
+        int hits = 0;
+        for (int i = 0; i < RAYS; i++) {
+            if (primitive.distance(rays.ray(i), Primitive.NO_HIT) < Primitive.NO_HIT) {
+                hits++;
+                assertThat(margins[i])
+                        .as("%s, ray %d", primitive.description(), i)
+                        .isGreaterThanOrEqualTo(0);
+            }
+        }
+        return hits;
+    }
+
+    /** Rays pass the axis of the rod, or the centre of the ball, at a distance that is known. */
+    @ParameterizedTest
+    @MethodSource("thinOnes")
+    void rayThatPassesHalfARadiusBesideIsTold(Primitive primitive) {
+        assertThat(marginOfRayThatPasses(primitive, 0.99)).isPositive();
+        assertThat(marginOfRayThatPasses(primitive, 1.5)).isNegative();
+    }
+
+    private static double marginOfRayThatPasses(Primitive primitive, double radii) {
+        Vector3d middle = new Vector3d(
+                primitive.bounds().twiceCentre(0) / 2,
+                primitive.bounds().twiceCentre(1) / 2,
+                primitive.bounds().twiceCentre(2) / 2);
+        Vector3d axis = new Vector3d(7, 1, 1);
+        Vector3d direction = axis.cross(0, 0, 1, new Vector3d()).normalize();
+        Vector3d beside = axis.cross(direction, new Vector3d()).normalize(radii * RADIUS);
+        RayBlock rays = new RayBlock(1);
+        rays.begin(1);
+        rays.set(0, ray(new Vector3d(direction).mul(-10).add(middle).add(beside), direction));
+        double[] margins = new double[1];
+        assertThat(primitive.margins(rays, 30, margins)).isTrue();
+        return margins[0];
+    }
+
+    @Test
+    void noRayThatHitsIsSurelyMissing() {
+        for (Primitive primitive : primitives().toList()) {
+            for (int i = 0; i < RAYS; i++) {
+                Ray ray = aimed(primitive, vector(30));
+                boolean hits = primitive.distance(ray, Primitive.NO_HIT) < Primitive.NO_HIT;
+                assertThat(hits && primitive.surelyMisses(startOf(ray), ray.dx, ray.dy, ray.dz))
+                        .isFalse();
+            }
+        }
+    }
+
+    @Test
+    void planeTellsRaysThatGoAwayFromIt() {
+        Primitive floor = PrimitiveCollector.primitivesOf(
+                        new Plane("floor", new Vector3d(0, -1, 0), new Vector3d(0, 1, 0), ColouredSurface.DEFAULT))
+                .get(0);
+        Hit above = startOf(Ray.fromCamera(0, 2, 0, 1, 0, 0, 0));
+
+        assertThat(floor.surelyMisses(above, 0.6, 0.8, 0)).isTrue();
+        assertThat(floor.surelyMisses(above, 0.6, -0.8, 0)).isFalse();
+    }
+
+    /** A lamp anywhere: what can throw a shadow towards it lies in the occluder's band. */
+    @Test
+    void occluderIsNearEveryLineFromTheLampThatMeetsIt() {
+        int hits = 0;
+        for (Primitive primitive : primitives().toList()) {
+            if (primitive.bounds() == null) {
+                continue;
+            }
+            Vector3d lamp = vector(60);
+            Occluder occluder = new Occluder(primitive, lamp);
+            for (int i = 0; i < RAYS; i++) {
+                Ray ray = aimed(primitive, lamp);
+                if (primitive.distance(ray, Primitive.NO_HIT) < Primitive.NO_HIT) {
+                    hits++;
+                    assertThat(occluder.isNear(-ray.dx, -ray.dy, -ray.dz))
+                            .as(primitive.description())
+                            .isTrue();
+                }
+            }
+        }
+        assertThat(hits).isGreaterThan(3000);
+    }
+
+    /** A rod of radius 0.02, seen across from a distance of 10, is a band of 1/500 of a radian to each side. */
+    @Test
+    void rodIsANarrowBandForALamp() {
+        Primitive rod = PrimitiveCollector.primitivesOf(new Cylinder(
+                        "rod", new Vector3d(-3, 0, 0), new Vector3d(3, 0, 0), RADIUS, false, ColouredSurface.DEFAULT))
+                .get(0);
+        Occluder occluder = new Occluder(rod, new Vector3d(0, 0, 10));
+
+        assertThat(occluder.isNear(0, 0.0019, 1)).isTrue();
+        assertThat(occluder.isNear(0.3, 0.0019, 0.95)).isTrue();
+        assertThat(occluder.isNear(0, 0.0021, 1)).isFalse();
+        assertThat(occluder.isNear(0, -0.0021, 1)).isFalse();
+    }
+
+    private static Hit startOf(Ray ray) {
+        return Hit.blank().set(ray, 0, 0, 0, 1, null, 0, null);
+    }
+
+    private Ray aimed(Primitive primitive, Vector3dc start) {
+        Bounds bounds = primitive.bounds();
+        Vector3d target = bounds == null
+                ? vector(10)
+                : new Vector3d(
+                        mix(bounds.minX(), bounds.maxX()),
+                        mix(bounds.minY(), bounds.maxY()),
+                        mix(bounds.minZ(), bounds.maxZ()));
+        if (primitive.longAxis() != null) {
+            // most rays to the box of a rod miss it: here to its axis
+            double along = mix(-0.5, 0.5);
+            target = new Vector3d(primitive.longAxis())
+                    .mul(along)
+                    .add(bounds.twiceCentre(0) / 2, bounds.twiceCentre(1) / 2, bounds.twiceCentre(2) / 2);
+        }
+        return ray(start, target.sub(start, new Vector3d()));
+    }
+
+    private static Ray ray(Vector3dc start, Vector3dc towards) {
+        Vector3d d = towards.normalize(new Vector3d());
+        return Ray.fromCamera(start.x(), start.y(), start.z(), d.x, d.y, d.z, 0);
+    }
+
+    private Vector3d vector(double reach) {
+        return new Vector3d(mix(-reach, reach), mix(-reach, reach), mix(-reach, reach));
+    }
+
+    private double mix(double low, double high) {
+        return low + (high - low) * random.nextDouble();
+    }
+}
