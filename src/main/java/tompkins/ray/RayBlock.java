@@ -27,8 +27,12 @@ public final class RayBlock {
     /** Opening angles of the bundles. */
     public final double[] spread;
 
-    private final double[] slowness;
-    private final double[] frequency;
+    /** Time that passes per unit length. */
+    public final double[] slowness;
+
+    /** Frequencies in the frame of the rays, divided by those in the camera frame. */
+    public final double[] frequency;
+
     private final double[] width;
     private final double[] weight;
     private final int[] generation;

@@ -3,6 +3,7 @@ package tompkins.spacetime;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 
 /**
  * The change of frame of special relativity (Courtial et al. 2016, Eq. 1, with the time): with u = gamma beta,
@@ -82,8 +83,8 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
         double wz = ray.dz - side * nz;
         double half = (wx * wx + wy * wy + wz * wz) / 2;
         // w's part along n is -h for a unit vector d; gamma would magnify what the rounding of d leaves there
-        double along = (side > 0 ? forward - gamma * half : gamma * half - backward) - alongDirection(wx, wy, wz);
-        double length = side > 0 ? forward + properSpeed * half : backward - properSpeed * half;
+        double along = along(side, half) - alongDirection(wx, wy, wz);
+        double length = length(side, half);
         double scale = 1 / length;
         double event = alongProper(ray.x, ray.y, ray.z);
         double factor = event * shrink + ray.time;
@@ -97,6 +98,41 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
                 gamma * ray.time + event,
                 1,
                 length);
+    }
+
+    /** The formulas of {@link #transform(Ray)} again, so that no ray is made that lives for a moment only. */
+    @Override
+    public void transform(RayBlock rays) {
+        for (int i = 0; i < rays.count(); i++) {
+            double side = alongDirection(rays.dx[i], rays.dy[i], rays.dz[i]) > 0 ? 1 : -1;
+            double wx = rays.dx[i] - side * nx;
+            double wy = rays.dy[i] - side * ny;
+            double wz = rays.dz[i] - side * nz;
+            double half = (wx * wx + wy * wy + wz * wz) / 2;
+            double along = along(side, half) - alongDirection(wx, wy, wz);
+            double length = length(side, half);
+            double scale = 1 / length;
+            double event = alongProper(rays.x[i], rays.y[i], rays.z[i]);
+            double factor = event * shrink + rays.time[i];
+            rays.x[i] += ux * factor;
+            rays.y[i] += uy * factor;
+            rays.z[i] += uz * factor;
+            rays.dx[i] = (wx + nx * along) * scale;
+            rays.dy[i] = (wy + ny * along) * scale;
+            rays.dz[i] = (wz + nz * along) * scale;
+            rays.time[i] = gamma * rays.time[i] + event;
+            rays.slowness[i] = 1;
+            rays.frequency[i] *= length;
+            rays.spread[i] /= length;
+        }
+    }
+
+    private double along(double side, double half) {
+        return side > 0 ? forward - gamma * half : gamma * half - backward;
+    }
+
+    private double length(double side, double half) {
+        return side > 0 ? forward + properSpeed * half : backward - properSpeed * half;
     }
 
     private double alongDirection(double x, double y, double z) {

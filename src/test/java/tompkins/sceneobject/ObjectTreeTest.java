@@ -68,6 +68,28 @@ class ObjectTreeTest {
         assertThat(hits).isBetween(1, 1599);
     }
 
+    /** The search for a shadow starts in the leaf where something was seen last, wherever that is. */
+    @Test
+    void shadowIsFoundFromAnyLeaf() {
+        List<Primitive> primitives = spheres(1000, new Random(5));
+        ObjectTree tree = new ObjectTree(primitives, 1);
+        ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
+        NearestHit inTree = new NearestHit();
+        Random random = new Random(13);
+
+        int shadows = 0;
+        for (int i = 0; i < 500; i++) {
+            tree.nearest(ray(random), inTree);
+            Ray ray = ray(random);
+            boolean shadow = list.shadow(ray, 5, new NearestHit()) != null;
+            shadows += shadow ? 1 : 0;
+
+            assertThat(tree.shadow(ray, 5, inTree) != null).isEqualTo(shadow);
+        }
+        assertThat(shadows).isBetween(50, 450);
+        assertThat(inTree.leaf()).isNotNull();
+    }
+
     @Test
     void raysAllAroundDoNotEnterTheTreeTogether() {
         ObjectTree tree = new ObjectTree(spheres(100, new Random(1)), 1);
