@@ -14,15 +14,15 @@ final class PovRay {
 
     private PovRay() {}
 
-    /** The time of tracing in milliseconds, by two threads; NaN if there is no POV-Ray here. */
-    static double milliseconds(boolean moving) throws InterruptedException {
+    /** The time of tracing a picture in milliseconds, by two threads; NaN if there is no POV-Ray here. */
+    static double milliseconds(boolean moving, int width, int height) throws InterruptedException {
         try {
             Process process = new ProcessBuilder(
                             "povray",
                             "+I" + SCENE,
                             "Declare=Moving=" + (moving ? 1 : 0),
-                            "+W640",
-                            "+H480",
+                            "+W" + width,
+                            "+H" + height,
                             "-D",
                             "-A",
                             "+WT2",

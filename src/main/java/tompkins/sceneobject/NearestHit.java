@@ -62,6 +62,11 @@ public final class NearestHit {
         leaf = node;
     }
 
+    /** Forgets that leaf, so that the work does not depend on what was traced before. */
+    public void forgetLeaf() {
+        leaf = null;
+    }
+
     /** The leaf in which a nearest primitive was found last, or null if none was yet. */
     TreeNode leaf() {
         return leaf;

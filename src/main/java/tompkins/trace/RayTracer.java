@@ -126,9 +126,10 @@ final class RayTracer implements Tracer {
         return entries.find(objects, rays, from, to);
     }
 
-    /** Looks for the primitives that some rays can meet; false if all must be searched. */
+    /** Looks for the primitives that the rays of a block can meet; false if all must be searched. */
     boolean find(Candidates candidates, RayBlock rays) {
         lastShadow = null;
+        nearest.forgetLeaf();
         return candidates.find(objects, rays);
     }
 

@@ -58,10 +58,10 @@ class RenderWorkTest {
                 usual.surfaceAlongZ());
         Studio rods = PaperStudios.fig1b().withScene(List.of(large));
         return Stream.of(
-                arguments(PaperStudios.fig1a(), 307_200, 231_021, 0, 2_492_875),
-                arguments(PaperStudios.fig1b(), 307_200, 26_054, 0, 1_811_507),
-                arguments(samples(PaperStudios.fig3a(), 4), 1_228_800, 130_486, 4_859, 14_616_075),
-                arguments(rods, 307_200, 59_446, 7_225_657, 4_329_396));
+                arguments(PaperStudios.fig1a(), 307_200, 231_021, 0, 588_212),
+                arguments(PaperStudios.fig1b(), 307_200, 26_054, 0, 92_340),
+                arguments(samples(PaperStudios.fig3a(), 4), 1_228_800, 130_486, 0, 608_393),
+                arguments(rods, 307_200, 59_446, 6_388_515, 3_006_350));
     }
 
     /** Once compiled: about 30 bytes, more where the compiler has seen other scenes before. */
