@@ -29,15 +29,6 @@ import tompkins.studio.Studio;
  */
 final class PerformanceReport {
 
-    private static final double DR_TIM_REST = 4100;
-    private static final double DR_TIM_MOVING = 2100;
-    private static final double TREE_REST = 50;
-    private static final double TREE_MOVING = 18;
-    private static final double EMBREE_REST = 60;
-    private static final double EMBREE_MOVING = 24;
-    private static final double PACKETS_REST = 4.3;
-    private static final double PACKETS_MOVING = 1.4;
-
     /** Pictures of one kind that follow each other in a round. */
     private static final int PICTURES_IN_TURN = 5;
 
@@ -61,6 +52,7 @@ final class PerformanceReport {
 
     private final boolean quick;
     private final List<Measure> measures = new ArrayList<>();
+    private final StringBuilder machine = new StringBuilder(Yardstick.HEAD);
     private final StringBuilder details = new StringBuilder();
 
     private PerformanceReport(boolean quick) {
@@ -88,6 +80,8 @@ final class PerformanceReport {
         int rounds = quick ? 10 : 40;
         double[] povRest = new double[rounds];
         double[] povMoving = new double[rounds];
+        double[] povRestSmall = new double[rounds];
+        double[] povMovingSmall = new double[rounds];
         try (Picture rest = new Picture(PaperStudios.fig1a(), 2);
                 Picture restLarge = new Picture(large(PaperStudios.fig1a()), 2);
                 Picture movingLarge = new Picture(large(PaperStudios.fig1b()), 2);
@@ -99,37 +93,40 @@ final class PerformanceReport {
                 for (Picture picture : pictures) {
                     picture.take(PICTURES_IN_TURN);
                 }
+                povRestSmall[round] = PovRay.milliseconds(false, 640, 480);
+                povMovingSmall[round] = PovRay.milliseconds(true, 640, 480);
                 restLarge.take(1);
                 povRest[round] = PovRay.milliseconds(false, LARGE_WIDTH, LARGE_HEIGHT);
                 movingLarge.take(1);
                 povMoving[round] = PovRay.milliseconds(true, LARGE_WIDTH, LARGE_HEIGHT);
             }
-            against(rest.median(), 30, "fig1a", DR_TIM_REST, 130, TREE_REST, EMBREE_REST, PACKETS_REST);
+            against(rest.median(), 30, 130, Yardstick.REST);
             againstPovRay(restLarge.median(), "fig1a", povRest);
-            against(moving.median(), 15, "fig1b", DR_TIM_MOVING, 140, TREE_MOVING, EMBREE_MOVING, PACKETS_MOVING);
+            against(moving.median(), 15, 140, Yardstick.MOVING);
             againstPovRay(movingLarge.median(), "fig1b", povMoving);
+            machine.append(Yardstick.REST.line(rest.median(), povRestSmall));
+            machine.append(Yardstick.MOVING.line(moving.median(), povMovingSmall));
             measures.add(
                     Measure.atLeast("fig1a, two threads against one", 1.85, "x", restAlone.median() / rest.median()));
             measures.add(Measure.atMost("fig1b: allocation per sample", 1000, "bytes", moving.bytesPerSample()));
         }
     }
 
-    private void against(
-            double time,
-            double most,
-            String name,
-            double drTim,
-            double drTimFactor,
-            double tree,
-            double embree,
-            double packets) {
+    private void against(double time, double most, double drTimFactor, Yardstick elsewhere) {
+        String name = elsewhere.figure();
         measures.add(Measure.atMost(name + ", 640 x 480, one sample, 2 threads", most, "ms", time));
         measures.add(Measure.atLeast(
-                name + " against Dr TIM, " + Measure.number(drTim) + " ms", drTimFactor, "x", drTim / time));
-        measures.add(Measure.atMost(name + " against a native scalar tree tracer", tree, "ms", time));
-        measures.add(Measure.atMost(name + " against Embree, single rays", embree, "ms", time));
-        measures.add(
-                Measure.atMost(name + " against native 16-wide packets, " + packets + " ms", 6, "x", time / packets));
+                name + " against Dr TIM, " + Measure.number(elsewhere.drTim()) + " ms",
+                drTimFactor,
+                "x",
+                elsewhere.drTim() / time));
+        measures.add(Measure.atMost(name + " against a native scalar tree tracer", elsewhere.tree(), "ms", time));
+        measures.add(Measure.atMost(name + " against Embree, single rays", elsewhere.embree(), "ms", time));
+        measures.add(Measure.atMost(
+                name + " against native 16-wide packets, " + elsewhere.packets() + " ms",
+                6,
+                "x",
+                time / elsewhere.packets()));
     }
 
     private void againstPovRay(double time, String name, double[] povRay) {
@@ -242,10 +239,11 @@ final class PerformanceReport {
                 + "which writes this file. All times are medians of one run in which everything takes turns; `-Dbench.mode=quick`"
                 + " tries the same in a few minutes\nand writes to `target/performance.md`. The figures of the window need a display,"
                 + " those of POV-Ray that it is installed.\nDr TIM, the native tracers and Embree were"
-                + " measured on the same kind of machine with the same scene; POV-Ray runs in turns with the program.\nA warm picture"
+                + " measured elsewhere with the same scene (see Machine); POV-Ray runs in turns with the program.\nA warm picture"
                 + " takes over the prepared scene, as in the window, where only the camera changes.\n\n"
                 + "| measure | target | measured | met |\n| --- | --- | --- | --- |\n");
         measures.forEach(measure -> text.append(measure.line()));
+        text.append(machine);
         text.append(PACKETS);
         text.append(details);
         System.out.println(text);
