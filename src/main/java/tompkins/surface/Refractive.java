@@ -40,13 +40,15 @@ public record Refractive(
         Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
         double cosineBehind = Refraction.bend(direction, normal, before, behind, direction);
         double reflected = Refraction.reflectance(before, behind, Math.abs(along), cosineBehind);
-        boolean caught = ray.generation >= LONGEST_CAPTURE && cosineBehind > 0;
-        if (caught || ray.weight * reflected < Response.WEAKEST_PART) {
-            return Response.goesOn(ray.bent(hit, direction.x, direction.y, direction.z, 1), Colour.WHITE);
-        }
         double transmitted = 1 - reflected;
-        if (ray.weight * transmitted < Response.WEAKEST_PART) {
-            return Response.goesOn(Mirror.reflected(ray, hit, 1), Colour.WHITE);
+        boolean caught = ray.generation >= LONGEST_CAPTURE && cosineBehind > 0;
+        if (caught || ray.weight * Math.min(reflected, transmitted) < Response.WEAKEST_PART) {
+            // all to the stronger part, so that the least light goes the wrong way
+            return Response.goesOn(
+                    caught || reflected < transmitted
+                            ? ray.bent(hit, direction.x, direction.y, direction.z, 1)
+                            : Mirror.reflected(ray, hit, 1),
+                    Colour.WHITE);
         }
         Ray mirrored = Mirror.reflected(ray, hit, reflected);
         Ray bent = ray.bent(hit, direction.x, direction.y, direction.z, transmitted);
