@@ -45,7 +45,7 @@ record Yardstick(String figure, double drTim, double tree, double embree, double
         double factor = pov / povRay;
         return "| " + figure + " | " + Measure.number(pov) + " ms | " + Measure.number(factor) + " | "
                 + times(factor * drTim / time) + times(factor * tree / time) + times(factor * embree / time)
-                + times(time / (factor * packets)) + "\n";
+                + times(time / (factor * packets)).stripTrailing() + "\n";
     }
 
     private static String times(double factor) {
