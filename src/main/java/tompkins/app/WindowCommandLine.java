@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import org.joml.Vector3dc;
 import tompkins.property.InvalidPropertyException;
+import tompkins.property.NumberText;
 import tompkins.render.Quality;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.Velocity;
@@ -30,7 +31,7 @@ final class WindowCommandLine implements CommandLineWriter {
             line.append(" --size ").append(settings.width()).append('x').append(settings.height());
         }
         if (quality instanceof Quality.TargetError target) {
-            line.append(" --error=").append(target.rootMeanSquare());
+            line.append(" --error=").append(NumberText.of(target.rootMeanSquare()));
         } else if (settings.samples() != before.samples()) {
             line.append(" --samples ").append(settings.samples());
         }
@@ -39,7 +40,8 @@ final class WindowCommandLine implements CommandLineWriter {
         }
         if (!studio.velocity().equals(opened.velocity())) {
             Vector3dc beta = studio.velocity().components();
-            line.append(" --beta=").append(beta.x() + "," + beta.y() + "," + beta.z());
+            line.append(" --beta=")
+                    .append(NumberText.of(beta.x()) + "," + NumberText.of(beta.y()) + "," + NumberText.of(beta.z()));
         }
         appendShutter(line, studio.camera().shutter(), opened.camera().shutter());
         return Optional.of(line.toString());
@@ -50,7 +52,7 @@ final class WindowCommandLine implements CommandLineWriter {
             line.append(" --shutter ").append(nameOf(now));
         }
         if (!now.equals(before)) {
-            line.append(" --time=").append(now.openingTime());
+            line.append(" --time=").append(NumberText.of(now.openingTime()));
         }
     }
 

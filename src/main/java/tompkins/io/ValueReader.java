@@ -14,6 +14,7 @@ import tompkins.io.JsonValue.JsonFlag;
 import tompkins.io.JsonValue.JsonList;
 import tompkins.io.JsonValue.JsonNumber;
 import tompkins.io.JsonValue.JsonText;
+import tompkins.property.NumberText;
 import tompkins.ray.Colour;
 
 /** Makes plain values from JSON: numbers, texts, vectors, colours. A method notes a mistake and returns null. */
@@ -37,10 +38,10 @@ final class ValueReader {
         }
         double result = Double.parseDouble(number.text());
         if (Double.isInfinite(result)) {
-            return refuse(value, path, "a number that is not larger than " + Double.MAX_VALUE);
+            return refuse(value, path, "a number that is not larger than " + NumberText.of(Double.MAX_VALUE));
         }
         if (result == 0 && number.text().split("[eE]")[0].matches(".*[1-9].*")) {
-            return refuse(value, path, "0 or a number that is not smaller than " + Double.MIN_VALUE);
+            return refuse(value, path, "0 or a number that is not smaller than " + NumberText.of(Double.MIN_VALUE));
         }
         return result;
     }

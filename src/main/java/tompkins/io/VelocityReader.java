@@ -10,6 +10,7 @@ import tompkins.io.JsonValue.JsonList;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.Member;
 import tompkins.property.InvalidPropertyException;
+import tompkins.property.NumberText;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 
@@ -46,7 +47,7 @@ final class VelocityReader {
             Refusal.note(problems, invalid, value, path);
         }
         if (velocity != null && !(velocity.gamma() <= LARGEST_GAMMA)) {
-            String message = "must have a Lorentz factor of at most 1e8, has " + velocity.gamma();
+            String message = "must have a Lorentz factor of at most 1e8, has " + NumberText.of(velocity.gamma());
             problems.add(value, path, message);
             return null;
         }

@@ -16,9 +16,13 @@ public final class InvalidPropertyException extends IllegalArgumentException {
      * @param value the value that was given
      */
     public InvalidPropertyException(String property, String allowed, Object value) {
-        super(property + " must be " + allowed + ", was " + value);
+        super(property + " " + problem(allowed, value));
         this.property = property;
-        problem = "must be " + allowed + ", was " + value;
+        problem = problem(allowed, value);
+    }
+
+    private static String problem(String allowed, Object value) {
+        return "must be " + allowed + ", was " + (value instanceof Double number ? NumberText.of(number) : value);
     }
 
     /** The name of the property that is wrong, as in the scene file. */

@@ -33,7 +33,7 @@ public final class Require {
         return check(
                 value >= minimum && value <= maximum,
                 property,
-                "from " + plain(minimum) + " to " + plain(maximum),
+                "from " + NumberText.of(minimum) + " to " + NumberText.of(maximum),
                 value);
     }
 
@@ -42,7 +42,7 @@ public final class Require {
         return check(
                 value > minimum && value < maximum,
                 property,
-                "above " + plain(minimum) + " and below " + plain(maximum),
+                "above " + NumberText.of(minimum) + " and below " + NumberText.of(maximum),
                 value);
     }
 
@@ -90,7 +90,10 @@ public final class Require {
 
     /** The vector as a scene file writes it: {@code [x, y, z]} with all digits. */
     public static String text(Vector3dc vector) {
-        return vector == null ? "missing" : "[" + vector.x() + ", " + vector.y() + ", " + vector.z() + "]";
+        return vector == null
+                ? "missing"
+                : "[" + NumberText.of(vector.x()) + ", " + NumberText.of(vector.y()) + ", " + NumberText.of(vector.z())
+                        + "]";
     }
 
     private static double largestComponent(Vector3dc vector) {
@@ -102,11 +105,5 @@ public final class Require {
             throw new InvalidPropertyException(property, what, value);
         }
         return value;
-    }
-
-    private static String plain(double value) {
-        return value == Math.rint(value) && Math.abs(value) < 1e9
-                ? Long.toString((long) value)
-                : Double.toString(value);
     }
 }

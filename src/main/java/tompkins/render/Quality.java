@@ -1,5 +1,6 @@
 package tompkins.render;
 
+import tompkins.property.NumberText;
 import tompkins.property.Require;
 import tompkins.trace.RenderPlan;
 
@@ -18,10 +19,6 @@ public sealed interface Quality {
         return plan.studio().camera().hasWideLens()
                 ? "spread evenly over pixel and lens"
                 : "spread evenly over the pixel";
-    }
-
-    private static String plain(double number) {
-        return Double.toString(number).replaceFirst("\\.0$", "");
     }
 
     /**
@@ -68,7 +65,7 @@ public sealed interface Quality {
         @Override
         public String sentence(RenderPlan plan) {
             return "Samples where they are needed, " + spread(plan) + ", until the estimated error is "
-                    + plain(rootMeanSquare) + ".";
+                    + NumberText.of(rootMeanSquare) + ".";
         }
     }
 
@@ -86,7 +83,8 @@ public sealed interface Quality {
 
         @Override
         public String sentence(RenderPlan plan) {
-            return "Samples where they help most, " + spread(plan) + ", until " + plain(seconds) + " s are over.";
+            return "Samples where they help most, " + spread(plan) + ", until " + NumberText.of(seconds)
+                    + " s are over.";
         }
     }
 }

@@ -8,6 +8,7 @@ import org.joml.Vector3dc;
 import tompkins.math.Precise;
 import tompkins.math.Vectors;
 import tompkins.property.InvalidPropertyException;
+import tompkins.property.NumberText;
 import tompkins.property.Require;
 
 /**
@@ -60,7 +61,7 @@ public final class Velocity {
             throw new InvalidPropertyException(
                     "velocity",
                     "shorter than 1 (the speed of light)",
-                    Require.text(components) + " with length " + components.length());
+                    Require.text(components) + " with length " + NumberText.of(components.length()));
         }
         double gamma = 1 / Math.sqrt(oneMinusSquares);
         return new Velocity(
@@ -209,6 +210,8 @@ public final class Velocity {
 
     @Override
     public String toString() {
-        return scale == null ? Require.text(given) : scale.key() + " " + value + " along " + Require.text(given);
+        return scale == null
+                ? Require.text(given)
+                : scale.key() + " " + NumberText.of(value) + " along " + Require.text(given);
     }
 }

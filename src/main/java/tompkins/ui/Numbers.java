@@ -5,6 +5,7 @@ import java.math.MathContext;
 import java.util.Locale;
 import org.joml.Vector3dc;
 import tompkins.property.InvalidPropertyException;
+import tompkins.property.NumberText;
 import tompkins.spacetime.Event;
 
 /** Numbers as texts and back; always with a decimal point. */
@@ -27,10 +28,8 @@ final class Numbers {
 
     /** All digits of a number, but no more than it needs. */
     static String text(double value) {
-        if (value == Math.rint(value) && Math.abs(value) < 1e9) {
-            return Long.toString((long) value);
-        }
-        return Double.toString(value).replace(".0E", "e").replace('E', 'e');
+        // nobody types a negative zero
+        return NumberText.of(value + 0.0);
     }
 
     /** The first digits of a number, for reading. */

@@ -10,6 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import tompkins.property.InvalidPropertyException;
+import tompkins.property.NumberText;
 
 class VelocityTest {
 
@@ -35,7 +36,7 @@ class VelocityTest {
         assertThat(velocity.value()).isEqualTo(value);
         assertThat(velocity.given()).isEqualTo(new Vector3d(0, 3, 4));
         assertThat(scale.valueOf(velocity)).isEqualTo(value);
-        assertThat(velocity).hasToString(scale.key() + " " + value + " along [0.0, 3.0, 4.0]");
+        assertThat(velocity).hasToString(scale.key() + " " + NumberText.of(value) + " along [0, 3, 4]");
         for (SpeedScale other : SpeedScale.values()) {
             Velocity same = Velocity.of(other, other.valueOf(velocity), new Vector3d(0, 3, 4));
             assertThat(same.proper().distance(velocity.proper())).isLessThan(4 * SMALL);

@@ -1,0 +1,24 @@
+package tompkins.property;
+
+import java.math.BigDecimal;
+
+/** Numbers as people write them, for messages, fields and command lines: {@code 2}, {@code 0.000001}, {@code 1e-9}. */
+public final class NumberText {
+
+    private static final double SMALLEST_PLAIN = 1e-6;
+    private static final double LARGEST_PLAIN = 1e9;
+
+    private NumberText() {}
+
+    /** All digits of a number, but no more than it needs: read again, they give the same bits. */
+    public static String of(double value) {
+        double size = Math.abs(value);
+        if (value == 0) {
+            return 1 / value < 0 ? "-0" : "0";
+        }
+        if (size >= SMALLEST_PLAIN && size < LARGEST_PLAIN) {
+            return new BigDecimal(Double.toString(value)).stripTrailingZeros().toPlainString();
+        }
+        return Double.toString(value).replace(".0E", "e").replace('E', 'e');
+    }
+}

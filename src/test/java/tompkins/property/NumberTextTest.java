@@ -1,0 +1,43 @@
+package tompkins.property;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class NumberTextTest {
+
+    @ParameterizedTest
+    @CsvSource({
+        "0, 0",
+        "-0.0, -0",
+        "2, 2",
+        "640.5, 640.5",
+        "-0.1, -0.1",
+        "1e-6, 0.000001",
+        "-2.5e-5, -0.000025",
+        "9.5e-7, 9.5e-7",
+        "1e-9, 1e-9",
+        "10000000, 10000000",
+        "1e9, 1e9",
+        "1.7976931348623157E308, 1.7976931348623157e308",
+        "NaN, NaN",
+        "-Infinity, -Infinity"
+    })
+    void numbersAreWrittenAsPeopleDo(double value, String text) {
+        assertThat(NumberText.of(value)).isEqualTo(text);
+        assertThat(Double.parseDouble(text)).isEqualTo(value);
+    }
+
+    @Test
+    void refusedNumbersAreWrittenSoToo() {
+        assertThatThrownBy(() -> Require.within("error", 2, 1e-6, 1))
+                .hasMessage("error must be from 0.000001 to 1, was 2");
+        assertThatThrownBy(() -> Require.between("angle", -1e-7, 0, 179.5))
+                .hasMessage("angle must be above 0 and below 179.5, was -1e-7");
+        assertThat(Require.text(new Vector3d(0.6, 0, 1e-5))).isEqualTo("[0.6, 0, 0.00001]");
+    }
+}
