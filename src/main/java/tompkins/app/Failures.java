@@ -48,13 +48,12 @@ final class Failures {
         throw exception;
     }
 
-    /** Reports a mistake in the arguments, with the names that were perhaps meant. */
+    /** Reports a mistake in the arguments, with the name that was perhaps meant. */
     static int reportUsage(ParameterException exception, String[] arguments) {
         CommandLine commandLine = exception.getCommandLine();
         PrintWriter err = commandLine.getErr();
         err.println(Ansi.AUTO.string("@|bold " + commandLine.getCommandSpec().qualifiedName() + ":|@ ")
-                + exception.getMessage());
-        CommandLine.UnmatchedArgumentException.printSuggestions(exception, err);
+                + ArgumentMistake.message(exception, arguments));
         err.println("Try '" + commandLine.getCommandSpec().qualifiedName() + " --help'.");
         return MISTAKE;
     }

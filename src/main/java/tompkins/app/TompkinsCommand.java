@@ -41,8 +41,7 @@ final class TompkinsCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         if (scene != null && !Files.exists(scene)) {
-            throw new MistakeException(scene + ": there is neither a file nor a command of this name; the commands are "
-                    + String.join(", ", spec.subcommands().keySet()));
+            throw new MistakeException(ArgumentMistake.unknownWord(scene.toString(), spec));
         }
         Path file = scene == null ? BundledScenes.file("fig1b.json") : scene;
         if (Displays.usable()) {

@@ -4,19 +4,22 @@ import java.util.Collection;
 import java.util.Locale;
 
 /** Finds the word that was perhaps meant. */
-final class Spelling {
+public final class Spelling {
 
     private static final int LONGEST = 60;
 
     private Spelling() {}
 
     /** The end of a message, {@code ; did you mean "..."?} with the likeliest of the known words; empty if none is like it. */
-    static String hint(String word, Collection<String> known) {
+    public static String hint(String word, Collection<String> known) {
         String best = null;
         int fewest = Integer.MAX_VALUE;
         for (String candidate : known) {
             int changes = word.length() > LONGEST ? fewest : changes(plain(word), plain(candidate));
-            if (changes < fewest && changes <= Math.max(1, candidate.length() / 3)) {
+            // a word of which nothing is left is not like the other
+            boolean like = changes <= Math.max(1, candidate.length() / 3)
+                    && changes < plain(candidate).length();
+            if (like && changes < fewest) {
                 best = candidate;
                 fewest = changes;
             }

@@ -188,13 +188,25 @@ class CommandLineTest {
                 "--error 2 | --error must be from 0.000001 to 1, was 2",
                 "--error -1e-7 | --error must be from 0.000001 to 1, was -1e-7",
                 "--seconds 0 | --seconds must be from 0.01 to 1000000, was 0",
-                "--samples many | many",
+                "--samples many | --samples must be a whole number, such as --samples=8, was many",
+                "--samples 1.5 | --samples must be a whole number, such as --samples=8, was 1.5",
+                "--samples 99999999999 | --samples must be a whole number from -2147483648 to 2147483647, was 99999999999",
+                "--samples --force | --samples needs a whole number, such as --samples=8",
+                "--error scenes/fig1b.json | --error must be a number, such as --error=0.002, was scenes/fig1b.json; "
+                        + "without a number it must come after SCENE",
+                "--seconds long | --seconds must be a number, such as --seconds=0.5, was long",
+                "--time now | --time must be a number, such as --time=0.5, was now",
+                "--seed 1.5 | --seed must be a whole number, such as --seed=8, was 1.5",
+                "--seed 99999999999999999999 | from -9223372036854775808 to 9223372036854775807",
+                "--threads --force | --threads needs a whole number, such as --threads=8",
+                "--force=maybe --error | --force is given without a value, was maybe",
+                "--format jpeg | --format must be one of png, png16, tiff, tiff_float, hdr, was jpeg",
                 "--shutter rolling | aperture-plane",
                 "--time NaN | --time must be a finite number, was NaN",
                 "--threads 0 | --threads must be a whole number from 1 to 1024, was 0",
                 "--threads 1025 | --threads must be a whole number from 1 to 1024, was 1025",
-                "--tone loud | loud",
-                "--speed 3 | --speed",
+                "--tone loud | --tone must be one of linear, srgb, was loud",
+                "--speed 3 | unknown option --speed; did you mean \"--seed\"?",
                 "--format hdr | .hdr"
             })
     void mistakesInOptionsAreNamed(String options, String said) {
@@ -209,7 +221,13 @@ class CommandLineTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"--samples 4 --error", "--samples 4 --seconds 1", "--error 0.1 --seconds 1"})
+    @ValueSource(
+            strings = {
+                "--samples 4 --error",
+                "--samples 4 --seconds 1",
+                "--samples 4 --samples 5",
+                "--error 0.1 --seconds 1"
+            })
     void onlyOneWishForTheQualityMayBeGiven(String wishes) {
         Path picture = folder.resolve("never.png");
         for (String command : new String[] {"render", "explain"}) {
@@ -224,7 +242,7 @@ class CommandLineTest {
             assertThat(run.code()).isEqualTo(2);
             assertThat(run.out()).isEmpty();
             assertThat(run.err().lines()).hasSize(2);
-            assertThat(run.err()).contains("mutually exclusive", wishes.split(" ")[0]);
+            assertThat(run.err()).contains("only one of --samples, --error, --seconds may be given");
             assertThat(picture).doesNotExist();
         }
     }
@@ -281,6 +299,30 @@ class CommandLineTest {
         assertThat(run.out()).isEmpty();
         assertThat(run.err().lines()).hasSize(1);
         assertThat(run.err()).startsWith("rendr: ").contains("command", "render, check, explain, trace, study");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "rendr | rendr: there is neither a file nor a command of this name; the commands are render, check, "
+                        + "explain, trace, study; did you mean \"render\"?",
+                "foo | the commands are render, check, explain, trace, study",
+                "foo bar | foo: there is neither a file nor a command of this name; the commands are",
+                "rendr --size 4x4 scenes/fig1b.json | rendr: there is neither a file nor a command of this name",
+                "--size 4x4 scenes/fig1b.json | --size is an option of render, explain, trace; write the command before it",
+                "scenes/fig1b.json --beta=0,0,0 | --beta is an option of render, explain, trace",
+                "README.md more words | tompkins: too many arguments: more words",
+                "-x | tompkins: unknown option -x",
+                "study tree a b | tompkins study: too many arguments: b"
+            })
+    void wordsThatMeanNothingAreNamedWithWhatThereIs(String line, String said) {
+        ProgramRun run = ProgramRun.of((Object[]) line.trim().split(" "));
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.out()).isEmpty();
+        assertThat(run.err()).contains(said.trim()).doesNotContain("Did you mean", "Unmatched");
+        assertThat(run.err().contains("did you mean")).isEqualTo(line.startsWith("rendr"));
     }
 
     @Test

@@ -1,0 +1,147 @@
+package tompkins.app;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import picocli.CommandLine;
+import picocli.CommandLine.MaxValuesExceededException;
+import picocli.CommandLine.MissingParameterException;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.MutuallyExclusiveArgsException;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.UnmatchedArgumentException;
+import tompkins.io.Spelling;
+
+/** Says what is wrong with arguments in the words of the user, where the library that reads them speaks of Java. */
+final class ArgumentMistake {
+
+    private static final Pattern WHOLE = Pattern.compile("[+-]?[0-9]+");
+
+    private ArgumentMistake() {}
+
+    /** What is wrong, and what is allowed. */
+    static String message(ParameterException mistake, String[] arguments) {
+        CommandSpec command = mistake.getCommandLine().getCommandSpec();
+        if (mistake instanceof MissingParameterException missing) {
+            return missing.getMissing().size() == 1 && missing.getMissing().get(0) instanceof OptionSpec option
+                    ? withoutValue(option, mistake)
+                    : mistake.getMessage();
+        }
+        if (mistake.getArgSpec() instanceof OptionSpec option && mistake.getValue() != null) {
+            return withWrongValue(option, mistake);
+        }
+        if (mistake instanceof UnmatchedArgumentException unmatched) {
+            return unmatched(unmatched, command, arguments);
+        }
+        if (mistake instanceof MutuallyExclusiveArgsException || mistake instanceof MaxValuesExceededException) {
+            return onlyOneOf(command, mistake);
+        }
+        return mistake.getMessage();
+    }
+
+    /** What is wrong with a word that stands where a command or a scene should. */
+    static String unknownWord(String word, CommandSpec command) {
+        return word + ": there is neither a file nor a command of this name; the commands are "
+                + String.join(", ", command.subcommands().keySet())
+                + Spelling.hint(word, command.subcommands().keySet());
+    }
+
+    private static String withoutValue(OptionSpec option, ParameterException mistake) {
+        return isNumber(option)
+                ? option.longestName() + " needs " + kind(option) + example(option)
+                : mistake.getMessage();
+    }
+
+    private static String withWrongValue(OptionSpec option, ParameterException mistake) {
+        String name = option.longestName();
+        if (option.type().isEnum()) {
+            String allowed = Arrays.stream(option.type().getEnumConstants())
+                    .map(constant -> ((Enum<?>) constant).name().toLowerCase(Locale.ROOT))
+                    .collect(Collectors.joining(", "));
+            return name + " must be one of " + allowed + ", was " + mistake.getValue();
+        }
+        if (isEither(option, Boolean.class, boolean.class)) {
+            return name + " is given without a value, was " + mistake.getValue();
+        }
+        if (!isNumber(option)) {
+            return mistake.getMessage();
+        }
+        if (WHOLE.matcher(mistake.getValue()).matches()) {
+            String range = isLong(option)
+                    ? Long.MIN_VALUE + " to " + Long.MAX_VALUE
+                    : Integer.MIN_VALUE + " to " + Integer.MAX_VALUE;
+            return name + " must be a whole number from " + range + ", was " + mistake.getValue();
+        }
+        String alone = option.arity().min() == 0 ? "; without a number it must come after SCENE" : "";
+        return name + " must be " + kind(option) + example(option) + ", was " + mistake.getValue() + alone;
+    }
+
+    private static boolean isNumber(OptionSpec option) {
+        return isFraction(option) || isLong(option) || isEither(option, Integer.class, int.class);
+    }
+
+    private static boolean isFraction(OptionSpec option) {
+        return isEither(option, Double.class, double.class);
+    }
+
+    private static boolean isLong(OptionSpec option) {
+        return isEither(option, Long.class, long.class);
+    }
+
+    private static boolean isEither(OptionSpec option, Class<?> one, Class<?> other) {
+        return option.type() == one || option.type() == other;
+    }
+
+    private static String kind(OptionSpec option) {
+        return isFraction(option) ? "a number" : "a whole number";
+    }
+
+    /** The end of a sentence that shows how the option is written. */
+    private static String example(OptionSpec option) {
+        boolean hasUsualValue =
+                option.fallbackValue() != null && !option.fallbackValue().isEmpty();
+        String value = hasUsualValue ? option.fallbackValue() : isFraction(option) ? "0.5" : "8";
+        return ", such as " + option.longestName() + "=" + value;
+    }
+
+    private static String unmatched(UnmatchedArgumentException unmatched, CommandSpec command, String[] arguments) {
+        boolean beforeCommands = command.parent() == null;
+        String first = arguments[0];
+        if (beforeCommands && !first.startsWith("-") && !Files.exists(Path.of(first))) {
+            return unknownWord(first, command);
+        }
+        String wrong = unmatched.getUnmatched().get(0);
+        if (!unmatched.isUnknownOption()) {
+            return "too many arguments: " + String.join(" ", unmatched.getUnmatched());
+        }
+        String name = wrong.replaceFirst("=.*", "");
+        String owners = command.subcommands().values().stream()
+                .map(CommandLine::getCommandSpec)
+                .filter(owner -> owner.findOption(name) != null)
+                .map(CommandSpec::name)
+                .collect(Collectors.joining(", "));
+        if (!owners.isEmpty()) {
+            return name + " is an option of " + owners + "; write the command before it";
+        }
+        List<String> known = command.options().stream()
+                .flatMap(option -> Stream.of(option.names()))
+                .toList();
+        return "unknown option " + name + Spelling.hint(name, known);
+    }
+
+    private static String onlyOneOf(CommandSpec command, ParameterException mistake) {
+        return command.argGroups().stream()
+                .map(group -> group.allOptionsNested().stream()
+                        .map(OptionSpec::longestName)
+                        .collect(Collectors.joining(", ")))
+                .findFirst()
+                .map(names -> "only one of " + names + " may be given, and only once")
+                .orElse(mistake.getMessage());
+    }
+}
