@@ -75,11 +75,9 @@ final class Photographer {
     /** Takes the picture of a scene file and saves it; says where. */
     void take(Path scene, Studio studio, Quality quality, Path target, PictureFormat format, boolean replace)
             throws IOException, InterruptedException {
-        refuseToReplace(target, replace);
-        requireMemory(studio.settings());
+        requirePossible(studio, target, replace);
         PhotographInfo info = info(studio, scene);
         RenderPlan plan = ScenePlan.of(studio, scene);
-        PhotographFile.requireWritable(target);
         ProgressLine progress = new ProgressLine(err);
         RenderJob job;
         try (Renderer renderer = new Renderer(threads)) {
@@ -98,6 +96,14 @@ final class Photographer {
             err.println("note: the photograph names " + String.join(", ", named)
                     + ", too large to travel inside; to take it again, keep that beside it");
         }
+    }
+
+    /** Refuses a picture that could not be saved or held, before any time is spent on it; leaves everything as it was. */
+    static void requirePossible(Studio studio, Path target, boolean replace) throws IOException {
+        refuseToReplace(target, replace);
+        requireFolder(target);
+        requireMemory(studio.settings());
+        PhotographFile.requireWritable(target);
     }
 
     private static PhotographInfo info(Studio studio, Path scene) {
@@ -121,6 +127,16 @@ final class Photographer {
                     settings.height(),
                     needed >> 20,
                     most >> 20));
+        }
+    }
+
+    private static void requireFolder(Path target) {
+        Path folder = target.getParent();
+        if (folder != null && !Files.exists(folder)) {
+            throw new MistakeException(target + ": cannot be written: the folder " + folder + " does not exist");
+        }
+        if (folder != null && !Files.isDirectory(folder)) {
+            throw new MistakeException(target + ": cannot be written: " + folder + " is not a folder");
         }
     }
 

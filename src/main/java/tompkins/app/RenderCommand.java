@@ -1,8 +1,11 @@
 package tompkins.app;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -64,24 +67,54 @@ final class RenderCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        boolean folder = output != null && Files.isDirectory(output);
-        if (output != null && !folder && scenes.size() > 1) {
+        if (scenes.size() > 1 && output != null && !Files.isDirectory(output)) {
             throw new MistakeException("-o must name a folder that exists for more than one scene, was " + output);
         }
         if (threads != null) {
             MistakeException.inOption("--threads", () -> Require.within("threads", threads, 1, MOST_THREADS));
         }
         Photographer photographer = new Photographer(spec.commandLine(), threads == null ? 0 : threads);
+        if (scenes.size() > 1) {
+            requireAllPossible();
+        }
         for (Path scene : scenes) {
-            Path target =
-                    output == null || folder ? Photographer.targetOf(scene, folder ? output : Path.of("")) : output;
-            Studio studio = quality.applyTo(options.applyTo(StudioReader.read(scene)));
-            if (toneCurve != null) {
-                studio = studio.withSettings(studio.settings().withToneCurve(toneCurve));
-            }
+            Path target = target(scene);
+            Studio studio = studio(scene);
             PictureFormat targetFormat = Photographer.formatFor(target, format, scene);
             photographer.take(scene, studio, quality.of(studio), target, targetFormat, force);
         }
         return 0;
+    }
+
+    /** Finds the mistakes of all scenes first: nobody wants to hear of the last one after the others took an hour. */
+    private void requireAllPossible() throws IOException {
+        Map<Path, Path> sources = new HashMap<>();
+        for (Path scene : scenes) {
+            Path target = target(scene);
+            Path other = sources.putIfAbsent(target, scene);
+            if (other != null) {
+                throw new MistakeException(scene + ": its picture would be " + target + ", as that of " + other
+                        + "; render one of them alone, with another name after -o");
+            }
+            Studio studio = studio(scene);
+            quality.of(studio);
+            Photographer.formatFor(target, format, scene);
+            Photographer.requirePossible(studio, target, force);
+            ScenePlan.of(studio, scene);
+        }
+    }
+
+    private Path target(Path scene) {
+        if (output == null) {
+            return Photographer.targetOf(scene, Path.of(""));
+        }
+        return Files.isDirectory(output) ? Photographer.targetOf(scene, output) : output;
+    }
+
+    private Studio studio(Path scene) {
+        Studio studio = quality.applyTo(options.applyTo(StudioReader.read(scene)));
+        return toneCurve == null
+                ? studio
+                : studio.withSettings(studio.settings().withToneCurve(toneCurve));
     }
 }

@@ -3,6 +3,7 @@ package tompkins.app;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -69,6 +70,9 @@ final class StudyCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         List<StudyKind> kinds = kinds();
+        if (Files.exists(output) && !Files.isDirectory(output)) {
+            throw new MistakeException("-o must name a folder, was the file " + output);
+        }
         Studio own = scene == null ? null : StudioReader.read(scene);
         if (own != null) {
             kinds = requireScene(kinds);

@@ -54,6 +54,9 @@ public final class StudioWriter {
         if (Files.isDirectory(file) || folder == null) {
             throw new IOException(file + ": cannot be written: it is a folder; name a file in it");
         }
+        if (!Files.isDirectory(folder)) {
+            throw new IOException(file + ": cannot be written: there is no folder " + folder);
+        }
         if (Files.exists(file) && !Files.isWritable(file)) {
             throw new IOException(file + ": cannot be written: the file is write-protected");
         }

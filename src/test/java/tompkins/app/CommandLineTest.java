@@ -110,9 +110,9 @@ class CommandLineTest {
         // would take hours
         ProgramRun run = ProgramRun.of("render", FIG1B, "-o", picture, "--samples", 1 << 20);
 
-        assertThat(run.code()).isEqualTo(Failures.FAILURE);
+        assertThat(run.code()).isEqualTo(Failures.MISTAKE);
         assertThat(run.err().strip())
-                .isEqualTo(picture + ": cannot be written: there is no folder " + folder.resolve("no"));
+                .isEqualTo(picture + ": cannot be written: the folder " + folder.resolve("no") + " does not exist");
         assertThat(folder).isEmptyDirectory();
     }
 
@@ -341,11 +341,40 @@ class CommandLineTest {
     }
 
     @Test
-    void aFolderThatIsMissingIsAFailureOfTheDisk() {
-        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", folder.resolve("no/such/picture.png"), "--size", "8x6");
+    void aFileInThePlaceOfAFolderIsAMistake() throws IOException {
+        Path file = Files.writeString(folder.resolve("file"), "no folder");
+        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", file.resolve("picture.png"), "--size", "8x6");
 
-        assertThat(run.code()).isEqualTo(1);
-        assertThat(run.err()).contains("picture.png").doesNotContain("\tat ");
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err().strip())
+                .isEqualTo(file.resolve("picture.png") + ": cannot be written: " + file + " is not a folder");
+    }
+
+    @Test
+    void allScenesAreLookedAtBeforeTheFirstPictureIsTaken() throws IOException {
+        Path broken = Files.writeString(folder.resolve("broken.json"), "{ \"title\": 3 }");
+        Path pictures = Files.createDirectory(folder.resolve("pictures"));
+
+        ProgramRun run = ProgramRun.of("render", FIG1B, broken, "-o", pictures, "--size", "8x6");
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.out()).isEmpty();
+        assertThat(run.err().strip()).isEqualTo(broken + ":1:12: title: must be a text in quotes, was 3");
+        assertThat(pictures).isEmptyDirectory();
+    }
+
+    @Test
+    void twoScenesOfOneNameDoNotReplaceEachOther() throws IOException {
+        Path other = Files.copy(Path.of("scenes/fig1a.json"), folder.resolve("fig1b.json"));
+        Path pictures = Files.createDirectory(folder.resolve("pictures"));
+
+        ProgramRun run = ProgramRun.of("render", FIG1B, other, "-o", pictures, "--size", "8x6", "--force");
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err().strip())
+                .isEqualTo(other + ": its picture would be " + pictures.resolve("fig1b.png") + ", as that of " + FIG1B
+                        + "; render one of them alone, with another name after -o");
+        assertThat(pictures).isEmptyDirectory();
     }
 
     @Test

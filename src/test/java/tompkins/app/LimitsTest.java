@@ -142,7 +142,7 @@ class LimitsTest {
                         folder.resolve("a.bmp").toString()),
                 new Case(
                         "output in a missing folder",
-                        1,
+                        2,
                         "render",
                         good,
                         "--size",

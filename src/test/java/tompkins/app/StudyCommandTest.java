@@ -59,6 +59,17 @@ class StudyCommandTest {
     }
 
     @Test
+    void aFileInThePlaceOfTheFolderIsAMistake() throws IOException {
+        Path file = Files.writeString(folder.resolve("mine.txt"), "mine");
+
+        ProgramRun run = ProgramRun.of("study", "stability", "-o", file);
+
+        assertThat(run.code()).isEqualTo(Failures.MISTAKE);
+        assertThat(run.err().strip()).isEqualTo("-o must name a folder, was the file " + file);
+        assertThat(Files.readString(file)).isEqualTo("mine");
+    }
+
+    @Test
     void damagedFiguresAreNamed() throws IOException {
         assertThat(ProgramRun.of("study", "stability", "-o", folder).code()).isZero();
         Path figures = folder.resolve("stability/stability.csv");

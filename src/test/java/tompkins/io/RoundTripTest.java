@@ -233,7 +233,7 @@ class RoundTripTest {
         Path nowhere = folder.resolve("nowhere/scene.json");
         assertThatThrownBy(() -> StudioWriter.save(Studio.DEFAULT, nowhere))
                 .isInstanceOf(IOException.class)
-                .hasMessage(nowhere + ": cannot be written: there is no such file or folder");
+                .hasMessage(nowhere + ": cannot be written: there is no folder " + nowhere.getParent());
     }
 
     @Test
