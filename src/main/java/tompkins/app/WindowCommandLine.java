@@ -3,6 +3,7 @@ package tompkins.app;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Matcher;
 import org.joml.Vector3dc;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
@@ -24,7 +25,7 @@ final class WindowCommandLine implements CommandLineWriter {
         if (file == null || !isSayable(studio, opened)) {
             return Optional.empty();
         }
-        StringBuilder line = new StringBuilder("java -jar tompkins.jar render " + quoted(file.toString()));
+        StringBuilder line = new StringBuilder("java -jar tompkins.jar render " + quoted(file));
         RenderSettings settings = studio.settings();
         RenderSettings before = opened.settings();
         if (settings.width() != before.width() || settings.height() != before.height()) {
@@ -92,7 +93,15 @@ final class WindowCommandLine implements CommandLineWriter {
         }
     }
 
-    private static String quoted(String name) {
-        return name.matches("[\\p{L}\\p{N}._/\\\\:-]+") ? name : "'" + name + "'";
+    /** The name of a file as a shell takes it for one word; Windows has other shells, and other letters in names. */
+    private static String quoted(Path file) {
+        String separator = file.getFileSystem().getSeparator();
+        // a word that begins so would be an option, or name a file of arguments
+        String name = file.toString().replaceFirst("^(?=[-@])", Matcher.quoteReplacement("." + separator));
+        boolean windows = separator.equals("\\");
+        if (name.matches(windows ? "[\\p{L}\\p{N}._\\\\:-]+" : "[\\p{L}\\p{N}._/:-]+")) {
+            return name;
+        }
+        return windows ? '"' + name + '"' : "'" + name.replace("'", "'\\''") + "'";
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -14,9 +15,13 @@ import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.render.Quality;
@@ -122,6 +127,50 @@ class WindowCommandLineTest {
     @Test
     void withoutAFileThereIsNothingToRender() {
         assertThat(line(OPENED, null)).isEmpty();
+    }
+
+    @Test
+    void apostrophesAreQuoted() {
+        assertThat(line(OPENED, Path.of("it's.json"))).contains("java -jar tompkins.jar render 'it'\\''s.json'");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            quoteCharacter = '"',
+            value = {"-o.json, ./-o.json", "@words.json, './@words.json'"})
+    void namesThatWouldBeOptionsAreNot(Path named, String word) {
+        assertThat(line(OPENED, named)).contains("java -jar tompkins.jar render " + word);
+    }
+
+    /** The shell itself is asked: what it makes of the copied line. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "it's",
+                "''",
+                "two words",
+                "$HOME",
+                "`id`",
+                "a\"b",
+                "a\\b",
+                "x;y&z",
+                "~",
+                "*",
+                "caf\u00e9",
+                "a,b",
+                "#1"
+            })
+    @DisabledOnOs(OS.WINDOWS)
+    void shellTakesTheNameForOneWord(String name) throws IOException, InterruptedException {
+        Path named = folder.resolve(name + ".json");
+        String words = line(OPENED, named).orElseThrow().substring("java -jar tompkins.jar ".length());
+        Path script = Files.writeString(folder.resolve("script"), "printf '<%s>' " + words);
+
+        Process shell = new ProcessBuilder("sh", script.toString()).start();
+
+        String said = new String(shell.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(shell.waitFor()).isZero();
+        assertThat(said).isEqualTo("<render><" + named + ">");
     }
 
     @Test
