@@ -47,12 +47,17 @@ final class JsonParsing {
                     .build())
             .build();
 
+    private static final String NEEDED =
+            "a scene file (JSON, an object in braces { ... }) or a photograph saved by this program is needed";
+
     private final JsonParser parser;
+    private final String text;
     private final Problems problems;
     private int values;
 
-    private JsonParsing(JsonParser parser, Problems problems) {
+    private JsonParsing(JsonParser parser, String text, Problems problems) {
         this.parser = parser;
+        this.text = text;
         this.problems = problems;
     }
 
@@ -63,23 +68,39 @@ final class JsonParsing {
      */
     static JsonObject parse(String text, Problems problems) {
         try (JsonParser parser = FACTORY.createParser(ObjectReadContext.empty(), text)) {
-            return new JsonParsing(parser, problems).root();
+            return new JsonParsing(parser, text, problems).root();
         }
     }
 
     private JsonObject root() {
-        if (next("") == null) {
+        if (first() == null) {
             throw problems.wholeFile("the file is empty; the smallest scene file is {}");
         }
         JsonValue value = value("", 0);
         if (!(value instanceof JsonObject root)) {
-            throw failure("", "a scene file must be an object in braces, { ... }, was " + value.shown(), value);
+            throw failure("", NEEDED + ", found " + value.shown(), value);
         }
         if (next("") != null) {
             JsonNull here = new JsonNull(line(), column());
             throw failure("", "the scene ends before this place: there is a } too many, or a { is missing", here);
         }
         return root;
+    }
+
+    /** The first token; a text that does not even have one is no damaged scene file, but something else. */
+    private JsonToken first() {
+        try {
+            return parser.nextToken();
+        } catch (JacksonException syntax) {
+            if (SyntaxMistake.isEndOfText(syntax) || syntax.getLocation() == null) {
+                throw failure("", syntax);
+            }
+            int number = syntax.getLocation().getLineNr();
+            String line = text.lines().skip(number - 1L).findFirst().orElse("");
+            int blanks = line.length() - line.stripLeading().length();
+            JsonNull place = new JsonNull(number, blanks + 1);
+            throw failure("", NEEDED + ", found " + Problems.quoted(line.strip()), place);
+        }
     }
 
     private JsonToken next(String path) {

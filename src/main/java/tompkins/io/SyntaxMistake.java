@@ -1,5 +1,9 @@
 package tompkins.io;
 
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.TokenStreamContext;
@@ -9,25 +13,73 @@ import tools.jackson.core.io.ContentReference;
 /** Says what is wrong with a text that is not JSON, in words that help to find it. */
 final class SyntaxMistake {
 
+    private static final String NOT_JSON = "not valid JSON: ";
+    private static final String VALUES = "allowed are texts in quotes, numbers, true, false, lists [ ] and objects { }";
+    private static final String NUMBERS = "a number must be written like 0.5, -2 or 1e-9";
+
+    private static final Pattern UNKNOWN_WORD = Pattern.compile("Unrecognized token '(.*?)'(:|$)", Pattern.DOTALL);
+    private static final Pattern WRONG_BRACKET = Pattern.compile("Unexpected close marker '(.)': expected '(.)'");
+    private static final Pattern UNKNOWN_ESCAPE = Pattern.compile("Unrecognized character escape '(.)'");
+    private static final Pattern WRONG_CHARACTER = Pattern.compile("Unexpected character \\('(.)' ");
+
+    /** What the library says, or a part of it, and what that means. */
+    private static final Map<String, String> MEANINGS = meanings();
+
     private SyntaxMistake() {}
+
+    private static Map<String, String> meanings() {
+        Map<String, String> meanings = new LinkedHashMap<>();
+        meanings.put("('.' (code 46)): expected a valid value", NUMBERS);
+        meanings.put("hex-digit", "after \\u in a text there must be four digits from 0 to 9 or a to f");
+        meanings.put("double-quote to start property name", "a key must stand in double quotes");
+        meanings.put("colon to separate", "a colon must stand between a key and its value");
+        meanings.put("comma to separate", "a comma must stand between two values; it is missing before this place");
+        meanings.put("expected a valid value", "a value must stand here; " + VALUES);
+        meanings.put("in numeric value", NUMBERS);
+        meanings.put("Invalid numeric value", NUMBERS);
+        return meanings;
+    }
+
+    /** Whether the text ends where something is still missing. */
+    static boolean isEndOfText(JacksonException syntax) {
+        return syntax instanceof UnexpectedEndOfInputException
+                || syntax.getOriginalMessage().startsWith("Unexpected end-of-input");
+    }
 
     static String message(JacksonException syntax, JsonParser parser) {
         String message = syntax.getOriginalMessage();
-        if (syntax instanceof UnexpectedEndOfInputException || message.startsWith("Unexpected end-of-input")) {
+        if (isEndOfText(syntax)) {
             return "the text ends too early" + unclosed(parser);
         }
         if (message.startsWith("Unexpected close marker")) {
-            return "not valid JSON: " + message.replaceAll("\\s*\\(for .*", "") + unclosed(parser);
+            Matcher bracket = WRONG_BRACKET.matcher(message);
+            return bracket.lookingAt()
+                    ? NOT_JSON + "found " + bracket.group(1) + " where " + bracket.group(2) + " belongs"
+                            + unclosed(parser)
+                    : NOT_JSON + "there is a closing bracket or brace too many";
         }
         if (message.startsWith("Illegal unquoted character")) {
-            return "not valid JSON: a text must end on the line where it begins; a quote is missing"
+            return NOT_JSON
+                    + "a text must end on the line where it begins; a quote is missing"
                     + " (inside a text, \\n is a new line and \\t a tab)";
         }
-        if (message.startsWith("Unrecognized token")) {
-            return "not valid JSON: " + message.replaceAll(": was expecting.*", "")
-                    + "; allowed are texts in quotes, numbers, true, false, lists [ ] and objects { }";
+        Matcher word = UNKNOWN_WORD.matcher(message);
+        if (word.lookingAt()) {
+            return NOT_JSON + "unknown word " + Problems.shortened(word.group(1)) + "; " + VALUES;
         }
-        return "not valid JSON: " + message;
+        Matcher escape = UNKNOWN_ESCAPE.matcher(message);
+        if (escape.lookingAt()) {
+            return NOT_JSON + "a text must not contain \\" + escape.group(1) + "; a backslash itself is written \\\\";
+        }
+        Matcher character = WRONG_CHARACTER.matcher(message);
+        boolean shows = character.lookingAt() && !character.group(1).isBlank();
+        String found = shows ? ", found " + character.group(1) : "";
+        for (Map.Entry<String, String> meaning : MEANINGS.entrySet()) {
+            if (message.contains(meaning.getKey())) {
+                return NOT_JSON + meaning.getValue() + found;
+            }
+        }
+        return NOT_JSON + message;
     }
 
     private static String unclosed(JsonParser parser) {

@@ -87,15 +87,32 @@ class SceneMistakesTest {
             vector, was [0, 0, 0]
             {"version": 2, "xyz": 1}      | f:1:13: version: must be 1, the only one that there is, was 2
             {"title": "a", "title": "b"}  | f:1:16: title: the key occurs twice; the first time is in line 1
-            []                            | f:1:1: a scene file must be an object in braces, { ... }, was a list of 0 values
+            []                            | f:1:1: a scene file (JSON, an object in braces { ... }) or a photograph \
+            saved by this program is needed, found a list of 0 values
             {} {}                         | f:1:4: the scene ends before this place: there is a } too many, or a { is missing
-            {"title": tru}                | f:1:11: not valid JSON: Unrecognized token 'tru'; allowed are texts in \
+            {"title": tru}                | f:1:11: not valid JSON: unknown word tru; allowed are texts in \
             quotes, numbers, true, false, lists [ ] and objects { }
-            {"scene": [}                  | f:1:12: scene: not valid JSON: Unexpected close marker '}': expected ']'; the [ of \
+            {"scene": [}                  | f:1:12: scene: not valid JSON: found } where ] belongs; the [ of \
             line 1 is not closed
             {"scene": []                  | f:1:13: the text ends too early; the { of line 1 is not closed
-            {title: 1}                    | f:1:2: not valid JSON: Unexpected character ('t' (code 116)): was expecting \
-            double-quote to start property name
+            {title: 1}                    | f:1:2: not valid JSON: a key must stand in double quotes, found t
+            {"title" 1}                   | f:1:10: not valid JSON: a colon must stand between a key and its value, found 1
+            {"title": "a" "topic": "b"}   | f:1:15: not valid JSON: a comma must stand between two values; it is missing \
+            before this place, found "
+            {"scene": [,]}                | f:1:12: scene: not valid JSON: a value must stand here; allowed are texts in \
+            quotes, numbers, true, false, lists [ ] and objects { }, found ,
+            {"background": {"colour": .5}} | f:1:27: background: not valid JSON: a number must be written like 0.5, -2 or \
+            1e-9, found .
+            {"background": {"colour": 1e}} | f:1:28: background: not valid JSON: a number must be written like 0.5, -2 or \
+            1e-9, found }
+            {"background": {"colour": 05}} | f:1:28: background: not valid JSON: a number must be written like 0.5, -2 or \
+            1e-9
+            {"title": "C:\\data"}         | f:1:15: title: not valid JSON: a text must not contain \\d; a backslash itself is \
+            written \\\\
+            {"title": "\\u12x"}           | f:1:16: title: not valid JSON: after \\u in a text there must be four digits from \
+            0 to 9 or a to f, found x
+            }                             | f:1:1: a scene file (JSON, an object in braces { ... }) or a photograph saved by \
+            this program is needed, found "}"
             """)
     void mistakeIsReported(String text, String message) {
         assertThat(messageOf(text)).isEqualTo(message);
@@ -105,6 +122,25 @@ class SceneMistakesTest {
     @ValueSource(strings = {"", "  \n", "// only a comment\n", "/* and another */"})
     void emptyFileIsReported(String text) {
         assertThat(messageOf(text)).isEqualTo("f: the file is empty; the smallest scene file is {}");
+    }
+
+    /** The first word is found where it stands, whatever the file is. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "vm | f:1:1 | vm",
+                "'\n\n   Apache License\nVersion 2' | f:3:4 | Apache License",
+                "<?xml version=\"1.0\"?> | f:1:1 | <?xml version=\"1.0\"?>",
+                "127.0.0.1 localhost | f:1:1 | 127.0.0.1 localhost",
+                "007 | f:1:1 | 007",
+                "# Heading | f:1:1 | # Heading",
+                "'// a comment\n  words' | f:2:3 | words"
+            })
+    void aFileOfAnotherKindIsToldWhatIsNeeded(String text, String place, String found) {
+        assertThat(messageOf(text))
+                .isEqualTo(place + ": a scene file (JSON, an object in braces { ... }) or a photograph saved by this"
+                        + " program is needed, found \"" + found + "\"");
     }
 
     @Test
