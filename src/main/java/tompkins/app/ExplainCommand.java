@@ -41,12 +41,13 @@ final class ExplainCommand implements Callable<Integer> {
     @Override
     public Integer call() throws InterruptedException {
         Studio studio = quality.applyTo(options.applyTo(StudioReader.read(scene)));
-        spec.commandLine().getOut().println(studio.title());
         RenderPlan plan = ScenePlan.of(studio, scene);
+        // all that may be refused comes before the first word
+        Quality wish = quality.of(studio);
+        spec.commandLine().getOut().println(studio.title());
         for (String sentence : plan.sentences()) {
             spec.commandLine().getOut().println("- " + sentence);
         }
-        Quality wish = quality.of(studio);
         spec.commandLine().getOut().println("- " + wish.sentence(plan));
         spec.commandLine().getOut().println("- " + cost(plan, wish));
         return 0;

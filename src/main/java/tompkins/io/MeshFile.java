@@ -48,10 +48,21 @@ public final class MeshFile {
             ObjReader.read(line, collector);
             collector.requireComplete();
         } catch (IOException | RuntimeException mistake) {
-            throw new MeshException(name + ":" + collector.lineOfMistake() + ": " + mistake.getMessage(), mistake);
+            int number = collector.lineOfMistake();
+            String place = number == 0 ? name : name + ":" + number;
+            throw new MeshException(place + ": " + reason(mistake, line.text()), mistake);
         }
         byte[] kept = file.length <= LARGEST_KEPT_FILE ? file : new byte[0];
         return new MeshData(name, collector.vertices(), collector.triangles(), kept);
+    }
+
+    /** What the collector refuses it says itself; the library tells of its own classes, so the line is shown instead. */
+    private static String reason(Exception mistake, String line) {
+        boolean clear = mistake instanceof IllegalArgumentException && !(mistake instanceof NumberFormatException);
+        return clear
+                ? mistake.getMessage()
+                : Problems.quoted(line) + " cannot be understood; a vertex is written like \"v 0 1.5 -2\", a face like"
+                        + " \"f 1 2 3\" with vertices counted from 1";
     }
 
     /** Remembers the line that was read last. */

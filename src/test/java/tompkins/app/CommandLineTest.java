@@ -268,6 +268,17 @@ class CommandLineTest {
                 .hasSize(2);
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"--error=2", "--error=NaN", "--seconds=0", "--samples=0", "--beta=0,0,1"})
+    void explainSaysNothingBesideAMistake(String wish) {
+        ProgramRun run = ProgramRun.of("explain", FIG1B, wish);
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.out()).isEmpty();
+        assertThat(run.err()).startsWith(wish.substring(0, wish.indexOf('=')) + " must be ");
+        assertThat(run.err().lines()).hasSize(1);
+    }
+
     @Test
     void explainReadsWellForAnEmptyScene() throws IOException {
         Path empty = Files.writeString(folder.resolve("empty.json"), "{}");

@@ -40,6 +40,12 @@ class MeshFileTest {
     }
 
     @Test
+    void anEmptyFileHasNoLineToName() {
+        assertThatThrownBy(() -> read(""))
+                .hasMessage("knot.obj: there is no face; an OBJ file has lines such as \"f 1 2 3\"");
+    }
+
+    @Test
     void facesMayComeBeforeTheirVertices() throws IOException {
         assertThat(read("f 1 2 3\n" + SQUARE)).isEqualTo(read(SQUARE + "f 1 2 3\n"));
     }
@@ -52,17 +58,19 @@ class MeshFileTest {
                 "f 1 2 -7            | 6: a face counts 3 vertices back beyond the first",
                 "f 1 2               | 6: a face must have three or more corners, has 2",
                 "v 1 2               | 6: a vertex must have three coordinates, has 2",
-                "v 1 nought 3        | 6: ",
+                "v 1 nought 3        | 6: \"v 1 nought 3\" cannot be understood; a vertex is written like",
                 "v 1 NaN 3           | 6: coordinates must be finite, one was NaN",
                 "v 1 1e999 3         | 6: coordinates must be finite, one was Infinity",
-                "f one two three     | 6: ",
+                "f one two three     | 6: \"f one two three\" cannot be understood; a vertex is written like",
+                "f 0 1 2             | 6: \"f 0 1 2\" cannot be understood; a vertex is written like \"v 0 1.5 -2\", a face"
+                        + " like \"f 1 2 3\" with vertices counted from 1",
                 "# nothing           | 6: there is no face; an OBJ file has lines such as \"f 1 2 3\"",
             })
     void aMistakeIsReportedWithItsLine(String line, String message) {
         assertThatThrownBy(() -> read(SQUARE + line + "\n"))
                 .isInstanceOf(MeshException.class)
                 .hasMessageStartingWith("knot.obj:" + message)
-                .hasMessageMatching("knot.obj:6: [a-zA-Z].+");
+                .hasMessageMatching("knot.obj:6: [\"a-zA-Z].+");
     }
 
     @Test
