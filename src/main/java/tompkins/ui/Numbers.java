@@ -62,9 +62,9 @@ final class Numbers {
         return "(" + brief(vector.x()) + ", " + brief(vector.y()) + ", " + brief(vector.z()) + ")";
     }
 
-    /** The first digits of place and time. */
+    /** The first digits of place and time; no line breaks inside the equation of the time. */
     static String brief(Event event) {
-        return "(" + brief(event.x()) + ", " + brief(event.y()) + ", " + brief(event.z()) + "; t = "
+        return "(" + brief(event.x()) + ", " + brief(event.y()) + ", " + brief(event.z()) + "; t\u00a0=\u00a0"
                 + brief(event.time()) + ")";
     }
 

@@ -4,10 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.text.BreakIterator;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.property.InvalidPropertyException;
+import tompkins.spacetime.Event;
 
 class NumbersTest {
 
@@ -33,6 +36,19 @@ class NumbersTest {
     @CsvSource({"0.03, 0.05", "1, 1", "1.01, 2", "12, 20", "49, 50", "51, 100", "99999, 100000"})
     void endsOfSlidersAreRoundNumbers(double value, double end) {
         assertThat(Numbers.niceCeiling(value)).isEqualTo(end);
+    }
+
+    /** Asks what text areas ask for the places where a line may end. */
+    @Test
+    void theTimeOfAnEventStaysOnOneLine() {
+        String text = "Starts at " + Numbers.brief(new Event(1, 2, 3, 0.5));
+        assertThat(text.replace('\u00a0', ' ')).isEqualTo("Starts at (1, 2, 3; t = 0.5)");
+
+        BreakIterator lines = BreakIterator.getLineInstance(Locale.ROOT);
+        lines.setText(text);
+
+        assertThat(lines.following(text.indexOf('t', 10))).isEqualTo(text.length());
+        assertThat(lines.isBoundary(text.indexOf('2'))).isTrue();
     }
 
     @Test

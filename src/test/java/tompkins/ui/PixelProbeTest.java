@@ -89,7 +89,11 @@ class PixelProbeTest {
     void theStoryNamesBothFramesAndTheObject() {
         Studio moving = Studios.sphere().withVelocity(Velocity.of(0, 0, BETA));
         assertThat(String.join("\n", PixelProbe.story(read(moving, 32, 24))))
-                .contains("Pixel 32, 24", "camera frame at (0, 0, 0; t = 0)", "Hits sphere after 9", "camera/scene 3");
+                .contains(
+                        "Pixel 32, 24",
+                        "camera frame at (0, 0, 0; t\u00a0=\u00a00)",
+                        "Hits sphere after 9",
+                        "camera/scene 3");
     }
 
     @Test
