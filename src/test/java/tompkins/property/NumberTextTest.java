@@ -29,7 +29,7 @@ class NumberTextTest {
     })
     void numbersAreWrittenAsPeopleDo(double value, String text) {
         assertThat(NumberText.of(value)).isEqualTo(text);
-        assertThat(Double.parseDouble(text)).isEqualTo(value);
+        assertThat(Double.valueOf(text)).isEqualTo(Double.valueOf(value));
     }
 
     @Test

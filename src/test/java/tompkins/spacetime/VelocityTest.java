@@ -101,7 +101,7 @@ class VelocityTest {
                 .isInstanceOf(InvalidPropertyException.class)
                 .hasMessageContaining(scale.key())
                 .hasMessageContaining(scale.range())
-                .hasMessageContaining(String.valueOf(value));
+                .hasMessageEndingWith(", was " + NumberText.of(value));
     }
 
     @ParameterizedTest
