@@ -139,7 +139,7 @@ final class ThinLensRays implements CameraRays {
         if (apertureRadius > 0) {
             // light that comes parallel to the chief ray meets in the detector point; the rest of the lens's power
             // makes the ray come from the point in focus
-            double cosine = chief.dot(axes.forward());
+            double cosine = chief.x * forwardX + chief.y * forwardY + chief.z * forwardZ;
             Vector3d direction = ThinLens.bend(chief, axes.forward(), offset, inverseFocusDistance / cosine)
                     .normalize();
             rays.dx[place] = direction.x;

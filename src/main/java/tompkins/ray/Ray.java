@@ -4,8 +4,7 @@ package tompkins.ray;
  * A light ray that is traced backwards in time: from an event, in the direction in which the camera looks along it. The
  * light itself travels the other way. A plain value of the hot path, in units with c = 1.
  *
- * <p>Nobody outside this package changes a ray. It is valid until its sample is complete: after that its memory may be used
- * again.
+ * <p>Nobody outside this package changes a ray. Whoever is given one does not keep it: its memory is used again.
  */
 public final class Ray {
 
@@ -100,39 +99,6 @@ public final class Ray {
         return new Ray().set(x, y, z, dx, dy, dz, time, 1, 1, 0, spread, 1, null, 0, 0);
     }
 
-    /** Makes this a ray that starts on nothing. */
-    Ray setFree(
-            double newX,
-            double newY,
-            double newZ,
-            double newDx,
-            double newDy,
-            double newDz,
-            double newTime,
-            double newSlowness,
-            double newFrequency,
-            double newWidth,
-            double newSpread,
-            double newWeight,
-            int newGeneration) {
-        return set(
-                newX,
-                newY,
-                newZ,
-                newDx,
-                newDy,
-                newDz,
-                newTime,
-                newSlowness,
-                newFrequency,
-                newWidth,
-                newSpread,
-                newWeight,
-                null,
-                0,
-                newGeneration);
-    }
-
     /**
      * The same light in another frame.
      *
@@ -170,23 +136,12 @@ public final class Ray {
 
     /** The same ray with its start moved in space and time. */
     public Ray moved(double byX, double byY, double byZ, double byTime) {
-        return new Ray()
-                .set(
-                        x + byX,
-                        y + byY,
-                        z + byZ,
-                        dx,
-                        dy,
-                        dz,
-                        time + byTime,
-                        slowness,
-                        frequency,
-                        width,
-                        spread,
-                        weight,
-                        boundary,
-                        part,
-                        generation);
+        Ray moved = copy();
+        moved.x += byX;
+        moved.y += byY;
+        moved.z += byZ;
+        moved.time += byTime;
+        return moved;
     }
 
     /** The ray that goes on from a hit in a new unit direction, with a share of this ray's light. */
@@ -201,44 +156,21 @@ public final class Ray {
 
     /** The same ray with a share of its light. */
     public Ray dimmed(double share) {
-        return new Ray()
-                .set(
-                        x,
-                        y,
-                        z,
-                        dx,
-                        dy,
-                        dz,
-                        time,
-                        slowness,
-                        frequency,
-                        width,
-                        spread,
-                        weight * share,
-                        boundary,
-                        part,
-                        generation);
+        Ray dimmed = copy();
+        dimmed.weight *= share;
+        return dimmed;
     }
 
     /** The same ray with its opening angle divided by a factor. */
     public Ray narrowed(double factor) {
+        Ray narrowed = copy();
+        narrowed.spread /= factor;
+        return narrowed;
+    }
+
+    private Ray copy() {
         return new Ray()
-                .set(
-                        x,
-                        y,
-                        z,
-                        dx,
-                        dy,
-                        dz,
-                        time,
-                        slowness,
-                        frequency,
-                        width,
-                        spread / factor,
-                        weight,
-                        boundary,
-                        part,
-                        generation);
+                .set(x, y, z, dx, dy, dz, time, slowness, frequency, width, spread, weight, boundary, part, generation);
     }
 
     /** The same ray beyond a hit, with a share of its light. */
@@ -246,19 +178,14 @@ public final class Ray {
         return from(hit, dx, dy, dz, slowness, weight * share, generation + 1);
     }
 
-    /** A ray that starts at a hit in the unit direction (toX, toY, toZ), to ask whether something is in the way. */
-    public static Ray shadow(Hit hit, double toX, double toY, double toZ) {
-        return new Ray().setShadow(hit, toX, toY, toZ);
-    }
-
-    /** Makes this a ray as {@link #shadow}. */
+    /** Makes this a ray that starts at a hit in the unit direction (toX, toY, toZ), to ask whether something is in the way. */
     public Ray setShadow(Hit hit, double toX, double toY, double toZ) {
         return set(hit.x, hit.y, hit.z, toX, toY, toZ, hit.time, 1, 1, 0, 0, 1, hit.boundary, hit.part, 0);
     }
 
     /** The ray of a shadow test, beyond something clear. */
     public Ray shadowBeyond(Hit hit) {
-        return shadow(hit, dx, dy, dz);
+        return new Ray().setShadow(hit, dx, dy, dz);
     }
 
     /** Time of the light at a distance from the start: it falls with the distance. */

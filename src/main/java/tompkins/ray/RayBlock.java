@@ -128,19 +128,21 @@ public final class RayBlock {
 
     /** One of the rays, in memory that is used again. */
     public Ray copy(int place, Ray memory) {
-        return memory.setFree(
-                x[place],
-                y[place],
-                z[place],
-                dx[place],
-                dy[place],
-                dz[place],
-                time[place],
-                slowness[place],
-                frequency[place],
-                width[place],
-                spread[place],
-                weight[place],
-                generation[place]);
+        memory.x = x[place];
+        memory.y = y[place];
+        memory.z = z[place];
+        memory.dx = dx[place];
+        memory.dy = dy[place];
+        memory.dz = dz[place];
+        memory.time = time[place];
+        memory.slowness = slowness[place];
+        memory.frequency = frequency[place];
+        memory.width = width[place];
+        memory.spread = spread[place];
+        memory.weight = weight[place];
+        memory.boundary = null;
+        memory.part = 0;
+        memory.generation = generation[place];
+        return memory;
     }
 }

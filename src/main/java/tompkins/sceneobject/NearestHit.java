@@ -62,7 +62,7 @@ public final class NearestHit {
         leaf = node;
     }
 
-    /** Forgets that leaf, so that the work does not depend on what was traced before. */
+    /** Forgets that leaf. */
     public void forgetLeaf() {
         leaf = null;
     }
@@ -82,12 +82,7 @@ public final class NearestHit {
         return distance;
     }
 
-    /** The hit on the nearest primitive. */
-    public Hit hit(Ray ray) {
-        return hit(ray, Hit.blank());
-    }
-
-    /** The same, in memory that is used again. */
+    /** The hit on the nearest primitive, in memory that may be used again. */
     public Hit hit(Ray ray, Hit memory) {
         return primitive.hit(ray, distance, memory);
     }

@@ -5,7 +5,7 @@ import org.joml.Vector3dc;
 
 /**
  * A primitive as a lamp sees it. A long one is seen as a narrow band of directions, which tells most shadow rays that pass it
- * with a single product.
+ * with a single product. Starts of shadow rays that are 1e10 times as far away as the primitive may miss it by rounding.
  */
 final class Occluder {
 

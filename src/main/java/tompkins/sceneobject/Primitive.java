@@ -17,9 +17,10 @@ public abstract class Primitive implements Boundary {
     /** A line meets no primitive more often, not even with rounding at its edges. */
     private static final int MOST_MEETINGS = 8;
 
-    /** Widening of squared sizes in margins, and what rounding leaves of a length there, relative to the coordinates. */
+    /** Widening of squared sizes in margins. */
     static final double WIDER = 1.001;
 
+    /** More than rounding leaves of a length in margins, relative to the coordinates. */
     static final double ROUNDING = 1e-6;
 
     /** What rounding may move a point by, relative to the largest coordinate. */
@@ -93,7 +94,7 @@ public abstract class Primitive implements Boundary {
         return true;
     }
 
-    /** Whether the square of the square of a size is a number. */
+    /** Whether products of squares of a size are neither 0 nor infinite. */
     static boolean hasSquare(double size) {
         return size > 1e-60 && size < 1e60;
     }

@@ -39,8 +39,7 @@ final class RayBundle {
      * @return false if they spread too widely; the bundle must not be used then
      */
     boolean enclose(RayBlock rays, int from, int to) {
-        // on Morton's way through a block its first and its last ray lie in opposite corners: between them lies the
-        // middle
+        // any axis does that no ray is far from; of a whole block the first and the last ray lie in opposite corners
         double ax = rays.dx[from] + rays.dx[to - 1];
         double ay = rays.dy[from] + rays.dy[to - 1];
         double az = rays.dz[from] + rays.dz[to - 1];

@@ -66,8 +66,17 @@ final class FrameCrossing {
             sceneFromCamera.transform(rays);
             return;
         }
+        shift(rays, -base.x(), -base.y(), -base.z(), -base.time());
+        sceneFromCamera.transform(rays);
+        shift(rays, rest.x(), rest.y(), rest.z(), timeOfOrigin);
+    }
+
+    private static void shift(RayBlock rays, double x, double y, double z, double time) {
         for (int i = 0; i < rays.count(); i++) {
-            rays.set(i, cross(rays.ray(i)));
+            rays.x[i] += x;
+            rays.y[i] += y;
+            rays.z[i] += z;
+            rays.time[i] += time;
         }
     }
 

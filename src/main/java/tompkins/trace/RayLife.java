@@ -59,7 +59,7 @@ public record RayLife(
         Recorder recorder = new Recorder(plan.sceneOrigin());
         RayCounts counts = new RayCounts();
         Colour colour = plan.tracer(counts, recorder).sample(x, y, lensX, lensY);
-        return recorder.start == null
+        return recorder.startDirection == null
                 ? null
                 : recorder.life(plan.studio().velocity().gamma(), colour, counts);
     }
@@ -68,8 +68,11 @@ public record RayLife(
 
         private final Vector3dc sceneOrigin;
         private final List<Encounter> hits = new ArrayList<>();
-        private Ray start;
-        private Ray crossed;
+        private Event start;
+        private Vector3d startDirection;
+        private Event crossing;
+        private Vector3d crossingDirection;
+        private double frequencyRatio = 1;
 
         Recorder(Vector3dc sceneOrigin) {
             this.sceneOrigin = sceneOrigin;
@@ -77,13 +80,18 @@ public record RayLife(
 
         @Override
         public void starts(Ray ray) {
-            start = ray;
+            start = inFrame(Frame.CAMERA, ray.x, ray.y, ray.z, ray.time);
+            startDirection = new Vector3d(ray.dx, ray.dy, ray.dz);
         }
 
         @Override
         public void crosses(Ray ray) {
             // a ray that is split in front of the lens may cross more than once; the first is the main one
-            crossed = crossed == null ? ray : crossed;
+            if (crossing == null) {
+                crossing = inFrame(Frame.SCENE, ray.x, ray.y, ray.z, ray.time);
+                crossingDirection = new Vector3d(ray.dx, ray.dy, ray.dz);
+                frequencyRatio = 1 / ray.frequency;
+            }
         }
 
         @Override
@@ -99,13 +107,12 @@ public record RayLife(
         }
 
         RayLife life(double gamma, Colour colour, RayCounts counts) {
-            boolean entered = crossed != null;
             return new RayLife(
-                    inFrame(Frame.CAMERA, start.x, start.y, start.z, start.time),
-                    new Vector3d(start.dx, start.dy, start.dz),
-                    entered ? inFrame(Frame.SCENE, crossed.x, crossed.y, crossed.z, crossed.time) : null,
-                    entered ? new Vector3d(crossed.dx, crossed.dy, crossed.dz) : null,
-                    entered ? 1 / crossed.frequency : 1,
+                    start,
+                    startDirection,
+                    crossing,
+                    crossingDirection,
+                    frequencyRatio,
                     gamma,
                     List.copyOf(hits),
                     colour,

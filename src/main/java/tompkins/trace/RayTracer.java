@@ -69,29 +69,30 @@ final class RayTracer implements Tracer {
         this.witness = witness;
     }
 
-    @Override
-    public Colour colour(Ray start) {
-        Ray left = follow(start);
-        return left == null ? sum : with(sum, factor, beyond.colour(left));
+    /** Begins a block of rays: forgets what was seen before, so that the work for a block depends on nothing else. */
+    void beginBlock() {
+        lastShadow = null;
+        nearest.forgetLeaf();
     }
 
-    /** The light that a ray has brought by itself, with what comes back from where it has left. */
-    static Colour with(Colour sum, Colour factor, Colour beyond) {
-        return factor == Colour.WHITE ? beyond : sum.plus(beyond.times(factor));
+    @Override
+    public Colour colour(Ray start) {
+        if (isGivenUp(start)) {
+            return Colour.BLACK;
+        }
+        counts.rays++;
+        return colour(start, objects.nearest(start, nearest), Hit.blank());
     }
 
     /**
-     * Follows a ray from the camera until it ends or leaves the objects of this frame.
+     * Follows a ray of a block until it ends or leaves the objects of this frame.
      *
-     * @return what leaves, or null; {@link #sum()} and {@link #factor()} tell of the way
+     * @return what leaves, in memory that is used again, or null; {@link #sum()} and {@link #factor()} tell of the way
      */
-    Ray follow(Ray start) {
-        if (isGivenUp(start)) {
-            sum = Colour.BLACK;
-            return null;
-        }
+    Ray follow(RayBlock rays, int place) {
         counts.rays++;
-        return follow(start, objects.nearest(start, nearest), Hit.blank());
+        Ray start = rays.copy(place, startMemory);
+        return follow(start, objects.nearest(start, nearest), hitMemory);
     }
 
     /** The light that the ray followed last has brought by itself. */
@@ -111,14 +112,14 @@ final class RayTracer implements Tracer {
             return beyond.colour(rays, place);
         }
         Ray start = rays.copy(place, startMemory);
-        return colour(start, candidates.nearest(start, place, nearest));
+        return colour(start, candidates.nearest(start, place, nearest), hitMemory);
     }
 
     /** As {@link #colour(Ray)}, for one of the rays for which the nodes were found. */
     Colour colour(RayBlock rays, int place, EntryNodes entries) {
         counts.rays++;
         Ray start = rays.copy(place, startMemory);
-        return colour(start, objects.nearest(start, entries, nearest));
+        return colour(start, objects.nearest(start, entries, nearest), hitMemory);
     }
 
     /** Looks for the nodes through which some rays enter the tree; false if each must search from its root. */
@@ -128,14 +129,13 @@ final class RayTracer implements Tracer {
 
     /** Looks for the primitives that the rays of a block can meet; false if all must be searched. */
     boolean find(Candidates candidates, RayBlock rays) {
-        lastShadow = null;
-        nearest.forgetLeaf();
         return candidates.find(objects, rays);
     }
 
-    private Colour colour(Ray start, boolean hits) {
-        Ray left = follow(start, hits, hitMemory);
-        return left == null ? sum : with(sum, factor, beyond.colour(left));
+    private Colour colour(Ray start, boolean hits, Hit memory) {
+        Ray left = follow(start, hits, memory);
+        // what stands in sum and factor is taken before anything else is followed
+        return left == null ? sum : sum.plus(factor.times(beyond.colour(left)));
     }
 
     /** Follows a ray whose nearest hit has just been searched. The memory is for its hits, of which each is over before the next. */

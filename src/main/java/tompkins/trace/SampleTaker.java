@@ -5,7 +5,7 @@ import tompkins.ray.Colour;
 /** Somebody who takes samples of a block of pixels. */
 public interface SampleTaker {
 
-    /** Whether a sample of a pixel is wanted; asked before its ray is made and again before it is followed. */
+    /** Whether a sample of a pixel is wanted; asked before its ray is made, and again before it is followed in each frame. */
     boolean wants(int column, int row);
 
     /** Takes the colour of one sample of a pixel, before exposure. */

@@ -96,6 +96,12 @@ public final class SampleTracer {
      * @param taker says which pixels are wanted, and gets their colours
      */
     public void sampleBlock(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
+        column = left;
+        row = top;
+        sceneEntry.sceneTracer().beginBlock();
+        if (cameraTracer != null) {
+            cameraTracer.beginBlock();
+        }
         choosePlaces(left, top, width, height, stride, sample, taker);
         cameraRays.make(places, rays, counts);
         counts.samples += places.count();
@@ -120,7 +126,7 @@ public final class SampleTracer {
     private void followInCameraFrame(SampleTaker taker) {
         int leaving = 0;
         for (int i = 0; i < rays.count() && goTo(i, taker); i++) {
-            Ray left = cameraTracer.follow(rays.ray(i));
+            Ray left = cameraTracer.follow(rays, i);
             if (left == null) {
                 take(i, cameraTracer.sum());
             } else {
@@ -156,12 +162,12 @@ public final class SampleTracer {
         for (int place = 0; place < LARGEST_BLOCK * LARGEST_BLOCK; place++) {
             int across = stride * mortonColumn(place);
             int down = stride * mortonColumn(place >> 1);
-            column = left + across;
-            row = top + down;
-            if (across < width && down < height && taker.wants(column, row)) {
-                sampler.start(column, row, sample);
-                columns[places.count()] = column;
-                rows[places.count()] = row;
+            int nextColumn = left + across;
+            int nextRow = top + down;
+            if (across < width && down < height && taker.wants(nextColumn, nextRow)) {
+                sampler.start(nextColumn, nextRow, sample);
+                columns[places.count()] = nextColumn;
+                rows[places.count()] = nextRow;
                 places.add(sampler.x(), sampler.y(), sampler.lensX(), sampler.lensY());
             }
         }
@@ -179,7 +185,7 @@ public final class SampleTracer {
     }
 
     private void takeFromScene(int index, Colour colour) {
-        take(index, cameraTracer == null ? colour : RayTracer.with(sums[index], factors[index], colour));
+        take(index, cameraTracer == null ? colour : sums[index].plus(factors[index].times(colour)));
     }
 
     private void take(int index, Colour colour) {

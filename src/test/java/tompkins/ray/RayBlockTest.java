@@ -30,7 +30,7 @@ class RayBlockTest {
         RayBlock rays = new RayBlock(1);
         rays.begin(1);
         rays.set(0, FROM_CAMERA);
-        Ray memory = Ray.shadow(Hit.blank().set(FROM_CAMERA, 2, 0, 0, 1, null, 3, null), 0, 1, 0);
+        Ray memory = Ray.blank().setShadow(Hit.blank().set(FROM_CAMERA, 2, 0, 0, 1, null, 3, null), 0, 1, 0);
 
         assertThat(rays.copy(0, memory)).isSameAs(memory);
 

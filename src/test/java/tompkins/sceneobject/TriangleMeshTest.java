@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Random;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import tompkins.ray.Hit;
 import tompkins.ray.MeshData;
 import tompkins.ray.Ray;
 import tompkins.surface.ColouredSurface;
@@ -35,7 +36,7 @@ class TriangleMeshTest {
                     + Math.abs(start.z + distance * direction.z);
             assertThat(sum).isCloseTo(1, within(1e-14));
             assertThat(distance).as("the nearer side").isLessThan(start.distance(target));
-            assertThat(nearest.hit(ray).cosine(ray))
+            assertThat(nearest.hit(ray, Hit.blank()).cosine(ray))
                     .as("normals point outwards")
                     .isNegative();
         }
