@@ -24,6 +24,9 @@ import tompkins.studio.Studio;
 @Timeout(300)
 class QualityWindowTest {
 
+    private static final int MOST_CLICKS = 5;
+    private static final long CLICK_NANOSECONDS = 3_000_000_000L;
+
     @TempDir
     private Path folder;
 
@@ -60,16 +63,28 @@ class QualityWindowTest {
         assertThat(driver.studio().settings().samples()).isEqualTo(1);
 
         WindowDriver.await("all points", () -> state().startsWith("Click on a point") && entity("adaptive", 5) != null);
-        driver.click(WindowDriver.onEventThread(() -> place("the same", 0)));
-        WindowDriver.await("the choice", () -> state().startsWith("Chosen for the picture:"));
+        choose("the same", 0, "4 samples a pixel");
+        assertThat(state()).startsWith("Chosen for the picture:");
         assertThat(driver.studio().settings().samples()).isEqualTo(4);
-        assertThat(state()).endsWith("4 samples a pixel");
 
-        driver.click(WindowDriver.onEventThread(() -> place("adaptive", 5)));
-        WindowDriver.await("the choice", () -> state().endsWith("Samples where they are needed, error 0.001"));
+        choose("adaptive", 5, "Samples where they are needed, error 0.001");
         WindowDriver.await(
                 "a picture that is as good",
                 () -> driver.picture().complete() && driver.picture().error() <= 0.001);
+    }
+
+    /** Clicks on a point, and again if the chart was just drawn anew between press and release and took no click. */
+    private void choose(String curve, int point, String chosen) {
+        for (int click = 0; click < MOST_CLICKS && !isChosen(chosen); click++) {
+            driver.click(WindowDriver.onEventThread(() -> place(curve, point)));
+            long end = System.nanoTime() + CLICK_NANOSECONDS;
+            WindowDriver.await("an answer", () -> state().endsWith(chosen) || System.nanoTime() > end);
+        }
+        assertThat(isChosen(chosen)).as(chosen).isTrue();
+    }
+
+    private static boolean isChosen(String chosen) {
+        return WindowDriver.onEventThread(() -> state().endsWith(chosen));
     }
 
     private static JDialog dialog() {
