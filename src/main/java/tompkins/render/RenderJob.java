@@ -190,7 +190,11 @@ public final class RenderJob {
     }
 
     private boolean isStopped() {
-        return cancelled || failure.get() != null || Thread.currentThread().isInterrupted();
+        if (Thread.currentThread().isInterrupted()) {
+            // the renderer is being closed, and may come to this job only when it has ended
+            cancelled = true;
+        }
+        return cancelled || failure.get() != null;
     }
 
     /** Ends the job soon: within one sample of each thread. */
