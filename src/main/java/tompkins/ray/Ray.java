@@ -54,40 +54,6 @@ public final class Ray {
         return new Ray();
     }
 
-    private Ray set(
-            double newX,
-            double newY,
-            double newZ,
-            double newDx,
-            double newDy,
-            double newDz,
-            double newTime,
-            double newSlowness,
-            double newFrequency,
-            double newWidth,
-            double newSpread,
-            double newWeight,
-            Boundary newBoundary,
-            int newPart,
-            int newGeneration) {
-        x = newX;
-        y = newY;
-        z = newZ;
-        dx = newDx;
-        dy = newDy;
-        dz = newDz;
-        time = newTime;
-        slowness = newSlowness;
-        frequency = newFrequency;
-        width = newWidth;
-        spread = newSpread;
-        weight = newWeight;
-        boundary = newBoundary;
-        part = newPart;
-        generation = newGeneration;
-        return this;
-    }
-
     /** A ray that leaves the camera at (x, y, z) at the given time, in the unit direction (dx, dy, dz), free of width. */
     public static Ray fromCamera(double x, double y, double z, double dx, double dy, double dz, double time) {
         return fromCamera(x, y, z, dx, dy, dz, time, 0);
@@ -96,7 +62,19 @@ public final class Ray {
     /** As above, for a bundle with the given opening angle (the angle that one pixel sees, in radians). */
     public static Ray fromCamera(
             double x, double y, double z, double dx, double dy, double dz, double time, double spread) {
-        return new Ray().set(x, y, z, dx, dy, dz, time, 1, 1, 0, spread, 1, null, 0, 0);
+        Ray ray = new Ray();
+        ray.x = x;
+        ray.y = y;
+        ray.z = z;
+        ray.dx = dx;
+        ray.dy = dy;
+        ray.dz = dz;
+        ray.time = time;
+        ray.slowness = 1;
+        ray.frequency = 1;
+        ray.spread = spread;
+        ray.weight = 1;
+        return ray;
     }
 
     /**
@@ -115,23 +93,20 @@ public final class Ray {
             double newTime,
             double newSlowness,
             double frequencyFactor) {
-        return new Ray()
-                .set(
-                        newX,
-                        newY,
-                        newZ,
-                        newDx,
-                        newDy,
-                        newDz,
-                        newTime,
-                        newSlowness,
-                        frequency * frequencyFactor,
-                        width,
-                        spread / frequencyFactor,
-                        weight,
-                        null,
-                        0,
-                        generation);
+        Ray ray = copy();
+        ray.x = newX;
+        ray.y = newY;
+        ray.z = newZ;
+        ray.dx = newDx;
+        ray.dy = newDy;
+        ray.dz = newDz;
+        ray.time = newTime;
+        ray.slowness = newSlowness;
+        ray.frequency *= frequencyFactor;
+        ray.spread /= frequencyFactor;
+        ray.boundary = null;
+        ray.part = 0;
+        return ray;
     }
 
     /** The same ray with its start moved in space and time. */
@@ -146,12 +121,21 @@ public final class Ray {
 
     /** The ray that goes on from a hit in a new unit direction, with a share of this ray's light. */
     public Ray bent(Hit hit, double newDx, double newDy, double newDz, double share) {
-        return from(hit, newDx, newDy, newDz, slowness, weight * share, generation + 1);
+        return bent(hit, newDx, newDy, newDz, slowness, share);
     }
 
     /** As {@link #bent(Hit, double, double, double, double)}, with another slowness. */
     public Ray bent(Hit hit, double newDx, double newDy, double newDz, double newSlowness, double share) {
-        return from(hit, newDx, newDy, newDz, newSlowness, weight * share, generation + 1);
+        Ray ray = copy();
+        ray.startOn(hit);
+        ray.dx = newDx;
+        ray.dy = newDy;
+        ray.dz = newDz;
+        ray.slowness = newSlowness;
+        ray.width = widthAt(hit.distance);
+        ray.weight *= share;
+        ray.generation++;
+        return ray;
     }
 
     /** The same ray with a share of its light. */
@@ -169,18 +153,43 @@ public final class Ray {
     }
 
     private Ray copy() {
-        return new Ray()
-                .set(x, y, z, dx, dy, dz, time, slowness, frequency, width, spread, weight, boundary, part, generation);
+        Ray copy = new Ray();
+        copy.x = x;
+        copy.y = y;
+        copy.z = z;
+        copy.dx = dx;
+        copy.dy = dy;
+        copy.dz = dz;
+        copy.time = time;
+        copy.slowness = slowness;
+        copy.frequency = frequency;
+        copy.width = width;
+        copy.spread = spread;
+        copy.weight = weight;
+        copy.boundary = boundary;
+        copy.part = part;
+        copy.generation = generation;
+        return copy;
     }
 
     /** The same ray beyond a hit, with a share of its light. */
     public Ray straightOn(Hit hit, double share) {
-        return from(hit, dx, dy, dz, slowness, weight * share, generation + 1);
+        return bent(hit, dx, dy, dz, slowness, share);
     }
 
     /** Makes this a ray that starts at a hit in the unit direction (toX, toY, toZ), to ask whether something is in the way. */
     public Ray setShadow(Hit hit, double toX, double toY, double toZ) {
-        return set(hit.x, hit.y, hit.z, toX, toY, toZ, hit.time, 1, 1, 0, 0, 1, hit.boundary, hit.part, 0);
+        startOn(hit);
+        dx = toX;
+        dy = toY;
+        dz = toZ;
+        slowness = 1;
+        frequency = 1;
+        width = 0;
+        spread = 0;
+        weight = 1;
+        generation = 0;
+        return this;
     }
 
     /** The ray of a shadow test, beyond something clear. */
@@ -198,30 +207,12 @@ public final class Ray {
         return width + spread * distance;
     }
 
-    private Ray from(
-            Hit hit,
-            double newDx,
-            double newDy,
-            double newDz,
-            double newSlowness,
-            double newWeight,
-            int newGeneration) {
-        return new Ray()
-                .set(
-                        hit.x,
-                        hit.y,
-                        hit.z,
-                        newDx,
-                        newDy,
-                        newDz,
-                        hit.time,
-                        newSlowness,
-                        frequency,
-                        widthAt(hit.distance),
-                        spread,
-                        newWeight,
-                        hit.boundary,
-                        hit.part,
-                        newGeneration);
+    private void startOn(Hit hit) {
+        x = hit.x;
+        y = hit.y;
+        z = hit.z;
+        time = hit.time;
+        boundary = hit.boundary;
+        part = hit.part;
     }
 }
