@@ -6,8 +6,11 @@ package tompkins.ray;
  */
 public final class RayBlock {
 
+    /** Largest width and height of a block of the picture. */
+    public static final int SIDE = 16;
+
     /** Most rays of a block of the picture. */
-    public static final int MOST = 256;
+    public static final int MOST = SIDE * SIDE;
 
     /** Where the rays start. */
     public final double[] x;
@@ -33,6 +36,9 @@ public final class RayBlock {
     /** Frequencies in the frame of the rays, divided by those in the camera frame. */
     public final double[] frequency;
 
+    /** What a camera sets; the rest is the same for all its rays. */
+    private final double[][] setByCamera;
+
     private final double[] width;
     private final double[] weight;
     private final int[] generation;
@@ -55,6 +61,7 @@ public final class RayBlock {
         generation = new int[most];
         spread = new double[most];
         samples = new int[most];
+        setByCamera = new double[][] {x, y, z, dx, dy, dz, time, spread};
     }
 
     /** Number of rays. */
@@ -77,14 +84,9 @@ public final class RayBlock {
 
     /** Lets a ray that has just left the camera take the place of an earlier one. */
     public void move(int from, int to) {
-        x[to] = x[from];
-        y[to] = y[from];
-        z[to] = z[from];
-        dx[to] = dx[from];
-        dy[to] = dy[from];
-        dz[to] = dz[from];
-        time[to] = time[from];
-        spread[to] = spread[from];
+        for (double[] numbers : setByCamera) {
+            numbers[to] = numbers[from];
+        }
         samples[to] = samples[from];
     }
 

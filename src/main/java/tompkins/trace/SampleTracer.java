@@ -16,7 +16,7 @@ import tompkins.sceneobject.NearestHit;
 public final class SampleTracer {
 
     /** Largest width and height of a block of samples that are taken together. */
-    public static final int LARGEST_BLOCK = 16;
+    public static final int LARGEST_BLOCK = RayBlock.SIDE;
 
     private final PixelSampler sampler;
     private final CameraRays cameraRays;
@@ -159,7 +159,7 @@ public final class SampleTracer {
 
     private void choosePlaces(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
         places.clear();
-        for (int place = 0; place < LARGEST_BLOCK * LARGEST_BLOCK; place++) {
+        for (int place = 0; place < RayBlock.MOST; place++) {
             int across = stride * mortonColumn(place);
             int down = stride * mortonColumn(place >> 1);
             int nextColumn = left + across;
