@@ -20,10 +20,8 @@ public interface CameraRays {
 
     /** The ray of a single sample, or null; for the place see {@link SamplePlaces#add}. */
     default Ray ray(double x, double y, double lensX, double lensY, RayCounts counts) {
-        SamplePlaces place = new SamplePlaces(1);
         RayBlock rays = new RayBlock(1);
-        place.add(x, y, lensX, lensY);
-        make(place, rays, counts);
+        make(SamplePlaces.single(x, y, lensX, lensY), rays, counts);
         return rays.count() == 0 ? null : rays.ray(0);
     }
 

@@ -17,6 +17,13 @@ public final class SamplePlaces {
         lensY = new double[most];
     }
 
+    /** A single place, as {@link #add}. */
+    static SamplePlaces single(double pictureX, double pictureY, double pupilX, double pupilY) {
+        SamplePlaces single = new SamplePlaces(1);
+        single.add(pictureX, pictureY, pupilX, pupilY);
+        return single;
+    }
+
     /** Number of places. */
     public int count() {
         return count;

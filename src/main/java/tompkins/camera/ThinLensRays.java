@@ -69,10 +69,8 @@ final class ThinLensRays implements CameraRays {
 
     @Override
     public Vector3d chiefDirection(double x, double y) {
-        SamplePlaces place = new SamplePlaces(1);
         RayBlock rays = new RayBlock(1);
-        place.add(x, y, 0, 0);
-        aim(place, rays);
+        aim(SamplePlaces.single(x, y, 0, 0), rays);
         return new Vector3d(rays.dx[0], rays.dy[0], rays.dz[0]);
     }
 
