@@ -30,7 +30,7 @@ public final class Candidates {
      * Looks for the primitives that some rays can meet.
      *
      * @param objects all primitives of the frame
-     * @param rays the rays; at most 256
+     * @param rays the rays; at most {@link RayBlock#MOST}
      * @return false if the rays spread too widely, or can meet too many primitives; search the tree instead
      */
     public boolean find(ObjectTree objects, RayBlock rays) {
@@ -54,23 +54,16 @@ public final class Candidates {
     private void sift(RayBlock rays) {
         Arrays.fill(mayMeet, 0, rays.count(), 0);
         for (int i = 0; i < count; i++) {
-            if (found[i].margins(rays, bundle.farthest(), margins)) {
-                note(1L << i, rays.count());
-            } else {
-                noteAll(1L << i, rays.count());
+            if (!found[i].margins(rays, bundle.farthest(), margins)) {
+                Arrays.fill(margins, 0, rays.count(), 0);
             }
+            note(1L << i, rays.count());
         }
     }
 
     private void note(long bit, int rayCount) {
         for (int ray = 0; ray < rayCount; ray++) {
             mayMeet[ray] |= margins[ray] < 0 ? 0 : bit;
-        }
-    }
-
-    private void noteAll(long bit, int rayCount) {
-        for (int ray = 0; ray < rayCount; ray++) {
-            mayMeet[ray] |= bit;
         }
     }
 
