@@ -1,5 +1,6 @@
 package tompkins.bench;
 
+import java.util.Arrays;
 import java.util.Locale;
 
 /**
@@ -24,6 +25,13 @@ record Measure(String what, String target, String measured, Boolean met) {
     /** Something that could not be measured here, and why. */
     static Measure missing(String what, String why) {
         return new Measure(what, "", why, null);
+    }
+
+    /** The median of some numbers; of an even number of them the upper one of the two in the middle. */
+    static double median(double[] values) {
+        double[] sorted = values.clone();
+        Arrays.sort(sorted);
+        return sorted[sorted.length / 2];
     }
 
     /** A number with three digits that count. */

@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
@@ -130,8 +129,7 @@ final class PerformanceReport {
     }
 
     private void againstPovRay(double time, String name, double[] povRay) {
-        Arrays.sort(povRay);
-        double pov = povRay[povRay.length / 2];
+        double pov = Measure.median(povRay);
         String what = name + ", " + LARGE_WIDTH + " x " + LARGE_HEIGHT + ", against POV-Ray 3.7 in this run";
         measures.add(
                 Double.isNaN(pov)

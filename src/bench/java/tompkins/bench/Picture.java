@@ -60,12 +60,10 @@ final class Picture implements AutoCloseable {
 
     /** The median time, of the second half of the pictures: the compiler has settled then. */
     double median() {
-        double[] settled = milliseconds.stream()
+        return Measure.median(milliseconds.stream()
                 .skip(milliseconds.size() / 2)
                 .mapToDouble(Double::doubleValue)
-                .sorted()
-                .toArray();
-        return settled[settled.length / 2];
+                .toArray());
     }
 
     RenderReport report() {

@@ -1,7 +1,5 @@
 package tompkins.bench;
 
-import java.util.Arrays;
-
 /**
  * What a figure of the paper takes elsewhere: with programs that are not run here, on the machine where they were measured, and
  * with POV-Ray, which was run there and is run here. How it does here tells how fast this machine is.
@@ -22,23 +20,22 @@ record Yardstick(String figure, double drTim, double tree, double embree, double
 
             ## Machine
 
-            Where Dr TIM, the native tracers and Embree were measured, POV-Ray took 172 ms for Fig. 1(a) and 97 ms for Fig. 1(b) at 640 x 480.
+            Where Dr TIM, the native tracers and Embree were measured, POV-Ray took %.0f ms for Fig. 1(a) and %.0f ms for Fig. 1(b) at 640 x 480.
             What it takes in this run tells how much slower or faster this machine is; if their times are multiplied by that, this is how
             they compare:
 
             | figure | POV-Ray here | factor | Dr TIM takes | a native tree takes | Embree takes | this program takes, of packets |
             | --- | --- | --- | --- | --- | --- | --- |
-            """;
+            """.formatted(REST.povRay, MOVING.povRay);
 
     /**
      * A line of the table.
      *
      * @param time milliseconds of this program here
-     * @param povRayHere milliseconds of POV-Ray here, in several rounds; sorted by this method
+     * @param povRayHere milliseconds of POV-Ray here, in several rounds
      */
     String line(double time, double[] povRayHere) {
-        Arrays.sort(povRayHere);
-        double pov = povRayHere[povRayHere.length / 2];
+        double pov = Measure.median(povRayHere);
         if (Double.isNaN(pov)) {
             return "| " + figure + " | not installed | | | | | |\n";
         }
