@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
@@ -27,7 +26,7 @@ class PrimitiveContractTest {
     private static final int OBJECTS = 12;
     private static final int RAYS = 150;
 
-    private final SplittableRandom random = new SplittableRandom(7);
+    private final RandomAims aims = new RandomAims(7);
 
     static Stream<Class<?>> types() {
         return Arrays.stream(SceneObject.class.getPermittedSubclasses());
@@ -67,28 +66,14 @@ class PrimitiveContractTest {
     }
 
     private Ray aimed(Primitive primitive) {
-        Bounds bounds = primitive.bounds();
-        Vector3d target = bounds == null
-                ? vector(10)
-                : new Vector3d(
-                        mix(bounds.minX(), bounds.maxX()),
-                        mix(bounds.minY(), bounds.maxY()),
-                        mix(bounds.minZ(), bounds.maxZ()));
-        Vector3d origin = vector(40);
+        Vector3d target = aims.placeIn(primitive);
+        Vector3d origin = aims.vector(40);
         return ray(origin, target.sub(origin, new Vector3d()));
     }
 
     private static Ray ray(Vector3dc origin, Vector3dc direction) {
         Vector3d d = direction.normalize(new Vector3d());
         return Ray.fromCamera(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 5, 1e-3);
-    }
-
-    private Vector3d vector(double reach) {
-        return new Vector3d(mix(-reach, reach), mix(-reach, reach), mix(-reach, reach));
-    }
-
-    private double mix(double low, double high) {
-        return low + (high - low) * random.nextDouble();
     }
 
     private static void liesOnTheRay(Ray ray, double distance, Hit hit) {
@@ -111,7 +96,7 @@ class PrimitiveContractTest {
             assertThat(hit.y).isBetween(wide.minY() - 1e-12, wide.maxY() + 1e-12);
             assertThat(hit.z).isBetween(wide.minZ() - 1e-12, wide.maxZ() + 1e-12);
         }
-        Vector3d n = vector(1);
+        Vector3d n = aims.vector(1);
         assertThat(primitive.least(n.x, n.y, n.z)).isLessThanOrEqualTo(n.dot(place(hit)) + 1e-9);
         assertThat(primitive.isBeyond(n.x, n.y, n.z, n.dot(place(hit)))).isFalse();
     }
@@ -201,8 +186,8 @@ class PrimitiveContractTest {
         List<Primitive> primitives = PrimitiveCollector.primitivesOf(object);
         double step = 0.005;
         for (int i = 0; i < 300; i++) {
-            Vector3d origin = vector(10);
-            Ray ray = ray(origin, vector(3).add(0, 0, 4).sub(origin));
+            Vector3d origin = aims.vector(10);
+            Ray ray = ray(origin, aims.vector(3).add(0, 0, 4).sub(origin));
             Primitive nearest = null;
             double distance = Primitive.NO_HIT;
             for (Primitive primitive : primitives) {
@@ -242,7 +227,7 @@ class PrimitiveContractTest {
         List<SceneObject> objects = new ArrayList<>();
         for (int seed = 0; seed < 300; seed++) {
             Class<?>[] types = {Sphere.class, Cylinder.class, Box.class, Disc.class, Triangle.class, Cone.class};
-            Vector3d place = vector(60);
+            Vector3d place = aims.vector(60);
             objects.add(new Placed(
                     "", RandomStudio.object(seed, types[seed % types.length], TILED), 0.1, place, 30, place));
         }
@@ -255,15 +240,15 @@ class PrimitiveContractTest {
         NearestHit fromList = new NearestHit();
         int hits = 0;
         for (int i = 0; i < 100_000; i++) {
-            Bounds bounds = primitives.get(random.nextInt(primitives.size())).bounds();
+            Bounds bounds = primitives.get((int) aims.mix(0, primitives.size())).bounds();
             boolean edge = i % 2 == 0;
             Vector3d target = new Vector3d(
-                    edge ? (bounds.minX() + bounds.maxX()) / 2 : mix(bounds.minX(), bounds.maxX()),
-                    edge ? bounds.maxY() : mix(bounds.minY(), bounds.maxY()),
-                    edge ? (bounds.minZ() + bounds.maxZ()) / 2 : mix(bounds.minZ(), bounds.maxZ()));
+                    edge ? (bounds.minX() + bounds.maxX()) / 2 : aims.mix(bounds.minX(), bounds.maxX()),
+                    edge ? bounds.maxY() : aims.mix(bounds.minY(), bounds.maxY()),
+                    edge ? (bounds.minZ() + bounds.maxZ()) / 2 : aims.mix(bounds.minZ(), bounds.maxZ()));
             Vector3d origin = i % 4 == 0
-                    ? new Vector3d(target).add(1e6 * (random.nextDouble() - 0.5), 0, 1e6 * random.nextDouble())
-                    : vector(i % 4 == 1 ? 1e6 : 100);
+                    ? new Vector3d(target).add(aims.mix(-5e5, 5e5), 0, aims.mix(0, 1e6))
+                    : aims.vector(i % 4 == 1 ? 1e6 : 100);
             Ray ray = ray(origin, target.sub(origin, new Vector3d()));
             boolean found = tree.nearest(ray, fromTree);
             assertThat(found).isEqualTo(list.nearest(ray, fromList));

@@ -3,7 +3,6 @@ package tompkins.sceneobject;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
-import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -22,7 +21,7 @@ class QuickRejectionTest {
     private static final int RAYS = 200;
     private static final double RADIUS = 0.02;
 
-    private final SplittableRandom random = new SplittableRandom(3);
+    private final RandomAims aims = new RandomAims(3);
 
     static Stream<Primitive> primitives() {
         return Arrays.stream(SceneObject.class.getPermittedSubclasses())
@@ -70,7 +69,7 @@ class QuickRejectionTest {
         rays.begin(RAYS);
         double farthest = 0;
         for (int i = 0; i < RAYS; i++) {
-            Ray ray = aimed(primitive, vector(reach));
+            Ray ray = aimed(primitive, aims.vector(reach));
             rays.set(i, ray);
             farthest = Math.max(farthest, Math.abs(ray.x) + Math.abs(ray.y) + Math.abs(ray.z));
         }
@@ -118,7 +117,7 @@ class QuickRejectionTest {
     void noRayThatHitsIsSurelyMissing() {
         for (Primitive primitive : primitives().toList()) {
             for (int i = 0; i < RAYS; i++) {
-                Ray ray = aimed(primitive, vector(30));
+                Ray ray = aimed(primitive, aims.vector(30));
                 boolean hits = primitive.distance(ray, Primitive.NO_HIT) < Primitive.NO_HIT;
                 assertThat(hits && primitive.surelyMisses(startOf(ray), ray.dx, ray.dy, ray.dz))
                         .isFalse();
@@ -145,7 +144,7 @@ class QuickRejectionTest {
             if (primitive.bounds() == null) {
                 continue;
             }
-            Vector3d lamp = vector(60);
+            Vector3d lamp = aims.vector(60);
             Occluder occluder = new Occluder(primitive, lamp);
             for (int i = 0; i < RAYS; i++) {
                 Ray ray = aimed(primitive, lamp);
@@ -179,16 +178,11 @@ class QuickRejectionTest {
     }
 
     private Ray aimed(Primitive primitive, Vector3dc start) {
-        Bounds bounds = primitive.bounds();
-        Vector3d target = bounds == null
-                ? vector(10)
-                : new Vector3d(
-                        mix(bounds.minX(), bounds.maxX()),
-                        mix(bounds.minY(), bounds.maxY()),
-                        mix(bounds.minZ(), bounds.maxZ()));
+        Vector3d target = aims.placeIn(primitive);
         if (primitive.longAxis() != null) {
             // most rays to the box of a rod miss it: here to its axis
-            double along = mix(-0.5, 0.5);
+            Bounds bounds = primitive.bounds();
+            double along = aims.mix(-0.5, 0.5);
             target = new Vector3d(primitive.longAxis())
                     .mul(along)
                     .add(bounds.twiceCentre(0) / 2, bounds.twiceCentre(1) / 2, bounds.twiceCentre(2) / 2);
@@ -199,13 +193,5 @@ class QuickRejectionTest {
     private static Ray ray(Vector3dc start, Vector3dc towards) {
         Vector3d d = towards.normalize(new Vector3d());
         return Ray.fromCamera(start.x(), start.y(), start.z(), d.x, d.y, d.z, 0);
-    }
-
-    private Vector3d vector(double reach) {
-        return new Vector3d(mix(-reach, reach), mix(-reach, reach), mix(-reach, reach));
-    }
-
-    private double mix(double low, double high) {
-        return low + (high - low) * random.nextDouble();
     }
 }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -30,7 +29,7 @@ class ShapeGeometryTest {
     private static final Surface TILED = Tiling.DEFAULT;
     private static final double SMALL = 1e-12;
 
-    private final SplittableRandom random = new SplittableRandom(21);
+    private final RandomAims aims = new RandomAims(21);
 
     private static Vector3d moved(double x, double y, double z) {
         return new Vector3d(x, y, z).mul(2.5).add(1, -2, 3);
@@ -67,7 +66,7 @@ class ShapeGeometryTest {
         assertThat(ones).hasSameSizeAs(others);
         int hits = 0;
         for (int i = 0; i < 600; i++) {
-            Ray ray = ray(vector(30), vector(6).add(2, 2, 12));
+            Ray ray = ray(aims.vector(30), aims.vector(6).add(2, 2, 12));
             for (int k = 0; k < ones.size(); k++) {
                 double distance = ones.get(k).distance(ray, Primitive.NO_HIT);
                 double expected = others.get(k).distance(ray, Primitive.NO_HIT);
@@ -163,13 +162,15 @@ class ShapeGeometryTest {
         Vector3d[] normals = new Vector3d[20];
         double[] least = new double[normals.length];
         for (int k = 0; k < normals.length; k++) {
-            normals[k] = vector(1).normalize().mul(0.5 + k);
+            normals[k] = aims.vector(1).normalize().mul(0.5 + k);
             least[k] = Double.POSITIVE_INFINITY;
         }
         for (int i = 0; i < 60_000; i++) {
-            Vector3d target =
-                    new Vector3d(mix(box.minX(), box.maxX()), mix(box.minY(), box.maxY()), mix(box.minZ(), box.maxZ()));
-            Ray ray = ray(vector(1).normalize().mul(20).add(target), target);
+            Vector3d target = new Vector3d(
+                    aims.mix(box.minX(), box.maxX()),
+                    aims.mix(box.minY(), box.maxY()),
+                    aims.mix(box.minZ(), box.maxZ()));
+            Ray ray = ray(aims.vector(1).normalize().mul(20).add(target), target);
             double distance = primitive.distance(ray, Primitive.NO_HIT);
             if (distance < Primitive.NO_HIT) {
                 Hit hit = primitive.hit(ray, distance);
@@ -281,13 +282,5 @@ class ShapeGeometryTest {
     private static Ray ray(Vector3dc origin, Vector3dc target) {
         Vector3d d = target.sub(origin, new Vector3d()).normalize();
         return Ray.fromCamera(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 0);
-    }
-
-    private Vector3d vector(double reach) {
-        return new Vector3d(mix(-reach, reach), mix(-reach, reach), mix(-reach, reach));
-    }
-
-    private double mix(double low, double high) {
-        return low + (high - low) * random.nextDouble();
     }
 }
