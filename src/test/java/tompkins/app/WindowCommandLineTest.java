@@ -15,8 +15,6 @@ import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.condition.DisabledOnOs;
-import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -160,7 +158,6 @@ class WindowCommandLineTest {
                 "a,b",
                 "#1"
             })
-    @DisabledOnOs(OS.WINDOWS)
     void shellTakesTheNameForOneWord(String name) throws IOException, InterruptedException {
         Path named = folder.resolve(name + ".json");
         String words = line(OPENED, named).orElseThrow().substring("java -jar tompkins.jar ".length());
