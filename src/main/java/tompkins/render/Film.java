@@ -168,7 +168,8 @@ final class Film {
     }
 
     private void put(int pixel, double exposure, float[] light, int place) {
-        double scale = exposure / samples(pixel);
+        int count = samples(pixel);
+        double scale = count == 1 ? exposure : exposure / count;
         light[place] = (float) (sums[3 * pixel] * scale);
         light[place + 1] = (float) (sums[3 * pixel + 1] * scale);
         light[place + 2] = (float) (sums[3 * pixel + 2] * scale);

@@ -21,6 +21,9 @@ final class Roughness {
     private final float[] shared;
     private final Film film;
     private final int sampled;
+    private int lastSamples;
+    private double lastExponent;
+    private double lastPower;
 
     /** The roughness of the pixels that have samples. */
     Roughness(Film film) {
@@ -46,7 +49,7 @@ final class Roughness {
             return Double.NaN;
         }
         if (samples > 1) {
-            return film.halvesVariance(row * width + column) * Math.pow(samples, POWER);
+            return film.halvesVariance(row * width + column) * power(samples, POWER);
         }
         double most = secondDifference(column, row, 1, 0);
         most = Math.max(most, secondDifference(column, row, 0, 1));
@@ -109,7 +112,17 @@ final class Roughness {
     /** The variance that the mean of a pixel has. */
     double variance(int pixel) {
         int samples = film.samples(pixel);
-        return samples <= 1 ? shared[pixel] : shared[pixel] * Math.pow(samples, -POWER);
+        return samples <= 1 ? shared[pixel] : shared[pixel] * power(samples, -POWER);
+    }
+
+    /** A power, kept for the next pixel, which mostly has as many samples. */
+    private double power(int samples, double exponent) {
+        if (samples != lastSamples || exponent != lastExponent) {
+            lastSamples = samples;
+            lastExponent = exponent;
+            lastPower = Math.pow(samples, exponent);
+        }
+        return lastPower;
     }
 
     /** Number of pixels that have samples. */

@@ -161,6 +161,7 @@ final class PictureCanvas extends JPanel {
         Graphics2D g = (Graphics2D) graphics.create();
         g.setColor(UIManager.getColor("Tompkins.canvas"));
         g.fillRect(0, 0, getWidth(), getHeight());
+        g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
         if (shown.nowImage() != null) {
             paintPictures(g);
         }

@@ -10,9 +10,9 @@ import tompkins.image.BufferedImages;
  * Pictures as the screen shows them.
  *
  * @param now the picture, or null
- * @param nowImage the picture in the size of the screen
+ * @param nowImage the picture as levels, at most in the size in which it is shown
  * @param other what it is compared with, or null
- * @param otherImage that in the size of the screen
+ * @param otherImage the same of that
  * @param difference by how much the two differ, or null
  */
 record ScreenPicture(

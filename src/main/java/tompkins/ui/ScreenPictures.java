@@ -8,7 +8,7 @@ import java.util.function.UnaryOperator;
 import javax.swing.SwingUtilities;
 
 /**
- * Turns pictures into images of the size of the canvas, on a thread of its own, and hands the newest to the event thread.
+ * Turns pictures into images no larger than the canvas, on a thread of its own, and hands the newest to the event thread.
  * However fast pictures come, the event thread has one at a time to paint.
  */
 final class ScreenPictures implements AutoCloseable {
@@ -58,7 +58,8 @@ final class ScreenPictures implements AutoCloseable {
     }
 
     private void prepare(Wanted order) {
-        boolean sameSize = doneFor != null && doneFor.canvas.equals(order.canvas);
+        boolean sameSize =
+                doneFor != null && doneFor.canvas.equals(order.canvas) && doneFor.difference == order.difference;
         BufferedImage now = sameSize && order.now == done.now() ? done.nowImage() : image(order.now, order);
         BufferedImage other = sameSize && order.other == done.other() ? done.otherImage() : image(order.other, order);
         BufferedImage difference = order.difference && other != null && sameShape(now, other)
@@ -75,9 +76,11 @@ final class ScreenPictures implements AutoCloseable {
         if (picture == null) {
             return null;
         }
-        Dimension fitted =
-                Fit.size(picture.image().width(), picture.image().height(), order.canvas.width, order.canvas.height);
-        return ScreenPicture.scaled(ScreenPicture.levels(picture), fitted);
+        BufferedImage levels = ScreenPicture.levels(picture);
+        Dimension fitted = Fit.size(levels.getWidth(), levels.getHeight(), order.canvas.width, order.canvas.height);
+        // The display enlarges a picture itself, in a fifth of the time; two that are subtracted need the same size.
+        boolean enlarged = fitted.width >= levels.getWidth();
+        return enlarged && !order.difference ? levels : ScreenPicture.scaled(levels, fitted);
     }
 
     private static boolean sameShape(BufferedImage first, BufferedImage second) {
