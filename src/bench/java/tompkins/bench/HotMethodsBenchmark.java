@@ -19,7 +19,7 @@ import org.openjdk.jmh.annotations.Warmup;
 import org.openjdk.jmh.infra.Blackhole;
 import tompkins.camera.PixelSampler;
 import tompkins.light.AmbientLight;
-import tompkins.light.LightSource;
+import tompkins.light.Illumination;
 import tompkins.light.PointLight;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
@@ -101,7 +101,8 @@ public class HotMethodsBenchmark {
     @State(Scope.Benchmark)
     public static class Lit implements Tracer {
 
-        private final List<LightSource> lights = List.of(AmbientLight.DEFAULT, PointLight.DEFAULT);
+        private final Illumination illumination =
+                new Illumination(List.of(AmbientLight.DEFAULT, PointLight.DEFAULT), (from, x, y, z) -> true);
         private final ColouredSurface surface = new ColouredSurface(new Colour(1, 0, 0), Colour.WHITE);
         private final Ray ray = Ray.fromCamera(0, 0, 0, 0, 0, 1, 0);
         private final Hit hit =
@@ -113,13 +114,8 @@ public class HotMethodsBenchmark {
         }
 
         @Override
-        public boolean isClear(Hit from, double x, double y, double z) {
-            return true;
-        }
-
-        @Override
-        public List<LightSource> lights() {
-            return lights;
+        public Illumination illumination() {
+            return illumination;
         }
     }
 

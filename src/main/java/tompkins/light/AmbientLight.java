@@ -20,8 +20,8 @@ public record AmbientLight(
     }
 
     @Override
-    public Colour reflected(Ray ray, Hit hit, Colour diffuse, Colour specular, Visibility visibility) {
-        return diffuse.times(colour);
+    public void reflect(Ray ray, Hit hit, Colour diffuse, Colour specular, Illumination sum) {
+        sum.add(diffuse.red() * colour.red(), diffuse.green() * colour.green(), diffuse.blue() * colour.blue());
     }
 
     @Override

@@ -8,8 +8,8 @@ import tompkins.ray.Ray;
 /** A source of light, at rest in the frame that it lights. */
 public sealed interface LightSource permits AmbientLight, PointLight {
 
-    /** The light of this source that a surface sends back along a ray that hit it. */
-    Colour reflected(Ray ray, Hit hit, Colour diffuse, Colour specular, Visibility visibility);
+    /** Adds the light of this source that a surface with the given colours sends back along a ray that hit it. */
+    void reflect(Ray ray, Hit hit, Colour diffuse, Colour specular, Illumination sum);
 
     /** The same source in a coordinate system whose origin lies at {@code origin} of this one. */
     LightSource seenFrom(Vector3dc origin);

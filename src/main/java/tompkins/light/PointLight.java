@@ -42,24 +42,23 @@ public record PointLight(
     }
 
     @Override
-    public Colour reflected(Ray ray, Hit hit, Colour diffuse, Colour specular, Visibility visibility) {
+    public void reflect(Ray ray, Hit hit, Colour diffuse, Colour specular, Illumination sum) {
         double lx = position.x() - hit.x;
         double ly = position.y() - hit.y;
         double lz = position.z() - hit.z;
         double lightAlongNormal = lx * hit.normalX + ly * hit.normalY + lz * hit.normalZ;
         boolean behind = lightAlongNormal * hit.cosine(ray) > 0;
-        if (behind || !visibility.isClear(hit, position.x(), position.y(), position.z())) {
-            return Colour.BLACK;
+        if (behind || !sum.isClear(hit, position.x(), position.y(), position.z())) {
+            return;
         }
         double distance = Math.sqrt(lx * lx + ly * ly + lz * lz);
         if (distance == 0) {
-            return Colour.BLACK;
+            return;
         }
         double dull = Math.abs(lightAlongNormal) / distance;
         double cosine = mirroredCosine(ray, hit, lx, ly, lz, lightAlongNormal);
         double shine = cosine > 0 ? Powers.power(cosine, highlightExponent) : 0;
-        // channel by channel, so that a single colour is made
-        return new Colour(
+        sum.add(
                 diffuse.red() * colour.red() * dull + specular.red() * highlightColour.red() * shine,
                 diffuse.green() * colour.green() * dull + specular.green() * highlightColour.green() * shine,
                 diffuse.blue() * colour.blue() * dull + specular.blue() * highlightColour.blue() * shine);

@@ -1,7 +1,5 @@
 package tompkins.surface;
 
-import java.util.List;
-import tompkins.light.LightSource;
 import tompkins.property.Meaning;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
@@ -24,21 +22,6 @@ public record ColouredSurface(
 
     @Override
     public Response respond(Ray ray, Hit hit, Tracer tracer) {
-        return Response.ends(lit(ray, hit, tracer, diffuse, specular));
-    }
-
-    /** The light that comes back from a point with the given colours. */
-    static Colour lit(Ray ray, Hit hit, Tracer tracer, Colour diffuse, Colour specular) {
-        List<LightSource> lights = tracer.lights();
-        double red = 0;
-        double green = 0;
-        double blue = 0;
-        for (int i = 0; i < lights.size(); i++) {
-            Colour part = lights.get(i).reflected(ray, hit, diffuse, specular, tracer);
-            red += part.red();
-            green += part.green();
-            blue += part.blue();
-        }
-        return new Colour(red, green, blue);
+        return Response.ends(tracer.illumination().reflected(ray, hit, diffuse, specular));
     }
 }

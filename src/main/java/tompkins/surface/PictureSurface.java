@@ -30,7 +30,7 @@ public record PictureSurface(
         double u = hit.coordinates.u();
         double v = hit.coordinates.v();
         Colour colour = picture.colour(inside(u), inside(v));
-        return Response.ends(luminous ? colour : ColouredSurface.lit(ray, hit, tracer, colour, Colour.BLACK));
+        return Response.ends(luminous ? colour : tracer.illumination().reflected(ray, hit, colour, Colour.BLACK));
     }
 
     @Override

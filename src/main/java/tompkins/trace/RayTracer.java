@@ -1,7 +1,9 @@
 package tompkins.trace;
 
 import java.util.List;
+import tompkins.light.Illumination;
 import tompkins.light.LightSource;
+import tompkins.light.Visibility;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -21,7 +23,7 @@ import tompkins.surface.Tracer;
  * Follows rays among the objects of one frame: the nearest hit decides, and what leaves the objects goes beyond. One for each
  * thread and frame.
  */
-final class RayTracer implements Tracer {
+final class RayTracer implements Tracer, Visibility {
 
     /**
      * A ray that can bring less than this share of the sample's light is ended (see the charts of the depth in
@@ -31,7 +33,7 @@ final class RayTracer implements Tracer {
 
     private final Frame frame;
     private final ObjectTree objects;
-    private final List<LightSource> lights;
+    private final Illumination illumination;
     private final LightGrid[] lightGrids;
     private final Beyond beyond;
     private final int maximumDepth;
@@ -61,7 +63,7 @@ final class RayTracer implements Tracer {
             RayWitness witness) {
         this.frame = frame;
         this.objects = objects;
-        this.lights = lights;
+        illumination = new Illumination(lights, this);
         this.lightGrids = lightGrids;
         this.beyond = beyond;
         this.maximumDepth = maximumDepth;
@@ -204,8 +206,8 @@ final class RayTracer implements Tracer {
     }
 
     @Override
-    public List<LightSource> lights() {
-        return lights;
+    public Illumination illumination() {
+        return illumination;
     }
 
     /** Nodes and primitives that were looked at so far. */
