@@ -95,7 +95,12 @@ public final class RenderJob {
         SampleTaker taker = new SampleTaker() {
             @Override
             public boolean wants(int column, int row) {
-                return pass.takes(column, row, row * plan.width() + column) && !cancelled;
+                return pass.takes(column, row, row * film.width() + column);
+            }
+
+            @Override
+            public boolean isStopped() {
+                return cancelled;
             }
 
             @Override

@@ -1,6 +1,7 @@
 package tompkins.trace;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import tompkins.camera.CameraRays;
 import tompkins.camera.PixelSampler;
 import tompkins.camera.SamplePlaces;
@@ -17,6 +18,13 @@ public final class SampleTracer {
 
     /** Largest width and height of a block of samples that are taken together. */
     public static final int LARGEST_BLOCK = RayBlock.SIDE;
+
+    /**
+     * Columns of the places on Morton's way through the block, on which those that follow each other are neighbours; the row
+     * of a place is the column of half its number.
+     */
+    private static final int[] MORTON_COLUMNS =
+            IntStream.range(0, RayBlock.MOST).map(SampleTracer::mortonColumn).toArray();
 
     private final PixelSampler sampler;
     private final CameraRays cameraRays;
@@ -125,7 +133,7 @@ public final class SampleTracer {
     /** Keeps the rays that leave what moves with the camera. */
     private void followInCameraFrame(SampleTaker taker) {
         int leaving = 0;
-        for (int i = 0; i < rays.count() && goTo(i, taker); i++) {
+        for (int i = 0; i < rays.count() && goesTo(i, taker); i++) {
             Ray left = cameraTracer.follow(rays, i);
             if (left == null) {
                 take(i, cameraTracer.sum());
@@ -143,13 +151,13 @@ public final class SampleTracer {
         RayTracer tracer = sceneEntry.sceneTracer();
         int count = rays.count();
         if (tracer.find(candidates, rays)) {
-            for (int i = 0; i < count && goTo(i, taker); i++) {
+            for (int i = 0; i < count && goesTo(i, taker); i++) {
                 takeFromScene(i, tracer.colour(rays, i, candidates));
             }
             return;
         }
         boolean found = false;
-        for (int i = 0; i < count && goTo(i, taker); i++) {
+        for (int i = 0; i < count && goesTo(i, taker); i++) {
             if (i % EntryNodes.RAYS == 0) {
                 found = tracer.find(entries, rays, i, Math.min(count, i + EntryNodes.RAYS));
             }
@@ -160,8 +168,8 @@ public final class SampleTracer {
     private void choosePlaces(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
         places.clear();
         for (int place = 0; place < RayBlock.MOST; place++) {
-            int across = stride * mortonColumn(place);
-            int down = stride * mortonColumn(place >> 1);
+            int across = stride * MORTON_COLUMNS[place];
+            int down = stride * MORTON_COLUMNS[place >> 1];
             int nextColumn = left + across;
             int nextRow = top + down;
             if (across < width && down < height && taker.wants(nextColumn, nextRow)) {
@@ -173,15 +181,14 @@ public final class SampleTracer {
         }
     }
 
-    /** Column of a place on Morton's way through the block, on which those that follow each other are neighbours. */
     private static int mortonColumn(int place) {
         return place & 1 | place >> 1 & 2 | place >> 2 & 4 | place >> 3 & 8;
     }
 
-    private boolean goTo(int index, SampleTaker taker) {
+    private boolean goesTo(int index, SampleTaker taker) {
         column = columns[rays.sample(index)];
         row = rows[rays.sample(index)];
-        return taker.wants(column, row);
+        return !taker.isStopped();
     }
 
     private void takeFromScene(int index, Colour colour) {

@@ -107,6 +107,11 @@ class RenderWorkTest {
         }
 
         @Override
+        public boolean isStopped() {
+            return false;
+        }
+
+        @Override
         public void take(int column, int row, Colour colour) {
             count++;
         }

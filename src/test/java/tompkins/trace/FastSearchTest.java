@@ -101,6 +101,11 @@ class FastSearchTest {
                 }
 
                 @Override
+                public boolean isStopped() {
+                    return false;
+                }
+
+                @Override
                 public void take(int column, int row, Colour colour) {
                     colours[index(column, row)] = colour;
                 }
