@@ -1,5 +1,6 @@
 package tompkins.ui;
 
+import java.time.Duration;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -11,6 +12,9 @@ import tompkins.trace.RenderPlan;
 final class SidePanel {
 
     private static final double WIDTH = 22.5;
+
+    /** Nobody reads the sentences of a picture of a drag, which would take the time of every fifth one. */
+    private static final Duration GLANCE = Duration.ofMillis(150);
 
     private final JPanel panel = new Column();
     private final JScrollPane scroll;
@@ -83,8 +87,11 @@ final class SidePanel {
         return compare;
     }
 
-    /** Shows what there is to say about the picture on the screen. */
+    /** Shows what there is to say about the picture on the screen, unless another one is about to follow it. */
     void show(Picture picture) {
+        if (!picture.complete() && picture.time().compareTo(GLANCE) < 0) {
+            return;
+        }
         RenderPlan made = picture.plan();
         if (shown == null
                 || shown.plan() != made

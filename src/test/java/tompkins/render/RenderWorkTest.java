@@ -64,7 +64,7 @@ class RenderWorkTest {
                 arguments(rods, 307_200, 59_446, 6_388_515, 3_006_350));
     }
 
-    /** Once compiled: about 30 bytes, more where the compiler has seen other scenes before. */
+    /** Once compiled: about 20 bytes, more where the compiler has seen other scenes before. */
     @Test
     void aSampleAllocatesLittle() {
         Studio studio = PaperStudios.fig1b();
