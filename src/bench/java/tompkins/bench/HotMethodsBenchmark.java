@@ -18,12 +18,14 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 import org.openjdk.jmh.infra.Blackhole;
 import tompkins.camera.PixelSampler;
+import tompkins.camera.SamplePlaces;
 import tompkins.light.AmbientLight;
 import tompkins.light.Illumination;
 import tompkins.light.PointLight;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Cone;
 import tompkins.sceneobject.Cylinder;
@@ -122,6 +124,7 @@ public class HotMethodsBenchmark {
     private final SpaceTimeTransformation sceneFromCamera =
             TransformationLaw.LORENTZ.sceneFromCamera(PaperStudios.VELOCITY);
     private final PixelSampler sampler = new PixelSampler(1, true);
+    private final SamplePlaces places = new SamplePlaces(RayBlock.MOST);
 
     @Benchmark
     @OperationsPerInvocation(RAYS)
@@ -148,13 +151,13 @@ public class HotMethodsBenchmark {
     }
 
     @Benchmark
-    @OperationsPerInvocation(RAYS)
-    public double sampler() {
-        double sum = 0;
-        for (int i = 0; i < RAYS; i++) {
-            sampler.start(i, 3, i % 64);
-            sum += sampler.x() + sampler.y() + sampler.lensX() + sampler.lensY();
+    @OperationsPerInvocation(RayBlock.MOST)
+    public SamplePlaces sampler() {
+        places.clear();
+        for (int i = 0; i < RayBlock.MOST; i++) {
+            places.addPixel(i, 3);
         }
-        return sum;
+        sampler.choose(places, 37);
+        return places;
     }
 }

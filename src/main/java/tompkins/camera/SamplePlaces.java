@@ -1,8 +1,13 @@
 package tompkins.camera;
 
-/** Where the samples of a block lie, in the picture and on the lens. One for each thread, filled again for each block. */
+/**
+ * The samples of a block: their pixels, and where they lie in the picture and on the lens. One for each thread, filled again for
+ * each block.
+ */
 public final class SamplePlaces {
 
+    final int[] columns;
+    final int[] rows;
     final double[] x;
     final double[] y;
     final double[] lensX;
@@ -11,6 +16,8 @@ public final class SamplePlaces {
 
     /** Without places, with room for {@code most}. */
     public SamplePlaces(int most) {
+        columns = new int[most];
+        rows = new int[most];
         x = new double[most];
         y = new double[most];
         lensX = new double[most];
@@ -34,6 +41,13 @@ public final class SamplePlaces {
         count = 0;
     }
 
+    /** Adds a pixel; a {@link PixelSampler} chooses the place in it. */
+    public void addPixel(int column, int row) {
+        columns[count] = column;
+        rows[count] = row;
+        count++;
+    }
+
     /**
      * Adds a place.
      *
@@ -47,6 +61,36 @@ public final class SamplePlaces {
         y[count] = pictureY;
         lensX[count] = pupilX;
         lensY[count] = pupilY;
-        count++;
+        addPixel((int) pictureX, (int) pictureY);
+    }
+
+    /** The column of the pixel of a place. */
+    public int column(int place) {
+        return columns[place];
+    }
+
+    /** The row of the pixel of a place. */
+    public int row(int place) {
+        return rows[place];
+    }
+
+    /** Where a place lies in the picture, in pixels from the left edge. */
+    public double x(int place) {
+        return x[place];
+    }
+
+    /** Where a place lies in the picture, in pixels from the upper edge. */
+    public double y(int place) {
+        return y[place];
+    }
+
+    /** Where a place lies on the lens, in units of its radius, to the right. */
+    public double lensX(int place) {
+        return lensX[place];
+    }
+
+    /** Where a place lies on the lens, in units of its radius, up. */
+    public double lensY(int place) {
+        return lensY[place];
     }
 }

@@ -1,5 +1,6 @@
 package tompkins.camera;
 
+import java.util.Arrays;
 import org.hipparchus.random.SobolSequenceGenerator;
 
 /**
@@ -11,8 +12,11 @@ final class SobolPoints {
     private static final int DIMENSIONS = 4;
     private static final double TWO_TO_32 = 0x1p32;
 
-    /** For each dimension and each byte of a point's number, what each value of the byte adds to the fraction. */
-    private static final int[][][] FRACTIONS = fractionsOfBytes();
+    /**
+     * For each dimension and each byte of a point's number, what each value of the byte adds to the fraction, with the bits
+     * reversed: scrambling works from the highest bit downwards, its hash from the lowest upwards.
+     */
+    private static final int[][][] REVERSED_FRACTIONS = fractionsOfBytes();
 
     private SobolPoints() {}
 
@@ -25,7 +29,7 @@ final class SobolPoints {
                 int first = 1 << (bit % 8);
                 // a value is its highest bit and the rest, which is known by then
                 for (int rest = 0; rest < first; rest++) {
-                    ofByte[first + rest] = ofByte[rest] ^ directions[dimension][bit];
+                    ofByte[first + rest] = ofByte[rest] ^ Integer.reverse(directions[dimension][bit]);
                 }
             }
         }
@@ -55,30 +59,68 @@ final class SobolPoints {
         return fractions;
     }
 
-    /** The number of the point that stands at a place of the sequence, shuffled among each power of two of places. */
-    static int shuffled(int place, int seed) {
-        return Integer.reverse(scramble(Integer.reverse(place), seed));
+    /**
+     * The numbers of the points that stand at a place of the sequence, shuffled among each power of two of places.
+     *
+     * @param seeds says how they are shuffled; a number for each
+     * @param points gets the numbers
+     */
+    static void shuffle(int place, int[] seeds, int[] points, int count) {
+        Arrays.fill(points, 0, count, Integer.reverse(place));
+        scramble(points, seeds, count);
+        reverse(points, count);
     }
 
-    /** One coordinate of a point, scrambled, from 0 to below 1. */
-    static double coordinate(int number, int dimension, int seed) {
-        int[][] table = FRACTIONS[dimension];
-        int fraction = table[0][number & 0xff]
-                ^ table[1][number >>> 8 & 0xff]
-                ^ table[2][number >>> 16 & 0xff]
-                ^ table[3][number >>> 24];
-        // scrambling works from the highest bit downwards, the hash from the lowest upwards
-        int scrambled = Integer.reverse(scramble(Integer.reverse(fraction), seed));
-        return (scrambled & 0xffffffffL) / TWO_TO_32;
+    /**
+     * One coordinate of each of some points, scrambled, as fractions of 32 bits.
+     *
+     * @param points their numbers
+     * @param seeds says how they are scrambled; a number for each
+     * @param fractions gets the coordinates
+     */
+    static void fractions(int dimension, int[] points, int[] seeds, int[] fractions, int count) {
+        int[][] table = REVERSED_FRACTIONS[dimension];
+        for (int i = 0; i < count; i++) {
+            int point = points[i];
+            fractions[i] = table[0][point & 0xff]
+                    ^ table[1][point >>> 8 & 0xff]
+                    ^ table[2][point >>> 16 & 0xff]
+                    ^ table[3][point >>> 24];
+        }
+        scramble(fractions, seeds, count);
+        reverse(fractions, count);
+    }
+
+    /** A fraction of 32 bits as a number from 0 to below 1. */
+    static double number(int fraction) {
+        return (fraction & 0xffffffffL) / TWO_TO_32;
     }
 
     /** A hash in which each bit changes only higher bits: on reversed fractions, a nested permutation. */
-    private static int scramble(int value, int seed) {
-        int mixed = value + seed;
-        mixed ^= mixed * 0x6c50b47c;
-        mixed ^= mixed * 0xb82f1e52;
-        mixed ^= mixed * 0xc7afe638;
-        mixed ^= mixed * 0x8d22f6e6;
-        return mixed;
+    private static void scramble(int[] values, int[] seeds, int count) {
+        for (int i = 0; i < count; i++) {
+            int mixed = values[i] + seeds[i];
+            mixed ^= mixed * 0x6c50b47c;
+            mixed ^= mixed * 0xb82f1e52;
+            mixed ^= mixed * 0xc7afe638;
+            mixed ^= mixed * 0x8d22f6e6;
+            values[i] = mixed;
+        }
+    }
+
+    /** Reverses the bits. In two loops of shifts: the compiler has no instruction for several numbers at once, and long loops stay slow. */
+    private static void reverse(int[] values, int count) {
+        for (int i = 0; i < count; i++) {
+            int bits = values[i];
+            bits = bits >>> 1 & 0x55555555 | (bits & 0x55555555) << 1;
+            bits = bits >>> 2 & 0x33333333 | (bits & 0x33333333) << 2;
+            values[i] = bits;
+        }
+        for (int i = 0; i < count; i++) {
+            int bits = values[i];
+            bits = bits >>> 4 & 0x0f0f0f0f | (bits & 0x0f0f0f0f) << 4;
+            bits = bits >>> 8 & 0x00ff00ff | (bits & 0x00ff00ff) << 8;
+            values[i] = bits >>> 16 | bits << 16;
+        }
     }
 }

@@ -1,10 +1,12 @@
 package tompkins.study;
 
 import tompkins.camera.PixelSampler;
+import tompkins.camera.SamplePlaces;
 
 /** {@link SamplingMethod#SOBOL}: the sampler that pictures are taken with. */
 final class ProgramPattern extends SamplePattern {
 
+    private final SamplePlaces place = new SamplePlaces(1);
     private final PixelSampler sampler;
     private final boolean pixelToo;
     private int column;
@@ -24,12 +26,14 @@ final class ProgramPattern extends SamplePattern {
 
     @Override
     void goTo(int sample) {
-        sampler.start(column, row, sample);
-        lensX = sampler.lensX();
-        lensY = sampler.lensY();
+        place.clear();
+        place.addPixel(column, row);
+        sampler.choose(place, sample);
+        lensX = place.lensX(0);
+        lensY = place.lensY(0);
         if (pixelToo) {
-            x = sampler.x() - column;
-            y = sampler.y() - row;
+            x = place.x(0) - column;
+            y = place.y(0) - row;
         }
     }
 }

@@ -35,8 +35,6 @@ public final class SampleTracer {
 
     private final SamplePlaces places = new SamplePlaces(RayBlock.MOST);
     private final RayBlock rays = new RayBlock(RayBlock.MOST);
-    private final int[] columns = new int[RayBlock.MOST];
-    private final int[] rows = new int[RayBlock.MOST];
     private final Colour[] colours = new Colour[RayBlock.MOST];
     private final Colour[] sums = new Colour[RayBlock.MOST];
     private final Colour[] factors = new Colour[RayBlock.MOST];
@@ -63,8 +61,10 @@ public final class SampleTracer {
 
     /** The colour of one sample of a pixel, before exposure. Black where something went wrong, which is counted. */
     public Colour sample(int pixelColumn, int pixelRow, int sample) {
-        sampler.start(pixelColumn, pixelRow, sample);
-        return sample(sampler.x(), sampler.y(), sampler.lensX(), sampler.lensY());
+        places.clear();
+        places.addPixel(pixelColumn, pixelRow);
+        sampler.choose(places, sample);
+        return single();
     }
 
     /**
@@ -76,9 +76,13 @@ public final class SampleTracer {
      * @param lensY place on the lens in units of its radius
      */
     public Colour sample(double x, double y, double lensX, double lensY) {
-        counts.samples++;
         places.clear();
         places.add(x, y, lensX, lensY);
+        return single();
+    }
+
+    private Colour single() {
+        counts.samples++;
         cameraRays.make(places, rays, counts);
         if (rays.count() == 0) {
             return Colour.BLACK;
@@ -125,7 +129,7 @@ public final class SampleTracer {
         // all together, so that the pixels' memory is fetched at once
         for (int i = 0; i < places.count(); i++) {
             if (colours[i] != null) {
-                taker.take(columns[i], rows[i], colours[i]);
+                taker.take(places.column(i), places.row(i), colours[i]);
             }
         }
     }
@@ -173,12 +177,10 @@ public final class SampleTracer {
             int nextColumn = left + across;
             int nextRow = top + down;
             if (across < width && down < height && taker.wants(nextColumn, nextRow)) {
-                sampler.start(nextColumn, nextRow, sample);
-                columns[places.count()] = nextColumn;
-                rows[places.count()] = nextRow;
-                places.add(sampler.x(), sampler.y(), sampler.lensX(), sampler.lensY());
+                places.addPixel(nextColumn, nextRow);
             }
         }
+        sampler.choose(places, sample);
     }
 
     private static int mortonColumn(int place) {
@@ -186,8 +188,8 @@ public final class SampleTracer {
     }
 
     private boolean goesTo(int index, SampleTaker taker) {
-        column = columns[rays.sample(index)];
-        row = rows[rays.sample(index)];
+        column = places.column(rays.sample(index));
+        row = places.row(rays.sample(index));
         return !taker.isStopped();
     }
 

@@ -9,6 +9,7 @@ import java.util.function.ToIntFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.ray.RayBlock;
 
 /** The places of samples: in their pixel and on the lens, evenly spread, the same again for the same seed. */
 class PixelSamplerTest {
@@ -19,22 +20,22 @@ class PixelSamplerTest {
     void placesLieInThePixelAndOnTheLens() {
         PixelSampler sampler = new PixelSampler(1, true);
         for (int sample = 0; sample < SAMPLES; sample++) {
-            sampler.start(17, 39, sample);
-            assertThat(sampler.x()).isGreaterThanOrEqualTo(17).isLessThan(18);
-            assertThat(sampler.y()).isGreaterThanOrEqualTo(39).isLessThan(40);
-            assertThat(Math.hypot(sampler.lensX(), sampler.lensY())).isLessThanOrEqualTo(1);
+            SamplePlaces place = place(sampler, 17, 39, sample);
+            assertThat(place.x(0)).isGreaterThanOrEqualTo(17).isLessThan(18);
+            assertThat(place.y(0)).isGreaterThanOrEqualTo(39).isLessThan(40);
+            assertThat(Math.hypot(place.lensX(0), place.lensY(0))).isLessThanOrEqualTo(1);
         }
     }
 
     @Test
     void centreIsTheCentre() {
         PixelSampler sampler = new PixelSampler(1, true);
-        sampler.start(17, 39, 5);
-        sampler.start(17, 39, PixelSampler.firstOf(1));
-        assertThat(sampler.x()).isEqualTo(17.5);
-        assertThat(sampler.y()).isEqualTo(39.5);
-        assertThat(sampler.lensX()).isZero();
-        assertThat(sampler.lensY()).isZero();
+        SamplePlaces place = place(sampler, 17, 39, 5);
+        sampler.choose(place, PixelSampler.firstOf(1));
+        assertThat(place.x(0)).isEqualTo(17.5);
+        assertThat(place.y(0)).isEqualTo(39.5);
+        assertThat(place.lensX(0)).isZero();
+        assertThat(place.lensY(0)).isZero();
         assertThat(PixelSampler.firstOf(2)).isZero();
     }
 
@@ -45,19 +46,18 @@ class PixelSamplerTest {
         PixelSampler sampler = new PixelSampler(5, true);
         for (int column = 0; column < 4; column++) {
             int pixel = column;
-            assertThat(intervals(sampler, pixel, count, each -> (int) ((each.x() - pixel) * count)))
+            assertThat(intervals(sampler, pixel, count, each -> (int) ((each.x(0) - pixel) * count)))
                     .hasSize(count);
-            assertThat(intervals(sampler, pixel, count, each -> (int) ((each.y() - 3) * count)))
+            assertThat(intervals(sampler, pixel, count, each -> (int) ((each.y(0) - 3) * count)))
                     .hasSize(count);
         }
     }
 
     private static Set<Integer> intervals(
-            PixelSampler sampler, int column, int count, ToIntFunction<PixelSampler> interval) {
+            PixelSampler sampler, int column, int count, ToIntFunction<SamplePlaces> interval) {
         Set<Integer> intervals = new HashSet<>();
         for (int sample = 0; sample < count; sample++) {
-            sampler.start(column, 3, sample);
-            intervals.add(interval.applyAsInt(sampler));
+            intervals.add(interval.applyAsInt(place(sampler, column, 3, sample)));
         }
         return intervals;
     }
@@ -69,9 +69,10 @@ class PixelSamplerTest {
             int rows = 64 / columns;
             Set<Integer> cells = new HashSet<>();
             for (int sample = 0; sample < 64; sample++) {
-                int place = SobolPoints.shuffled(sample, 99);
-                int column = (int) (SobolPoints.coordinate(place, 0, 12) * columns);
-                int row = (int) (SobolPoints.coordinate(place, 1, 34) * rows);
+                int[] point = new int[1];
+                SobolPoints.shuffle(sample, new int[] {99}, point, 1);
+                int column = (int) (coordinate(0, point, 12) * columns);
+                int row = (int) (coordinate(1, point, 34) * rows);
                 cells.add(column * rows + row);
             }
             assertThat(cells).as("%d x %d", columns, rows).hasSize(64);
@@ -87,9 +88,9 @@ class PixelSamplerTest {
         double mixed = 0;
         int inner = 0;
         for (int sample = 0; sample < 4096; sample++) {
-            sampler.start(0, 0, sample);
-            double x = sampler.lensX();
-            double y = sampler.lensY();
+            SamplePlaces place = place(sampler, 0, 0, sample);
+            double x = place.lensX(0);
+            double y = place.lensY(0);
             sumX += x / 4096;
             sumY += y / 4096;
             squares += (x * x - y * y) / 4096;
@@ -129,30 +130,30 @@ class PixelSamplerTest {
     @Test
     void pinholesHaveNoPlaceOnTheLens() {
         PixelSampler sampler = new PixelSampler(3, false);
-        sampler.start(1, 2, 3);
-        assertThat(sampler.lensX()).isZero();
-        assertThat(sampler.lensY()).isZero();
-        assertThat(sampler.x()).isNotEqualTo(1.5);
+        SamplePlaces place = place(sampler, 1, 2, 3);
+        assertThat(place.lensX(0)).isZero();
+        assertThat(place.lensY(0)).isZero();
+        assertThat(place.x(0)).isNotEqualTo(1.5);
     }
 
     @Test
     void placesDependOnSeedAndPixelAlone() {
         PixelSampler one = new PixelSampler(42, true);
         PixelSampler same = new PixelSampler(42, true);
-        same.start(100, 200, 77);
-        one.start(8, 9, 10);
-        same.start(8, 9, 10);
-        assertThat(same.x()).isEqualTo(one.x());
-        assertThat(same.lensY()).isEqualTo(one.lensY());
+        place(same, 100, 200, 77);
+        SamplePlaces ofOne = place(one, 8, 9, 10);
+        SamplePlaces ofSame = place(same, 8, 9, 10);
+        assertThat(ofSame.x(0)).isEqualTo(ofOne.x(0));
+        assertThat(ofSame.lensY(0)).isEqualTo(ofOne.lensY(0));
         Set<Double> firstPlaces = new HashSet<>();
         for (long seed : new long[] {1, 2, 3, -1, 1L << 32, 1L << 40}) {
             Set<Double> places = new HashSet<>();
             for (int pixel = 0; pixel < 64; pixel++) {
                 PixelSampler sampler = new PixelSampler(seed, true);
-                sampler.start(pixel % 8, pixel / 8, 0);
-                places.add(sampler.x() - pixel % 8);
+                double x = place(sampler, pixel % 8, pixel / 8, 0).x(0);
+                places.add(x - pixel % 8);
                 if (pixel == 9) {
-                    firstPlaces.add(sampler.x());
+                    firstPlaces.add(x);
                 }
             }
             assertThat(places).hasSize(64);
@@ -167,7 +168,7 @@ class PixelSamplerTest {
         int[] byOutput = new int[32];
         for (int value = 1; value <= 1000; value++) {
             for (int bit = 0; bit < 32; bit++) {
-                int difference = PixelSampler.hash(value * 7919) ^ PixelSampler.hash(value * 7919 ^ 1 << bit);
+                int difference = hash(value * 7919) ^ hash(value * 7919 ^ 1 << bit);
                 changed += Integer.bitCount(difference);
                 for (int i = 0; i < 32; i++) {
                     byOutput[i] += difference >>> i & 1;
@@ -178,5 +179,45 @@ class PixelSamplerTest {
         for (int count : byOutput) {
             assertThat(count / 32_000.0).isCloseTo(0.5, within(0.03));
         }
+    }
+
+    /** A block gives each pixel the places that it gets alone. */
+    @Test
+    void placesDoNotDependOnTheBlock() {
+        PixelSampler sampler = new PixelSampler(7, true);
+        SamplePlaces block = new SamplePlaces(RayBlock.MOST);
+        for (int i = 0; i < RayBlock.MOST; i++) {
+            block.addPixel(i % 17, i / 17);
+        }
+        sampler.choose(block, 12);
+        Set<Double> different = new HashSet<>();
+        for (int i = 0; i < RayBlock.MOST; i++) {
+            SamplePlaces single = place(sampler, i % 17, i / 17, 12);
+            assertThat(block.x(i)).isEqualTo(single.x(0));
+            assertThat(block.y(i)).isEqualTo(single.y(0));
+            assertThat(block.lensX(i)).isEqualTo(single.lensX(0));
+            assertThat(block.lensY(i)).isEqualTo(single.lensY(0));
+            different.add(block.lensX(i));
+        }
+        assertThat(different).hasSize(RayBlock.MOST);
+    }
+
+    private static SamplePlaces place(PixelSampler sampler, int column, int row, int sample) {
+        SamplePlaces place = new SamplePlaces(1);
+        place.addPixel(column, row);
+        sampler.choose(place, sample);
+        return place;
+    }
+
+    private static double coordinate(int dimension, int[] point, int seed) {
+        int[] fraction = new int[1];
+        SobolPoints.fractions(dimension, point, new int[] {seed}, fraction, 1);
+        return SobolPoints.number(fraction[0]);
+    }
+
+    private static int hash(int value) {
+        int[] values = {value};
+        PixelSampler.hash(values, 1);
+        return values[0];
     }
 }
