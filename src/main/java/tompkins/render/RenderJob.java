@@ -195,10 +195,6 @@ public final class RenderJob {
     }
 
     private boolean isStopped() {
-        if (Thread.currentThread().isInterrupted()) {
-            // the renderer is being closed, and may come to this job only when it has ended
-            cancelled = true;
-        }
         return cancelled || failure.get() != null;
     }
 
@@ -224,7 +220,7 @@ public final class RenderJob {
 
     /** About how many samples were taken so far. */
     public long samples() {
-        return (long) (workDone.sum()
+        return Math.round(workDone.sum()
                 * tiles.stream()
                         .mapToLong(tile -> (long) tile.width() * tile.height())
                         .sum());
