@@ -48,11 +48,8 @@ public record PointLight(
         double lz = position.z() - hit.z;
         double lightAlongNormal = lx * hit.normalX + ly * hit.normalY + lz * hit.normalZ;
         boolean behind = lightAlongNormal * hit.cosine(ray) > 0;
-        if (behind || !sum.isClear(hit, position.x(), position.y(), position.z())) {
-            return;
-        }
         double distance = Math.sqrt(lx * lx + ly * ly + lz * lz);
-        if (distance == 0) {
+        if (behind || distance == 0 || !sum.isClear(hit, position.x(), position.y(), position.z())) {
             return;
         }
         double dull = Math.abs(lightAlongNormal) / distance;

@@ -30,7 +30,7 @@ final class AdaptiveSchedule implements Schedule {
     private final double targetError;
     private final TimeBudget time;
     private double work;
-    private double expectedWork;
+    private volatile double expectedWork;
     private final AtomicInteger passesBegun = new AtomicInteger();
 
     /**

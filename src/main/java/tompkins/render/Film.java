@@ -169,6 +169,7 @@ final class Film {
 
     private void put(int pixel, double exposure, float[] light, int place) {
         int count = samples(pixel);
+        // most pictures of a window have one: no division where there is nothing to divide
         double scale = count == 1 ? exposure : exposure / count;
         light[place] = (float) (sums[3 * pixel] * scale);
         light[place + 1] = (float) (sums[3 * pixel + 1] * scale);
