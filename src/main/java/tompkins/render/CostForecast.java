@@ -2,8 +2,8 @@ package tompkins.render;
 
 import java.util.Comparator;
 import java.util.List;
+import tompkins.ray.RayBlock;
 import tompkins.trace.RenderPlan;
-import tompkins.trace.SampleTracer;
 
 /**
  * What a picture will cost on this machine, told from taking blocks of it for about two seconds.
@@ -77,7 +77,7 @@ public record CostForecast(double samplesPerPixel, double seconds) {
 
     /** The blocks of a picture in an order in which any number of first ones lie all over it. */
     private static List<Tile> spread(RenderPlan plan) {
-        int side = SampleTracer.LARGEST_BLOCK;
+        int side = RayBlock.SIDE;
         return Tile.of(plan.width(), plan.height(), side).stream()
                 .sorted(Comparator.comparingDouble(
                         block -> (ACROSS * (block.column() / side) + DOWN * (block.row() / side)) % 1))

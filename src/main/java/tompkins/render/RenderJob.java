@@ -11,6 +11,7 @@ import java.util.concurrent.atomic.DoubleAdder;
 import java.util.function.Consumer;
 import tompkins.image.LinearImage;
 import tompkins.ray.Colour;
+import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleTaker;
@@ -108,7 +109,7 @@ public final class RenderJob {
                 film.add(column, row, colour);
             }
         };
-        int side = SampleTracer.LARGEST_BLOCK * pass.stride();
+        int side = RayBlock.SIDE * pass.stride();
         int end = pass.firstSample() + pass.samples();
         for (int row = 0; row < tile.height(); row += side) {
             for (int column = 0; column < tile.width(); column += side) {

@@ -124,6 +124,11 @@ final class RayTracer implements Tracer, Visibility {
         return colour(start, objects.nearest(start, entries, nearest), hitMemory);
     }
 
+    /** As {@link #colour(Ray)}, for a ray of a block. */
+    Colour colour(RayBlock rays, int place) {
+        return withBeyond(follow(rays, place));
+    }
+
     /** Looks for the nodes through which some rays enter the tree; false if each must search from its root. */
     boolean find(EntryNodes entries, RayBlock rays, int from, int to) {
         return entries.find(objects, rays, from, to);
@@ -135,7 +140,11 @@ final class RayTracer implements Tracer, Visibility {
     }
 
     private Colour colour(Ray start, boolean hits, Hit memory) {
-        Ray left = follow(start, hits, memory);
+        return withBeyond(follow(start, hits, memory));
+    }
+
+    /** The colour of the ray followed last: of what has left the objects, or null, in memory that is used again. */
+    private Colour withBeyond(Ray left) {
         // what stands in sum and factor is taken before anything else is followed
         return left == null ? sum : sum.plus(factor.times(beyond.colour(left)));
     }

@@ -16,9 +16,6 @@ import tompkins.sceneobject.NearestHit;
 /** Takes samples of a picture. One for each thread. */
 public final class SampleTracer {
 
-    /** Largest width and height of a block of samples that are taken together. */
-    public static final int LARGEST_BLOCK = RayBlock.SIDE;
-
     /**
      * Columns of the places on Morton's way through the block, on which those that follow each other are neighbours; the row
      * of a place is the column of half its number.
@@ -95,15 +92,15 @@ public final class SampleTracer {
     }
 
     /**
-     * Takes one sample of each pixel of a block. All rays of the block are made first; where nothing stands before the lens,
-     * the few objects that they can meet are found for all of them at once, or else, for a few neighbours at a time, where they
-     * enter the tree. The colours are those of single samples.
+     * Takes one sample of each pixel of a block. All rays of the block are made first and followed through what moves with the
+     * camera. For those that leave it, the few objects that they can meet are found at once, or else, for a few neighbours at a
+     * time, where they enter the tree. The colours are those of single samples.
      *
      * @param left first column
      * @param top first row
      * @param width columns of the block
      * @param height rows of the block
-     * @param stride distance between the pixels that are sampled; at most {@link #LARGEST_BLOCK} of them each way
+     * @param stride distance between the pixels that are sampled; at most {@link RayBlock#SIDE} of them each way
      * @param sample number of the sample of each pixel
      * @param taker says which pixels are wanted, and gets their colours
      */
@@ -165,7 +162,7 @@ public final class SampleTracer {
             if (i % EntryNodes.RAYS == 0) {
                 found = tracer.find(entries, rays, i, Math.min(count, i + EntryNodes.RAYS));
             }
-            takeFromScene(i, found ? tracer.colour(rays, i, entries) : tracer.colour(rays.ray(i)));
+            takeFromScene(i, found ? tracer.colour(rays, i, entries) : tracer.colour(rays, i));
         }
     }
 

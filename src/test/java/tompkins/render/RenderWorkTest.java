@@ -14,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.ray.Colour;
+import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.studio.PaperStudios;
@@ -85,7 +86,7 @@ class RenderWorkTest {
     }
 
     private static void takeAll(SampleTracer tracer, Studio studio, SampleTaker taker) {
-        int side = SampleTracer.LARGEST_BLOCK;
+        int side = RayBlock.SIDE;
         for (int row = 0; row < studio.settings().height(); row += side) {
             for (int column = 0; column < studio.settings().width(); column += side) {
                 tracer.sampleBlock(column, row, side, side, 1, 0, taker);

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Named;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.ray.Colour;
+import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
 import tompkins.studio.SceneFiles;
 import tompkins.studio.Studio;
@@ -76,7 +77,7 @@ class FastSearchTest {
         /** Takes what has not been taken yet of every pixel whose coordinates are multiples of the stride. */
         void takeBlocks(RenderPlan plan, int stride) {
             SampleTracer tracer = plan.tracer(counts);
-            int side = SampleTracer.LARGEST_BLOCK * stride;
+            int side = RayBlock.SIDE * stride;
             for (int top = 0; top < height; top += side) {
                 for (int left = 0; left < width; left += side) {
                     for (int sample = 0; sample < samples; sample++) {
