@@ -1,5 +1,6 @@
 package tompkins.sceneobject;
 
+import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /** A box along the axes that holds a primitive. */
@@ -81,12 +82,8 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
         return Math.sqrt(x * x + y * y + z * z);
     }
 
-    /** Twice the coordinate of the centre along an axis (0, 1, 2). */
-    public double twiceCentre(int axis) {
-        return switch (axis) {
-            case 0 -> minX + maxX;
-            case 1 -> minY + maxY;
-            default -> minZ + maxZ;
-        };
+    /** The centre. */
+    public Vector3d centre() {
+        return new Vector3d((minX + maxX) / 2, (minY + maxY) / 2, (minZ + maxZ) / 2);
     }
 }

@@ -103,8 +103,7 @@ public final class LightGrid {
         for (Primitive primitive : bounded) {
             all = all.with(primitive.bounds());
         }
-        Vector3d centre = new Vector3d(all.twiceCentre(0) / 2, all.twiceCentre(1) / 2, all.twiceCentre(2) / 2);
-        Vector3d toCentre = centre.sub(position);
+        Vector3d toCentre = all.centre().sub(position);
         if (!(toCentre.length() > 0)) {
             return null;
         }

@@ -78,11 +78,7 @@ public final class ObjectTree {
      * @return whether there is one; it stands in {@code nearest}
      */
     public boolean nearest(Ray ray, NearestHit nearest) {
-        nearest.start(Primitive.NO_HIT);
-        for (Primitive primitive : listed) {
-            nearest.test(primitive, ray);
-        }
-        nearest.count(0, listed.length);
+        searchListed(ray, nearest);
         if (root != null) {
             searchTree(root, ray, nearest);
         }
@@ -91,15 +87,19 @@ public final class ObjectTree {
 
     /** As {@link #nearest(Ray, NearestHit)}, for a ray that enters the tree through some nodes. */
     public boolean nearest(Ray ray, EntryNodes entries, NearestHit nearest) {
+        searchListed(ray, nearest);
+        for (int i = 0; i < entries.count() && entries.distance(i) <= nearest.distance(); i++) {
+            searchTree(entries.node(i), ray, nearest);
+        }
+        return nearest.primitive() != null;
+    }
+
+    private void searchListed(Ray ray, NearestHit nearest) {
         nearest.start(Primitive.NO_HIT);
         for (Primitive primitive : listed) {
             nearest.test(primitive, ray);
         }
         nearest.count(0, listed.length);
-        for (int i = 0; i < entries.count() && entries.distance(i) <= nearest.distance(); i++) {
-            searchTree(entries.node(i), ray, nearest);
-        }
-        return nearest.primitive() != null;
     }
 
     private static void searchTree(TreeNode root, Ray ray, NearestHit nearest) {

@@ -9,13 +9,14 @@ import org.joml.Vector3dc;
  */
 final class Occluder {
 
-    /** Widening of the band against rounding: of directions, and relative to the coordinates. */
+    /** Widening of the band against rounding of directions. */
     private static final double MARGIN = 1e-9;
-
-    private static final double SLACK = 1e-12;
 
     /** Least sine of the angle under which the lamp sees the axis, for the plane through both to be known well enough. */
     private static final double LEAST_SINE = 1e-3;
+
+    /** Where no band is known the primitive is near every direction. */
+    private static final Vector3dc NO_BAND = new Vector3d();
 
     private final Primitive primitive;
     private final double normalX;
@@ -25,27 +26,33 @@ final class Occluder {
 
     Occluder(Primitive primitive, Vector3dc lamp) {
         this.primitive = primitive;
+        Vector3dc normal = acrossBand(primitive, lamp);
+        normalX = normal.x();
+        normalY = normal.y();
+        normalZ = normal.z();
+        reach = normal == NO_BAND ? 1 : halfWidth(primitive, lamp, normal);
+    }
+
+    /** The unit normal of the plane through the lamp and the axis of the primitive. */
+    private static Vector3dc acrossBand(Primitive primitive, Vector3dc lamp) {
         Vector3d axis = primitive.longAxis();
-        Bounds bounds = primitive.bounds();
-        Vector3d toLamp =
-                new Vector3d(lamp).sub(bounds.twiceCentre(0) / 2, bounds.twiceCentre(1) / 2, bounds.twiceCentre(2) / 2);
-        Vector3d normal = axis == null ? new Vector3d() : axis.cross(toLamp, new Vector3d());
-        double distance = bounds.distance(lamp);
-        if (axis == null || !(normal.length() > LEAST_SINE * axis.length() * toLamp.length()) || !(distance > 0)) {
-            normalX = 0;
-            normalY = 0;
-            normalZ = 0;
-            reach = 1;
-            return;
+        if (axis == null || !(primitive.bounds().distance(lamp) > 0)) {
+            return NO_BAND;
         }
-        normal.normalize();
-        normalX = normal.x;
-        normalY = normal.y;
-        normalZ = normal.z;
-        double least = primitive.least(normalX, normalY, normalZ) - normal.dot(lamp);
-        double most = -primitive.least(-normalX, -normalY, -normalZ) - normal.dot(lamp);
-        double rounding = SLACK * (bounds.farthest() + lamp.length());
-        reach = (Math.max(Math.abs(least), Math.abs(most)) + rounding) / distance + MARGIN;
+        Vector3d toCentre = primitive.bounds().centre().sub(lamp);
+        Vector3d normal = toCentre.cross(axis, new Vector3d());
+        boolean known = normal.length() > LEAST_SINE * axis.length() * toCentre.length();
+        return known ? normal.normalize() : NO_BAND;
+    }
+
+    /** The largest sine of the angle between that plane and a direction from the lamp to the primitive, or something more. */
+    private static double halfWidth(Primitive primitive, Vector3dc lamp, Vector3dc normal) {
+        double least = primitive.least(normal.x(), normal.y(), normal.z()) - normal.dot(lamp);
+        double most = -primitive.least(-normal.x(), -normal.y(), -normal.z()) - normal.dot(lamp);
+        double rounding = Primitive.SLACK * (primitive.bounds().farthest() + lamp.length());
+        return (Math.max(Math.abs(least), Math.abs(most)) + rounding)
+                        / primitive.bounds().distance(lamp)
+                + MARGIN;
     }
 
     Primitive primitive() {

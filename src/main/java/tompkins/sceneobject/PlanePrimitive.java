@@ -10,8 +10,6 @@ import tompkins.ray.SurfaceCoordinates;
 /** An infinite plane in space. */
 final class PlanePrimitive extends Primitive {
 
-    private final Vector3d point;
-    private final Vector3d normal;
     private final Vector3d first;
     private final Vector3d second;
     private final double scale;
@@ -28,8 +26,8 @@ final class PlanePrimitive extends Primitive {
         super(plane.description(), plane.surface());
         Vector3d unit = Vectors.unit(plane.normal());
         Vector3d axis = Vectors.firstAxis(unit);
-        point = placement.point(plane.point());
-        normal = placement.direction(unit);
+        Vector3d point = placement.point(plane.point());
+        Vector3d normal = placement.direction(unit);
         first = placement.direction(axis);
         second = placement.direction(Vectors.secondAxis(unit, axis));
         scale = 1 / placement.scale();
@@ -46,8 +44,8 @@ final class PlanePrimitive extends Primitive {
         if (ray.boundary == this) {
             return NO_HIT;
         }
-        double height = heightBelow(ray);
-        double slope = slope(ray);
+        double height = heightBelow(ray.x, ray.y, ray.z);
+        double slope = slope(ray.dx, ray.dy, ray.dz);
         // most rays that miss are told without a division
         if (height > 0 != slope > 0) {
             return NO_HIT;
@@ -61,33 +59,31 @@ final class PlanePrimitive extends Primitive {
     boolean margins(RayBlock rays, double farthest, double[] margins) {
         int count = rays.count();
         for (int i = 0; i < count; i++) {
-            margins[i] = normalX * rays.dx[i] + normalY * rays.dy[i] + normalZ * rays.dz[i];
+            margins[i] = slope(rays.dx[i], rays.dy[i], rays.dz[i]);
         }
         for (int i = 0; i < count; i++) {
-            margins[i] *=
-                    normalX * (pointX - rays.x[i]) + normalY * (pointY - rays.y[i]) + normalZ * (pointZ - rays.z[i]);
+            margins[i] *= heightBelow(rays.x[i], rays.y[i], rays.z[i]);
         }
         return true;
     }
 
     @Override
     boolean surelyMisses(Hit from, double dx, double dy, double dz) {
-        double height = normalX * (pointX - from.x) + normalY * (pointY - from.y) + normalZ * (pointZ - from.z);
-        return from.boundary == this || height * (normalX * dx + normalY * dy + normalZ * dz) < 0;
+        return from.boundary == this || heightBelow(from.x, from.y, from.z) * slope(dx, dy, dz) < 0;
     }
 
     /** The normal times (point - start): subtracted first, so that nothing cancels near the plane. */
-    private double heightBelow(Ray ray) {
-        return normalX * (pointX - ray.x) + normalY * (pointY - ray.y) + normalZ * (pointZ - ray.z);
+    private double heightBelow(double x, double y, double z) {
+        return normalX * (pointX - x) + normalY * (pointY - y) + normalZ * (pointZ - z);
     }
 
-    private double slope(Ray ray) {
-        return normalX * ray.dx + normalY * ray.dy + normalZ * ray.dz;
+    private double slope(double dx, double dy, double dz) {
+        return normalX * dx + normalY * dy + normalZ * dz;
     }
 
     @Override
     public double inverseDistance(Ray line) {
-        return slope(line) / heightBelow(line);
+        return slope(line.dx, line.dy, line.dz) / heightBelow(line.x, line.y, line.z);
     }
 
     @Override
@@ -95,9 +91,9 @@ final class PlanePrimitive extends Primitive {
         SurfaceCoordinates coordinates = null;
         if (surface().usesCoordinates()) {
             Vector3d offset = new Vector3d(
-                    ray.x + distance * ray.dx - point.x,
-                    ray.y + distance * ray.dy - point.y,
-                    ray.z + distance * ray.dz - point.z);
+                    ray.x + distance * ray.dx - pointX,
+                    ray.y + distance * ray.dy - pointY,
+                    ray.z + distance * ray.dz - pointZ);
             coordinates = new SurfaceCoordinates(
                     offset.dot(first) * scale,
                     offset.dot(second) * scale,
@@ -108,7 +104,7 @@ final class PlanePrimitive extends Primitive {
                     second.y * scale,
                     second.z * scale);
         }
-        return memory.set(ray, distance, normal.x, normal.y, normal.z, this, 0, coordinates);
+        return memory.set(ray, distance, normalX, normalY, normalZ, this, 0, coordinates);
     }
 
     @Override

@@ -24,7 +24,7 @@ public abstract class Primitive implements Boundary {
     static final double ROUNDING = 1e-6;
 
     /** What rounding may move a point by, relative to the largest coordinate. */
-    private static final double SLACK = 1e-12;
+    static final double SLACK = 1e-12;
 
     private final String description;
     private final Surface surface;
@@ -56,15 +56,11 @@ public abstract class Primitive implements Boundary {
      */
     boolean margins(RayBlock rays, double farthest, double[] margins) {
         Bounds bounds = bounds();
-        return bounds != null
-                && ballMargins(
-                        bounds.twiceCentre(0) / 2,
-                        bounds.twiceCentre(1) / 2,
-                        bounds.twiceCentre(2) / 2,
-                        bounds.halfDiagonal(),
-                        rays,
-                        farthest,
-                        margins);
+        if (bounds == null) {
+            return false;
+        }
+        Vector3d centre = bounds.centre();
+        return ballMargins(centre.x, centre.y, centre.z, bounds.halfDiagonal(), rays, farthest, margins);
     }
 
     /**

@@ -98,10 +98,7 @@ class QuickRejectionTest {
     }
 
     private static double marginOfRayThatPasses(Primitive primitive, double radii) {
-        Vector3d middle = new Vector3d(
-                primitive.bounds().twiceCentre(0) / 2,
-                primitive.bounds().twiceCentre(1) / 2,
-                primitive.bounds().twiceCentre(2) / 2);
+        Vector3d middle = primitive.bounds().centre();
         Vector3d axis = new Vector3d(7, 1, 1);
         Vector3d direction = axis.cross(0, 0, 1, new Vector3d()).normalize();
         Vector3d beside = axis.cross(direction, new Vector3d()).normalize(radii * RADIUS);
@@ -181,11 +178,10 @@ class QuickRejectionTest {
         Vector3d target = aims.placeIn(primitive);
         if (primitive.longAxis() != null) {
             // most rays to the box of a rod miss it: here to its axis
-            Bounds bounds = primitive.bounds();
             double along = aims.mix(-0.5, 0.5);
             target = new Vector3d(primitive.longAxis())
                     .mul(along)
-                    .add(bounds.twiceCentre(0) / 2, bounds.twiceCentre(1) / 2, bounds.twiceCentre(2) / 2);
+                    .add(primitive.bounds().centre());
         }
         return ray(start, target.sub(start, new Vector3d()));
     }
