@@ -287,6 +287,8 @@ public final class RenderJob {
         if (blurUnknown || varianceUnknown) {
             return Double.NaN;
         }
-        return plan.exposure() * new Roughness(film).rootMeanSquare();
+        Roughness roughness = new Roughness(film);
+        boolean pixelsMissing = roughness.sampled() < film.width() * film.height();
+        return pixelsMissing ? Double.NaN : plan.exposure() * roughness.rootMeanSquare();
     }
 }

@@ -21,7 +21,7 @@ import tompkins.ray.RayCounts;
  * @param tests primitives that were tested
  * @param pixels pixels of the picture
  * @param error estimated root mean square error in linear light; NaN if there is too little to tell, such as one sample
- *     through a wide lens
+ *     through a wide lens, or pixels without any
  * @param time how long it took
  */
 public record RenderReport(

@@ -54,6 +54,25 @@ class RendererTest {
     }
 
     @Test
+    void errorOfAPictureIsToldWhenAllPixelsAreThere() throws InterruptedException {
+        RenderPlan plan = RenderPlan.of(size(PaperStudios.fig1b(), 203, 149, 1));
+        List<Boolean> told = Collections.synchronizedList(new ArrayList<>());
+        RenderListener listener = new RenderListener() {
+            @Override
+            public void passDone(RenderJob job) {
+                told.add(job.report().error() > 0);
+            }
+        };
+
+        try (Renderer renderer = new Renderer(2)) {
+            renderer.startCoarse(plan, listener).await();
+        }
+
+        // of every 8th, 4th, 2nd pixel in both directions, and of all of them
+        assertThat(told).containsExactly(false, false, false, true);
+    }
+
+    @Test
     void coarsePassesEndInTheSamePicture() throws InterruptedException {
         RenderPlan plan = RenderPlan.of(size(PaperStudios.fig3a(), 203, 149, 3));
         List<Integer> progress = Collections.synchronizedList(new ArrayList<>());
