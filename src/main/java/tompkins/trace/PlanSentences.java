@@ -64,6 +64,7 @@ final class PlanSentences {
         }
         if (studio.camera().shutter() instanceof AperturePlaneShutter shutter) {
             boolean atOrigin = shutter.openingTime() == 0
+                    && cameraFrame.size() == 0
                     && !studio.camera().hasWideLens()
                     && studio.camera().position().length() == 0;
             return atOrigin
