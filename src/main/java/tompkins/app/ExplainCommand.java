@@ -45,6 +45,9 @@ final class ExplainCommand implements Callable<Integer> {
         // all that may be refused comes before the first word
         Quality wish = quality.of(studio);
         spec.commandLine().getOut().println(studio.title());
+        if (!studio.remarks().isEmpty()) {
+            spec.commandLine().getOut().println(studio.remarks());
+        }
         for (String sentence : plan.sentences()) {
             spec.commandLine().getOut().println("- " + sentence);
         }

@@ -31,6 +31,10 @@ final class SidePanel {
         lens = new LensPanel(model, picking -> pick(model, view, picking));
         compare = new ComparePanel(() -> compareAgain(view), view.canvas()::setOtherAlone, view::pinPicture);
         ray = new RaySection(() -> view.setPin(null));
+        Note remarks = new Note(model.studio().remarks());
+        model.addListener(() -> remarks.setText(model.studio().remarks()));
+        remarks.component().setName("remarks");
+        panel.add(remarks.component(), "wmin 0");
         add("section.velocity", new VelocityPanel(model).component(), true);
         add("section.shutter", shutter.component(), true);
         add("section.lens", lens.component(), true);

@@ -1,5 +1,6 @@
 package tompkins.app;
 
+import static org.assertj.core.api.Assertions.as;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
@@ -9,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
+import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -277,6 +279,21 @@ class CommandLineTest {
         assertThat(run.out()).isEmpty();
         assertThat(run.err()).startsWith(wish.substring(0, wish.indexOf('=')) + " must be ");
         assertThat(run.err().lines()).hasSize(1);
+    }
+
+    @Test
+    void explainSaysWhatThereIsToSee() {
+        assertThat(ProgramRun.of("explain", FIG1B).out().lines().skip(1))
+                .first(as(InstanceOfAssertFactories.STRING))
+                .startsWith("The same moment and the same place as Fig. 1(a)");
+    }
+
+    /** Beyond a window a ray goes on from where it left it, which differs from pixel to pixel. */
+    @ParameterizedTest
+    @CsvSource({"scenes/fig1b.json, true", "scenes/surface-lorentz-window.json, false"})
+    void onlyABarePinholeKeepsItsPointOfView(String scene, boolean keeps) {
+        assertThat(ProgramRun.of("explain", scene).out().contains("the point of view does not"))
+                .isEqualTo(keeps);
     }
 
     @Test

@@ -106,6 +106,19 @@ class WindowTest {
     }
 
     @Test
+    void thePanelSaysWhatThereIsToSee() {
+        JTextArea remarks = driver.find(JTextArea.class, "remarks");
+        assertThat(remarks.isVisible()).isFalse();
+        Studio cube = StudioReader.read(SCENES.resolve("terrell-cube.json"));
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().set(cube);
+            return null;
+        });
+        assertThat(remarks.isShowing()).isTrue();
+        assertThat(remarks.getText()).startsWith("Cubes that a fast camera passes do not look shortened but turned");
+    }
+
+    @Test
     void aTypedTimeIsTaken() {
         driver.type(driver.find(JTextField.class, "Opens at"), "-2.5");
         assertThat(driver.studio().camera().shutter().openingTime()).isEqualTo(-2.5);
