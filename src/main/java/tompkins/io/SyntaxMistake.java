@@ -1,6 +1,6 @@
 package tompkins.io;
 
-import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -22,23 +22,18 @@ final class SyntaxMistake {
     private static final Pattern UNKNOWN_ESCAPE = Pattern.compile("Unrecognized character escape '(.)'");
     private static final Pattern WRONG_CHARACTER = Pattern.compile("Unexpected character \\('(.)' ");
 
-    /** What the library says, or a part of it, and what that means. */
-    private static final Map<String, String> MEANINGS = meanings();
+    /** What the library says, or a part of it, and what that means; the first that fits counts. */
+    private static final List<Map.Entry<String, String>> MEANINGS = List.of(
+            Map.entry("('.' (code 46)): expected a valid value", NUMBERS),
+            Map.entry("hex-digit", "after \\u in a text there must be four digits from 0 to 9 or a to f"),
+            Map.entry("double-quote to start property name", "a key must stand in double quotes"),
+            Map.entry("colon to separate", "a colon must stand between a key and its value"),
+            Map.entry("comma to separate", "a comma must stand between two values; it is missing before this place"),
+            Map.entry("expected a valid value", "a value must stand here; " + VALUES),
+            Map.entry("in numeric value", NUMBERS),
+            Map.entry("Invalid numeric value", NUMBERS));
 
     private SyntaxMistake() {}
-
-    private static Map<String, String> meanings() {
-        Map<String, String> meanings = new LinkedHashMap<>();
-        meanings.put("('.' (code 46)): expected a valid value", NUMBERS);
-        meanings.put("hex-digit", "after \\u in a text there must be four digits from 0 to 9 or a to f");
-        meanings.put("double-quote to start property name", "a key must stand in double quotes");
-        meanings.put("colon to separate", "a colon must stand between a key and its value");
-        meanings.put("comma to separate", "a comma must stand between two values; it is missing before this place");
-        meanings.put("expected a valid value", "a value must stand here; " + VALUES);
-        meanings.put("in numeric value", NUMBERS);
-        meanings.put("Invalid numeric value", NUMBERS);
-        return meanings;
-    }
 
     /** Whether the text ends where something is still missing. */
     static boolean isEndOfText(JacksonException syntax) {
@@ -74,7 +69,7 @@ final class SyntaxMistake {
         Matcher character = WRONG_CHARACTER.matcher(message);
         boolean shows = character.lookingAt() && !character.group(1).isBlank();
         String found = shows ? ", found " + character.group(1) : "";
-        for (Map.Entry<String, String> meaning : MEANINGS.entrySet()) {
+        for (Map.Entry<String, String> meaning : MEANINGS) {
             if (message.contains(meaning.getKey())) {
                 return NOT_JSON + meaning.getValue() + found;
             }
