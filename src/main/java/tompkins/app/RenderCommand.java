@@ -17,6 +17,7 @@ import tompkins.image.PictureFormat;
 import tompkins.image.ToneCurve;
 import tompkins.io.StudioReader;
 import tompkins.property.Require;
+import tompkins.render.Quality;
 import tompkins.studio.Studio;
 
 /** Takes photographs of scene files. */
@@ -29,6 +30,9 @@ final class RenderCommand implements Callable<Integer> {
 
     /** More than any machine has cores, and fewer than systems refuse to start. */
     private static final int MOST_THREADS = 1024;
+
+    /** A picture that is to be taken of a scene, and where it goes. */
+    private record Order(Studio studio, Quality quality, Path target, PictureFormat format) {}
 
     @Parameters(arity = "1..*", paramLabel = "SCENE", description = "scene files, or saved photographs")
     private List<Path> scenes;
@@ -78,30 +82,36 @@ final class RenderCommand implements Callable<Integer> {
             requireAllPossible();
         }
         for (Path scene : scenes) {
-            Path target = target(scene);
-            Studio studio = studio(scene);
-            PictureFormat targetFormat = Photographer.formatFor(target, format, scene);
-            photographer.take(scene, studio, quality.of(studio), target, targetFormat, force);
+            Order order = order(scene);
+            photographer.take(scene, order.studio, order.quality, order.target, order.format, force);
         }
         return 0;
     }
 
-    /** Finds the mistakes of all scenes first: nobody wants to hear of the last one after the others took an hour. */
+    /**
+     * Finds the mistakes of all scenes first: nobody wants to hear of the last one after the others took an hour. Keeps none of the
+     * scenes, which are read again when it is their turn: all at once they may be more than the memory holds.
+     */
     private void requireAllPossible() throws IOException {
         Map<Path, Path> sources = new HashMap<>();
         for (Path scene : scenes) {
-            Path target = target(scene);
-            Path other = sources.putIfAbsent(target, scene);
+            Order order = order(scene);
+            Path other = sources.putIfAbsent(order.target, scene);
             if (other != null) {
-                throw new MistakeException(scene + ": its picture would be " + target + ", as that of " + other
+                throw new MistakeException(scene + ": its picture would be " + order.target + ", as that of " + other
                         + "; render one of them alone, with another name after -o");
             }
-            Studio studio = studio(scene);
-            quality.of(studio);
-            Photographer.formatFor(target, format, scene);
-            Photographer.requirePossible(studio, target, force);
-            ScenePlan.of(studio, scene);
+            Photographer.requirePossible(order.studio, order.target, force);
+            ScenePlan.of(order.studio, scene);
         }
+    }
+
+    /** What is to be made of a scene. */
+    private Order order(Path scene) {
+        // read first: what can be read has a name, and so has its picture
+        Studio studio = studio(scene);
+        Path target = target(scene);
+        return new Order(studio, quality.of(studio), target, Photographer.formatFor(target, format, scene));
     }
 
     private Path target(Path scene) {
