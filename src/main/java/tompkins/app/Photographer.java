@@ -48,10 +48,10 @@ final class Photographer {
     /** Takes the pictures of scene files into the current folder; a picture of an earlier call is replaced. */
     int takeDefault(List<Path> files) throws IOException, InterruptedException {
         for (Path file : files) {
+            Studio studio = StudioReader.read(file);
             Path target = targetOf(file, Path.of(""));
             boolean replaceable = Files.isRegularFile(target)
                     && PhotographFile.readScene(target).isPresent();
-            Studio studio = StudioReader.read(file);
             take(
                     file,
                     studio,

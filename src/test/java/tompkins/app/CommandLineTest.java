@@ -422,6 +422,16 @@ class CommandLineTest {
         }
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"", "render", "check", "explain"})
+    void theRootOfAllFoldersIsNoScene(String command) {
+        ProgramRun run = command.isEmpty() ? ProgramRun.of("/") : ProgramRun.of(command, "/");
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err().strip())
+                .endsWith(Path.of("/") + ": is a folder; a scene file or a saved photograph is needed");
+    }
+
     @Test
     void everyMistakeOfAFileIsReportedAtItsPlace() throws IOException {
         Path scene = Files.writeString(folder.resolve("wrong.json"), """
