@@ -1,6 +1,7 @@
 package tompkins.app;
 
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -21,6 +22,9 @@ import tompkins.io.Spelling;
 /** Says what is wrong with arguments in the words of the user, where the library that reads them speaks of Java. */
 final class ArgumentMistake {
 
+    /** What a terminal obeys instead of showing it. */
+    private static final Pattern CONTROLS = Pattern.compile("\\p{Cc}");
+
     private static final Pattern WHOLE = Pattern.compile("[+-]?[0-9]+");
 
     private ArgumentMistake() {}
@@ -32,6 +36,9 @@ final class ArgumentMistake {
             return missing.getMissing().size() == 1 && missing.getMissing().get(0) instanceof OptionSpec option
                     ? withoutValue(option, mistake)
                     : mistake.getMessage();
+        }
+        if (mistake.getCause() instanceof InvalidPathException) {
+            return CONTROLS.matcher(mistake.getValue()).replaceAll("?") + ": no file can have this name";
         }
         if (mistake.getArgSpec() instanceof OptionSpec option && mistake.getValue() != null) {
             return withWrongValue(option, mistake);

@@ -3,6 +3,7 @@ package tompkins.app;
 import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
+import java.nio.file.Path;
 import picocli.CommandLine;
 
 /** Starts the program: a command line with its sub-commands, or the window. */
@@ -32,6 +33,8 @@ public final class Main {
         commandLine.setOut(out);
         commandLine.setErr(err);
         commandLine.setCaseInsensitiveEnumValuesAllowed(true);
+        // as without it, but what goes wrong can be told from other mistakes
+        commandLine.registerConverter(Path.class, Path::of);
         commandLine.setExecutionExceptionHandler(Failures::report);
         commandLine.setParameterExceptionHandler(Failures::reportUsage);
         return commandLine.execute(arguments);

@@ -353,6 +353,18 @@ class CommandLineTest {
         assertThat(run.err().contains("did you mean")).isEqualTo(line.startsWith("rendr"));
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"%s", "%s more words", "check %s", "render scenes/fig1b.json -o %s", "study tree -o %s"})
+    void aNameThatNoFileCanHaveIsShownWithoutItsControlCharacters(String line) {
+        Object[] words = line.replace("%s", "a\0b\u001b\u009bc").split(" ");
+
+        ProgramRun run = ProgramRun.of(words);
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.out()).isEmpty();
+        assertThat(run.err().lines().findFirst().orElseThrow()).endsWith(": a?b??c: no file can have this name");
+    }
+
     @Test
     void anExistingFileIsKept() throws IOException {
         Path picture = Files.writeString(folder.resolve("mine.png"), "mine");
