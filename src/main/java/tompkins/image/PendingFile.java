@@ -18,7 +18,7 @@ import java.util.stream.Stream;
  * A file, or a folder of files, that appears under its name only when it is complete. Until {@link #commit} it has
  * another name in the same folder; {@link #close} without it removes every trace, and what was there before stays.
  */
-final class PendingFile implements Closeable {
+public final class PendingFile implements Closeable {
 
     private final Path target;
     private final Path temporary;
@@ -33,7 +33,7 @@ final class PendingFile implements Closeable {
      *
      * @throws IOException if there is no such folder, or something that must not be replaced has the name
      */
-    static PendingFile file(Path target) throws IOException {
+    public static PendingFile file(Path target) throws IOException {
         if (Files.isDirectory(target)) {
             throw new PictureException(target + ": cannot be written: it is a folder; name a file in it");
         }
@@ -78,7 +78,7 @@ final class PendingFile implements Closeable {
     }
 
     /** Where the content is to be written. */
-    Path path() {
+    public Path path() {
         return temporary;
     }
 
@@ -88,7 +88,7 @@ final class PendingFile implements Closeable {
     }
 
     /** Gives the complete file its name; all streams into it must be closed. */
-    void commit() throws IOException {
+    public void commit() throws IOException {
         if (Files.isDirectory(temporary)) {
             // Not every system replaces a folder, even an empty one.
             Files.deleteIfExists(target);

@@ -7,7 +7,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 
-/** A picture could not be read or written. The message is one line: the file, what is wrong, and what is allowed. */
+/** A picture could not be read, or a file not be written. The message is one line: the file, what is wrong, and what is allowed. */
 public final class PictureException extends IOException {
 
     private static final long serialVersionUID = 1;
@@ -21,7 +21,7 @@ public final class PictureException extends IOException {
     }
 
     /** The failure of writing a file or folder, in words. */
-    static PictureException cannotWrite(Object file, IOException cause) {
+    public static PictureException cannotWrite(Object file, IOException cause) {
         return wrap(file, "cannot be written", cause);
     }
 

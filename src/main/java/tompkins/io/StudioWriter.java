@@ -1,18 +1,17 @@
 package tompkins.io;
 
 import java.io.IOException;
-import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.UUID;
 import java.util.function.Predicate;
+import tompkins.image.PendingFile;
+import tompkins.image.PictureException;
 import tompkins.ray.FileContent;
 import tompkins.studio.Studio;
 
@@ -50,34 +49,12 @@ public final class StudioWriter {
      * @throws IOException with a message for the user, if the file cannot be written
      */
     public static void save(Studio studio, Path file) throws IOException {
-        Path folder = file.toAbsolutePath().getParent();
-        if (Files.isDirectory(file) || folder == null) {
-            throw new IOException(file + ": cannot be written: it is a folder; name a file in it");
-        }
-        if (!Files.isDirectory(folder)) {
-            throw new IOException(file + ": cannot be written: there is no folder " + folder);
-        }
-        if (Files.exists(file) && !Files.isWritable(file)) {
-            throw new IOException(file + ": cannot be written: the file is write-protected");
-        }
-        // a link is followed: what it leads to is replaced
-        Path target = Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
-        Path temporary = target.resolveSibling(".tompkins-" + UUID.randomUUID() + ".part");
-        try {
-            Files.writeString(temporary, text(studio, isNotIn(new SceneFolder(folder))));
-            move(temporary, target);
+        try (PendingFile pending = PendingFile.file(file)) {
+            SceneFolder folder = new SceneFolder(file.toAbsolutePath().getParent());
+            Files.writeString(pending.path(), text(studio, isNotIn(folder)));
+            pending.commit();
         } catch (IOException failure) {
-            throw new IOException(file + ": cannot be written: " + FileFailure.reason(failure), failure);
-        } finally {
-            Files.deleteIfExists(temporary);
-        }
-    }
-
-    private static void move(Path from, Path to) throws IOException {
-        try {
-            Files.move(from, to, StandardCopyOption.ATOMIC_MOVE);
-        } catch (AtomicMoveNotSupportedException perhapsAnotherDisk) {
-            Files.move(from, to, StandardCopyOption.REPLACE_EXISTING);
+            throw PictureException.cannotWrite(file, failure);
         }
     }
 
