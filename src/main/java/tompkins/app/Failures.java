@@ -18,7 +18,7 @@ final class Failures {
     /** Something outside the user's words went wrong: a disk, the memory, the program itself. */
     static final int FAILURE = 1;
 
-    /** The arguments or the scene are wrong. */
+    /** The arguments or the scene are wrong; so is a place for a picture where nothing can be saved. */
     static final int MISTAKE = 2;
 
     /** Not an end at all: the window goes on. */

@@ -99,11 +99,15 @@ final class Photographer {
     }
 
     /** Refuses a picture that could not be saved or held, before any time is spent on it; leaves everything as it was. */
-    static void requirePossible(Studio studio, Path target, boolean replace) throws IOException {
+    static void requirePossible(Studio studio, Path target, boolean replace) {
         refuseToReplace(target, replace);
-        requireFolder(target);
         requireMemory(studio.settings());
-        PhotographFile.requireWritable(target);
+        try {
+            PhotographFile.requireWritable(target);
+        } catch (PictureException wrongPlace) {
+            // no disk has failed yet: the user named a place where nothing can be saved
+            throw new MistakeException(wrongPlace.getMessage());
+        }
     }
 
     private static PhotographInfo info(Studio studio, Path scene) {
@@ -127,16 +131,6 @@ final class Photographer {
                     settings.height(),
                     needed >> 20,
                     most >> 20));
-        }
-    }
-
-    private static void requireFolder(Path target) {
-        Path folder = target.getParent();
-        if (folder != null && !Files.exists(folder)) {
-            throw new MistakeException(target + ": cannot be written: the folder " + folder + " does not exist");
-        }
-        if (folder != null && !Files.isDirectory(folder)) {
-            throw new MistakeException(target + ": cannot be written: " + folder + " is not a folder");
         }
     }
 

@@ -1,6 +1,5 @@
 package tompkins.app;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -92,7 +91,7 @@ final class RenderCommand implements Callable<Integer> {
      * Finds the mistakes of all scenes first: nobody wants to hear of the last one after the others took an hour. Keeps none of the
      * scenes, which are read again when it is their turn: all at once they may be more than the memory holds.
      */
-    private void requireAllPossible() throws IOException {
+    private void requireAllPossible() {
         Map<Path, Path> sources = new HashMap<>();
         for (Path scene : scenes) {
             Order order = order(scene);
