@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import picocli.CommandLine;
 import tompkins.image.PhotographFile;
 import tompkins.image.PhotographInfo;
@@ -164,8 +163,10 @@ final class Photographer {
     static PictureFormat formatFor(Path file, PictureFormat wish, Path scene) {
         try {
             if (wish == null) {
-                Optional<PictureFormat> before = PhotographFile.format(scene).filter(format -> format.fits(file));
-                return before.isPresent() ? before.get() : PictureFormat.of(file);
+                PictureFormat usual = PictureFormat.of(file);
+                return PhotographFile.format(scene)
+                        .filter(before -> before.fits(file))
+                        .orElse(usual);
             }
             wish.requireFor(file);
             return wish;

@@ -2,7 +2,6 @@ package tompkins.image;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** The formats in which photographs are saved. Of those that share an ending, the first is the usual one. */
@@ -34,23 +33,18 @@ public enum PictureFormat {
     /**
      * The usual format for a file's name.
      *
-     * @throws PictureException if the name has none of the endings that are allowed
+     * @throws PictureException if the name has none of the endings that are allowed, or nothing before it
      */
     public static PictureFormat of(Path file) throws PictureException {
-        for (PictureFormat format : values()) {
-            if (format.fits(file)) {
-                return format;
-            }
-        }
-        throw new PictureException(file + ": the name of a photograph must end in " + allowedEndings());
-    }
-
-    /** All endings that a photograph's name may have, for messages: {@code .png, .tif, .tiff, .hdr, .pic}. */
-    public static String allowedEndings() {
-        return Stream.of(values())
+        List<String> allowed = Stream.of(values())
                 .flatMap(format -> format.endings.stream())
                 .distinct()
-                .collect(Collectors.joining(", "));
+                .toList();
+        FileEndings.require(file, allowed, "a photograph");
+        return Stream.of(values())
+                .filter(format -> format.fits(file))
+                .findFirst()
+                .orElseThrow();
     }
 
     /** The endings of file names in this format, the usual one first. */
@@ -66,7 +60,7 @@ public enum PictureFormat {
     /**
      * Checks that a file's name fits this format.
      *
-     * @throws PictureException if the name has none of this format's endings
+     * @throws PictureException if the name has none of this format's endings, or nothing before it
      */
     public void requireFor(Path file) throws PictureException {
         FileEndings.require(file, endings, description);

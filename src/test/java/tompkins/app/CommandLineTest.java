@@ -426,7 +426,26 @@ class CommandLineTest {
         ProgramRun run = ProgramRun.of("render", FIG1B, "-o", folder.resolve("picture.bmp"));
 
         assertThat(run.code()).isEqualTo(2);
-        assertThat(run.err()).contains("picture.bmp").contains(".png, .tif, .tiff, .hdr, .pic");
+        assertThat(run.err()).contains("picture.bmp").contains(".png or .tif or .tiff or .hdr or .pic");
+    }
+
+    @Test
+    void anEndingAloneIsNoNameEvenForAPhotographThatIsTakenAgain() {
+        Path photograph = folder.resolve("photograph.png");
+        ProgramRun.of("render", FIG1B, "-o", photograph, "--size", "8x6");
+        Path nameless = folder.resolve(".png");
+        Object[][] ways = {{FIG1B}, {photograph}, {FIG1B, "--format", "png16"}};
+        for (Object[] way : ways) {
+            List<Object> words = new ArrayList<>(List.of("render", "-o", nameless, "--size", "8x6"));
+            words.addAll(List.of(way));
+
+            ProgramRun run = ProgramRun.of(words.toArray());
+
+            assertThat(run.code()).isEqualTo(2);
+            assertThat(run.out()).isEmpty();
+            assertThat(run.err()).startsWith(nameless + ": the name of a").contains(" is missing before the ending");
+            assertThat(folder).isDirectoryNotContaining(file -> !file.equals(photograph));
+        }
     }
 
     @Test

@@ -21,7 +21,15 @@ class PictureFormatTest {
     void otherNamesAreRefusedWithThoseThatAreAllowed(String file) {
         assertThatThrownBy(() -> PictureFormat.of(Path.of(file)))
                 .isInstanceOf(PictureException.class)
-                .hasMessage(file + ": the name of a photograph must end in .png, .tif, .tiff, .hdr, .pic");
+                .hasMessage(file + ": the name of a photograph must end in .png or .tif or .tiff or .hdr or .pic");
+    }
+
+    @ParameterizedTest
+    @CsvSource({".png", ".TIFF", "folder/.hdr"})
+    void anEndingAloneIsNoName(String file) {
+        assertThatThrownBy(() -> PictureFormat.of(Path.of(file)))
+                .isInstanceOf(PictureException.class)
+                .hasMessage(Path.of(file) + ": the name of a photograph is missing before the ending");
     }
 
     @Test
