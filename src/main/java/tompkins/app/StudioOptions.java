@@ -37,7 +37,7 @@ final class StudioOptions {
             changed = changed.withSettings(sized(studio.settings()));
         }
         if (beta != null) {
-            Vector3d components = vector("--beta", beta);
+            Vector3d components = new Vector3d(numbers("--beta", beta, "0,0,0.9"));
             changed = changed.withVelocity(MistakeException.inOption("--beta", () -> Velocity.of(components)));
         }
         Shutter model = changed.camera().shutter();
@@ -72,14 +72,9 @@ final class StudioOptions {
         throw new MistakeException("--size must be two whole numbers such as 640x480, was " + size);
     }
 
-    /** A vector of three numbers with commas between them. */
-    static Vector3d vector(String option, String text) {
-        double[] numbers = numbers(option, text, 3);
-        return new Vector3d(numbers[0], numbers[1], numbers[2]);
-    }
-
-    /** Numbers with commas between them. */
-    static double[] numbers(String option, String text, int count) {
+    /** Numbers with commas between them, as many as the example has. */
+    static double[] numbers(String option, String text, String example) {
+        int count = example.split(",").length;
         String[] parts = text.split(",", -1);
         double[] numbers = new double[parts.length];
         try {
@@ -90,7 +85,8 @@ final class StudioOptions {
             numbers = new double[0];
         }
         if (numbers.length != count || !Arrays.stream(numbers).allMatch(Double::isFinite)) {
-            throw new MistakeException(option + " must be " + count + " numbers with commas between them, was " + text);
+            throw new MistakeException(option + " must be " + count + " numbers with commas between them, such as "
+                    + option + "=" + example + ", was " + text);
         }
         return numbers;
     }

@@ -24,6 +24,9 @@ import tompkins.trace.RayLife;
         description = "Shows the life of one ray: its events and directions in both frames, its hits, its colour.")
 final class TraceCommand implements Callable<Integer> {
 
+    /** Half of the way from the centre of the lens to its right edge. */
+    private static final String PUPIL_EXAMPLE = "0.5,0";
+
     @Parameters(paramLabel = "SCENE", description = "scene file, or saved photograph")
     private Path scene;
 
@@ -53,7 +56,7 @@ final class TraceCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         int[] place = pixel();
-        double[] lens = StudioOptions.numbers("--pupil", pupil, 2);
+        double[] lens = StudioOptions.numbers("--pupil", pupil, PUPIL_EXAMPLE);
         Studio studio = options.applyTo(StudioReader.read(scene));
         int width = studio.settings().width();
         int height = studio.settings().height();
@@ -62,7 +65,8 @@ final class TraceCommand implements Callable<Integer> {
                     Locale.ROOT, "--pixel must be from 0,0 to %d,%d, was %s", width - 1, height - 1, pixel));
         }
         if (Math.hypot(lens[0], lens[1]) > 1) {
-            throw new MistakeException("--pupil must lie in the unit disc, was " + pupil);
+            throw new MistakeException(
+                    "--pupil must lie in the unit disc, such as --pupil=" + PUPIL_EXAMPLE + ", was " + pupil);
         }
         RayLife life = RayLife.of(ScenePlan.of(studio, scene), place[0] + 0.5, place[1] + 0.5, lens[0], lens[1]);
         PrintWriter out = spec.commandLine().getOut();

@@ -194,8 +194,8 @@ class CommandLineTest {
             value = {
                 "--beta 0,0,1 | --beta must be shorter than 1",
                 "--beta 0.6,0.8,0 | shorter than 1",
-                "--beta 0,0,NaN | 3 numbers",
-                "--beta 1,2 | 3 numbers",
+                "--beta 0,0,NaN | 3 numbers with commas between them, such as --beta=0,0,0.9, was 0,0,NaN",
+                "--beta 1,2 | 3 numbers with commas between them, such as --beta=0,0,0.9, was 1,2",
                 "--size 640 | 640x480",
                 "--size 0x480 | --size 0x480: width must be a whole number from 1 to 65535, was 0",
                 "--size 60000x60000 | 100000000 pixels",

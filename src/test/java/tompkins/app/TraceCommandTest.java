@@ -58,9 +58,13 @@ class TraceCommandTest {
         assertThat(ProgramRun.of("trace", "scenes/fig1b.json", "--pixel", "1").code())
                 .isEqualTo(2);
         assertThat(ProgramRun.of("trace", "scenes/fig1b.json").code()).isEqualTo(2);
-        assertThat(ProgramRun.of("trace", "scenes/fig3a.json", "--pixel", "1,1", "--pupil", "1,1")
-                        .code())
-                .isEqualTo(2);
+        ProgramRun beside = ProgramRun.of("trace", "scenes/fig3a.json", "--pixel", "1,1", "--pupil", "1,1");
+        assertThat(beside.code()).isEqualTo(2);
+        assertThat(beside.err().strip()).isEqualTo("--pupil must lie in the unit disc, such as --pupil=0.5,0, was 1,1");
+        ProgramRun single = ProgramRun.of("trace", "scenes/fig3a.json", "--pixel", "1,1", "--pupil", "1");
+        assertThat(single.code()).isEqualTo(2);
+        assertThat(single.err().strip())
+                .isEqualTo("--pupil must be 2 numbers with commas between them, such as --pupil=0.5,0, was 1");
     }
 
     @Test
