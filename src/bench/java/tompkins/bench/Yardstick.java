@@ -1,5 +1,7 @@
 package tompkins.bench;
 
+import java.util.Locale;
+
 /**
  * What a figure of the paper takes elsewhere: with programs that are not run here, on the machine where they were measured, and
  * with POV-Ray, which was run there and is run here. How it does here tells how fast this machine is.
@@ -16,7 +18,7 @@ record Yardstick(String figure, double drTim, double tree, double embree, double
     static final Yardstick REST = new Yardstick("fig1a", 4100, 50, 60, 4.3, 172);
     static final Yardstick MOVING = new Yardstick("fig1b", 2100, 18, 24, 1.4, 97);
 
-    static final String HEAD = """
+    static final String HEAD = String.format(Locale.ROOT, """
 
             ## Machine
 
@@ -26,7 +28,7 @@ record Yardstick(String figure, double drTim, double tree, double embree, double
 
             | figure | POV-Ray here | factor | Dr TIM takes | a native tree takes | Embree takes | this program takes, of packets |
             | --- | --- | --- | --- | --- | --- | --- |
-            """.formatted(REST.povRay, MOVING.povRay);
+            """, REST.povRay, MOVING.povRay);
 
     /**
      * A line of the table.
