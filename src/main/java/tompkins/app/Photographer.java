@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import picocli.CommandLine;
 import tompkins.image.PhotographFile;
 import tompkins.image.PhotographInfo;
@@ -44,22 +45,25 @@ final class Photographer {
         this.threads = threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
     }
 
-    /** Takes the pictures of scene files into the current folder; a picture of an earlier call is replaced. */
-    int takeDefault(List<Path> files) throws IOException, InterruptedException {
-        for (Path file : files) {
-            Studio studio = StudioReader.read(file);
-            Path target = targetOf(file, Path.of(""));
-            boolean replaceable = Files.isRegularFile(target)
-                    && PhotographFile.readScene(target).isPresent();
-            take(
-                    file,
-                    studio,
-                    new Quality.Samples(studio.settings().samples()),
-                    target,
-                    PictureFormat.of(target),
-                    replaceable);
+    /** Takes the picture of a scene file into a folder, under its own name; a photograph of the same scene is replaced. */
+    void takeDefault(Path file, Path folder) throws IOException, InterruptedException {
+        Studio studio = StudioReader.read(file);
+        Path target = targetOf(file, folder);
+        boolean again = isPhotographOf(target, info(studio, file));
+        if (!again && Files.exists(target)) {
+            throw new MistakeException(target + ": there is a file of this name already, and it is no photograph of "
+                    + file + "; move it away, or choose another name with \"render\" and -o");
         }
-        return 0;
+        Quality quality = new Quality.Samples(studio.settings().samples());
+        take(file, studio, quality, target, PictureFormat.of(target), again);
+    }
+
+    private static boolean isPhotographOf(Path file, PhotographInfo info) {
+        try {
+            return Files.isRegularFile(file) && PhotographFile.readScene(file).equals(Optional.of(info.sceneJson()));
+        } catch (PictureException otherFile) {
+            return false;
+        }
     }
 
     /** The name of the picture of a scene, in a folder: {@code scene.png}, or {@code scene-again.png} for a photograph. */

@@ -47,6 +47,9 @@ final class StudioOptions {
         if (time != null) {
             Shutter closed = model;
             model = MistakeException.inOption("--time", () -> closed.openedAt(time));
+            if (model == closed) {
+                throw new MistakeException("--time: the " + nameOf(closed.getClass()) + " shutter has no opening time");
+            }
         }
         return changed.withCamera(changed.camera().withShutter(model));
     }
@@ -100,12 +103,17 @@ final class StudioOptions {
             }
         }
         String allowed = Arrays.stream(Shutter.class.getPermittedSubclasses())
-                .map(type -> type.getSimpleName()
-                        .replaceFirst("Shutter$", "")
-                        .replaceAll("(?<=[a-z])(?=[A-Z])", "-")
-                        .toLowerCase(Locale.ROOT))
+                .map(StudioOptions::nameOf)
                 .collect(Collectors.joining(", "));
         throw new MistakeException("--shutter must be one of " + allowed + "; was " + name);
+    }
+
+    /** The name of a model of the shutter on the command line. */
+    private static String nameOf(Class<?> type) {
+        return type.getSimpleName()
+                .replaceFirst("Shutter$", "")
+                .replaceAll("(?<=[a-z])(?=[A-Z])", "-")
+                .toLowerCase(Locale.ROOT);
     }
 
     /** The value with which a model starts. */

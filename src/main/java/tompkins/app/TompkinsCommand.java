@@ -2,7 +2,6 @@ package tompkins.app;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -51,6 +50,7 @@ final class TompkinsCommand implements Callable<Integer> {
         spec.commandLine()
                 .getErr()
                 .println("There is no display: taking the photograph instead of opening the window.");
-        return new Photographer(spec.commandLine(), 0).takeDefault(List.of(file));
+        new Photographer(spec.commandLine(), 0).takeDefault(file, Path.of(""));
+        return 0;
     }
 }

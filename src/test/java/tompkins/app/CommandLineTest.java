@@ -2,10 +2,12 @@ package tompkins.app;
 
 import static org.assertj.core.api.Assertions.as;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -18,6 +20,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import picocli.CommandLine;
 
 class CommandLineTest {
 
@@ -293,6 +296,41 @@ class CommandLineTest {
         assertThat(run.out()).isEmpty();
         assertThat(run.err()).startsWith(wish.substring(0, wish.indexOf('=')) + " must be ");
         assertThat(run.err().lines()).hasSize(1);
+    }
+
+    /** What happens without a display. */
+    @Test
+    void photographOfTheSameSceneIsReplacedAndNothingElse() throws Exception {
+        Path scene =
+                Files.writeString(folder.resolve("mine.json"), "{ \"settings\": { \"width\": 8, \"height\": 6 } }");
+        Path target = folder.resolve("mine.png");
+        Photographer photographer = new Photographer(new CommandLine(new TompkinsCommand()), 1);
+
+        photographer.takeDefault(scene, folder);
+        FileTime first = FileTime.fromMillis(0);
+        Files.setLastModifiedTime(target, first);
+        photographer.takeDefault(scene, folder);
+        assertThat(Files.getLastModifiedTime(target)).isGreaterThan(first);
+
+        ProgramRun.of("render", FIG1B, "-o", target, "--size", "8x6", "--force");
+        byte[] other = Files.readAllBytes(target);
+        assertThatThrownBy(() -> photographer.takeDefault(scene, folder))
+                .isInstanceOf(MistakeException.class)
+                .hasMessageStartingWith(target + ": there is a file of this name already, and it is no photograph of ");
+        assertThat(Files.readAllBytes(target)).isEqualTo(other);
+
+        Files.writeString(target, "no picture at all");
+        assertThatThrownBy(() -> photographer.takeDefault(scene, folder)).isInstanceOf(MistakeException.class);
+        assertThat(target).hasContent("no picture at all");
+    }
+
+    @Test
+    void shutterWithoutOpeningTimeTakesNone() {
+        ProgramRun run = ProgramRun.of("explain", FIG1B, "--shutter", "fixed-point-surface", "--time", 3);
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err().strip()).isEqualTo("--time: the fixed-point-surface shutter has no opening time");
+        assertThat(ProgramRun.of("explain", FIG1B, "--time", 0).code()).isZero();
     }
 
     @Test
