@@ -1,7 +1,6 @@
 package tompkins.ui;
 
 import java.util.List;
-import java.util.Optional;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.Camera;
@@ -60,10 +59,5 @@ final class Cameras {
         Vector3d view = new Vector3d(lens.viewDirection()).normalize();
         Vector3d point = new Vector3d(view).mul(distance).add(lens.position());
         return Records.with(camera, "focus", new Plane("focus", point, view, ColouredSurface.DEFAULT));
-    }
-
-    /** The radius of the aperture, if the camera has one. */
-    static Optional<Double> apertureRadius(Camera camera) {
-        return camera instanceof ThinLensCamera lens ? Optional.of(lens.apertureRadius()) : Optional.empty();
     }
 }

@@ -69,7 +69,7 @@ final class EntryField {
         }
     }
 
-    boolean isWrong() {
+    private boolean isWrong() {
         return field.getClientProperty("JComponent.outline") != null;
     }
 

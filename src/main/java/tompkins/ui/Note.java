@@ -63,10 +63,6 @@ final class Note {
         show("\u26A0 " + message, true);
     }
 
-    String text() {
-        return area.getText();
-    }
-
     private void show(String text, boolean isError) {
         error = isError;
         if (!area.getText().equals(text)) {

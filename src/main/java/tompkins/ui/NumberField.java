@@ -41,10 +41,6 @@ final class NumberField {
         return entry.field();
     }
 
-    boolean isWrong() {
-        return entry.isWrong();
-    }
-
     /** Shows a number; the digits that do not fit stay in the model. */
     void show(double number) {
         value = number;

@@ -54,15 +54,6 @@ final class NumberRow {
         }
     }
 
-    void setVisible(boolean visible) {
-        label.setVisible(visible);
-        slider.slider().setVisible(visible);
-        field.field().setVisible(visible);
-        if (!visible) {
-            note.setText("");
-        }
-    }
-
     void setEnabled(boolean enabled) {
         label.setEnabled(enabled);
         slider.slider().setEnabled(enabled);

@@ -101,8 +101,4 @@ final class StatusBar {
         what.setText(message);
         where.setText(" ");
     }
-
-    String message() {
-        return what.getText();
-    }
 }

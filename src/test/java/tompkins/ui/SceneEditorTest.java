@@ -10,6 +10,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.camera.ThinLensCamera;
 import tompkins.light.LightSource;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Group;
@@ -106,6 +107,6 @@ class SceneEditorTest {
     void theCameraIsATypeToChoose() {
         choose("Camera");
         Components.enter(panel, "Aperture radius", "0.25");
-        assertThat(Cameras.apertureRadius(model.studio().camera())).contains(0.25);
+        assertThat(((ThinLensCamera) model.studio().camera()).apertureRadius()).isEqualTo(0.25);
     }
 }
