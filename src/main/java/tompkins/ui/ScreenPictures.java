@@ -58,10 +58,10 @@ final class ScreenPictures implements AutoCloseable {
     }
 
     private void prepare(Wanted order) {
-        boolean sameSize =
+        boolean sameUse =
                 doneFor != null && doneFor.canvas.equals(order.canvas) && doneFor.difference == order.difference;
-        BufferedImage now = sameSize && order.now == done.now() ? done.nowImage() : image(order.now, order);
-        BufferedImage other = sameSize && order.other == done.other() ? done.otherImage() : image(order.other, order);
+        BufferedImage now = sameUse && order.now == done.now() ? done.nowImage() : image(order.now, order);
+        BufferedImage other = sameUse && order.other == done.other() ? done.otherImage() : image(order.other, order);
         BufferedImage difference = order.difference && other != null && sameShape(now, other)
                 ? ScreenPicture.difference(now, other)
                 : null;
