@@ -31,10 +31,10 @@ final class PhotographView implements AutoCloseable {
     private final PictureCanvas canvas;
     private final ScreenPictures screen;
     private final RenderController controller;
+    private final RenderController otherController;
     private final PixelProbe hover = new PixelProbe();
     private final PixelProbe fixed = new PixelProbe();
     private ComparePanel otherSource;
-    private RenderController otherController;
     private Studio otherStudio;
     private Picture pinnedPicture;
     private Point2D pin;
@@ -58,6 +58,17 @@ final class PhotographView implements AutoCloseable {
                 SwingUtilities.invokeLater(() -> listener.failed(message));
             }
         });
+        otherController = new RenderController(new RenderController.Listener() {
+            @Override
+            public void picture(Picture picture) {
+                SwingUtilities.invokeLater(() -> showOther(picture));
+            }
+
+            @Override
+            public void failed(String message) {
+                SwingUtilities.invokeLater(() -> listener.failed(message));
+            }
+        });
         model.addListener(this::render);
     }
 
@@ -69,9 +80,14 @@ final class PhotographView implements AutoCloseable {
         return controller;
     }
 
-    /** Makes the picture again with a quality; null for what the scene says. */
+    /**
+     * Makes the picture again with a quality; null for what the scene says. What it is compared with gets the same, so that
+     * the two differ in nothing else.
+     */
     void setQuality(Quality quality) {
         controller.setQuality(quality);
+        otherController.setQuality(quality);
+        otherStudio = null;
         render();
     }
 
@@ -89,9 +105,7 @@ final class PhotographView implements AutoCloseable {
     /** Ends the work on all pictures; what is there stays. */
     void stop() {
         controller.stop();
-        if (otherController != null) {
-            otherController.stop();
-        }
+        otherController.stop();
     }
 
     private void show(ScreenPicture pictures) {
@@ -125,30 +139,15 @@ final class PhotographView implements AutoCloseable {
             screen.setOther(null);
         } else if (!studio.equals(otherStudio)) {
             otherStudio = studio;
-            otherController().show(studio);
+            otherController.show(studio);
         }
     }
 
-    private RenderController otherController() {
-        if (otherController == null) {
-            otherController = new RenderController(new RenderController.Listener() {
-                @Override
-                public void picture(Picture picture) {
-                    SwingUtilities.invokeLater(() -> {
-                        // what is no longer wanted may still arrive
-                        if (picture.studio().equals(otherStudio)) {
-                            screen.setOther(picture);
-                        }
-                    });
-                }
-
-                @Override
-                public void failed(String message) {
-                    SwingUtilities.invokeLater(() -> listener.failed(message));
-                }
-            });
+    private void showOther(Picture picture) {
+        // what is no longer wanted may still arrive
+        if (picture.studio().equals(otherStudio)) {
+            screen.setOther(picture);
         }
-        return otherController;
     }
 
     /** Keeps the picture that is on the screen, to compare others with it. */
@@ -204,9 +203,7 @@ final class PhotographView implements AutoCloseable {
     @Override
     public void close() {
         controller.close();
-        if (otherController != null) {
-            otherController.close();
-        }
+        otherController.close();
         screen.close();
         hover.close();
         fixed.close();

@@ -1,0 +1,87 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.util.concurrent.Executors;
+import java.util.stream.IntStream;
+import javax.swing.JRadioButton;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import tompkins.render.Quality;
+import tompkins.spacetime.Velocity;
+
+/** The photograph and what it is compared with, without a display. */
+@Timeout(120)
+class PhotographViewTest {
+
+    private final StudioModel model =
+            new StudioModel(Studios.lattice().withSettings(Studios.sphere().settings()), null);
+    private final PhotographView view = WindowDriver.onEventThread(() -> new PhotographView(model, new Deaf()));
+
+    /** Nobody who listens. */
+    private static final class Deaf implements PhotographView.Listener {
+
+        @Override
+        public void shown(Picture picture) {}
+
+        @Override
+        public void read(PixelProbe.Reading reading) {}
+
+        @Override
+        public void pinned(PixelProbe.Reading reading) {}
+
+        @Override
+        public void failed(String message) {}
+    }
+
+    @BeforeAll
+    static void look() {
+        Look.LIGHT.install();
+    }
+
+    @AfterEach
+    void close() {
+        view.close();
+    }
+
+    @Test
+    void theOtherPictureIsAsGoodSoThatPicturesOfTheSameStudioDoNotDiffer() {
+        Quality fine = new Quality.TargetError(0.002);
+        onEventThread(() -> {
+            view.canvas().setSize(64, 48);
+            model.set(model.studio().withVelocity(Velocity.of(0, 0, 0)));
+            compareWithRest();
+        });
+        awaitBoth("the pictures of one sample", new Quality.Samples(1));
+        onEventThread(() -> view.setQuality(fine));
+        awaitBoth("the pictures of many samples", fine);
+        BufferedImage difference = view.canvas().shown().difference();
+        int[] levels = difference.getRGB(0, 0, 64, 48, null, 0, 64);
+        assertThat(IntStream.of(levels).filter(level -> level != 0xff000000)).isEmpty();
+    }
+
+    private void compareWithRest() {
+        ComparePanel panel = new ComparePanel(() -> {}, peeking -> {}, () -> {});
+        panel.setOther(ComparePanel.Other.AT_REST);
+        Components.find(panel.component(), JRadioButton.class, "Difference").setSelected(true);
+        view.compare(panel);
+    }
+
+    private void awaitBoth(String what, Quality quality) {
+        WindowDriver.await(what, () -> {
+            ScreenPicture shown = view.canvas().shown();
+            return isComplete(shown.now(), quality) && isComplete(shown.other(), quality);
+        });
+    }
+
+    private static boolean isComplete(Picture picture, Quality quality) {
+        return picture != null && picture.complete() && picture.quality().equals(quality);
+    }
+
+    private static void onEventThread(Runnable work) {
+        WindowDriver.onEventThread(Executors.callable(work));
+    }
+}
