@@ -1,5 +1,6 @@
 package tompkins.ui;
 
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 
 /** A thread that works on the newest thing that it is given; what it has not begun when a newer one comes is dropped. */
@@ -10,12 +11,17 @@ final class NewestFirst<T> implements AutoCloseable {
 
     private final Object lock = new Object();
     private final Consumer<T> work;
+    private final BiConsumer<T, Throwable> failed;
     private T waiting;
     private boolean closed;
 
-    /** A thread with a name that does the given work. The work must not throw. */
-    NewestFirst(String name, Consumer<T> work) {
+    /**
+     * A thread with a name that does the given work. It outlives work that throws, so that the next thing is done all the same;
+     * {@code failed} is told, by the thread, of the thing and of what went wrong.
+     */
+    NewestFirst(String name, Consumer<T> work, BiConsumer<T, Throwable> failed) {
         this.work = work;
+        this.failed = failed;
         Thread thread = new Thread(null, this::run, name, STACK_BYTES);
         thread.setDaemon(true);
         thread.start();
@@ -39,10 +45,18 @@ final class NewestFirst<T> implements AutoCloseable {
     private void run() {
         try {
             for (T thing = take(); thing != null; thing = take()) {
-                work.accept(thing);
+                work(thing);
             }
         } catch (InterruptedException closing) {
             Thread.currentThread().interrupt();
+        }
+    }
+
+    private void work(T thing) {
+        try {
+            work.accept(thing);
+        } catch (RuntimeException | OutOfMemoryError | StackOverflowError error) {
+            failed.accept(thing, error);
         }
     }
 

@@ -22,7 +22,7 @@ final class PhotographView implements AutoCloseable {
         /** The pinned pixel was read; null if none is pinned. */
         void pinned(PixelProbe.Reading reading);
 
-        /** There is no picture. */
+        /** There is no picture, or no reading of a pixel; the message says why. */
         void failed(String message);
     }
 
@@ -32,8 +32,8 @@ final class PhotographView implements AutoCloseable {
     private final ScreenPictures screen;
     private final RenderController controller;
     private final RenderController otherController;
-    private final PixelProbe hover = new PixelProbe();
-    private final PixelProbe fixed = new PixelProbe();
+    private final PixelProbe hover = new PixelProbe(this::fail);
+    private final PixelProbe fixed = new PixelProbe(this::fail);
     private ComparePanel otherSource;
     private Studio otherStudio;
     private Picture pinnedPicture;
@@ -44,31 +44,11 @@ final class PhotographView implements AutoCloseable {
     PhotographView(StudioModel model, Listener listener) {
         this.model = model;
         this.listener = listener;
-        screen = new ScreenPictures(this::show);
+        screen = new ScreenPictures(this::show, this::fail);
         canvas = new PictureCanvas(screen::setCanvas);
         canvas.setMouse(new ProbeMouse());
-        controller = new RenderController(new RenderController.Listener() {
-            @Override
-            public void picture(Picture picture) {
-                screen.setNow(picture);
-            }
-
-            @Override
-            public void failed(String message) {
-                SwingUtilities.invokeLater(() -> listener.failed(message));
-            }
-        });
-        otherController = new RenderController(new RenderController.Listener() {
-            @Override
-            public void picture(Picture picture) {
-                SwingUtilities.invokeLater(() -> showOther(picture));
-            }
-
-            @Override
-            public void failed(String message) {
-                SwingUtilities.invokeLater(() -> listener.failed(message));
-            }
-        });
+        controller = new RenderController(screen::setNow, this::fail);
+        otherController = new RenderController(this::showOther, this::fail);
         model.addListener(this::render);
     }
 
@@ -94,6 +74,11 @@ final class PhotographView implements AutoCloseable {
     /** The quality that photographs get. */
     Quality quality() {
         return controller.quality(model.studio());
+    }
+
+    /** Tells what went wrong; called by any thread. */
+    private void fail(Throwable error) {
+        SwingUtilities.invokeLater(() -> listener.failed(Messages.of(error)));
     }
 
     /** Makes the picture of the current studio. */
@@ -144,10 +129,12 @@ final class PhotographView implements AutoCloseable {
     }
 
     private void showOther(Picture picture) {
-        // what is no longer wanted may still arrive
-        if (picture.studio().equals(otherStudio)) {
-            screen.setOther(picture);
-        }
+        SwingUtilities.invokeLater(() -> {
+            // what is no longer wanted may still arrive
+            if (picture.studio().equals(otherStudio)) {
+                screen.setOther(picture);
+            }
+        });
     }
 
     /** Keeps the picture that is on the screen, to compare others with it. */

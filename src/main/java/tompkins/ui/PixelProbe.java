@@ -40,7 +40,12 @@ final class PixelProbe implements AutoCloseable {
 
     private record Question(RenderPlan plan, Point2D place, Consumer<Reading> answer) {}
 
-    private final NewestFirst<Question> worker = new NewestFirst<>("tompkins-probe", PixelProbe::answer);
+    private final NewestFirst<Question> worker;
+
+    /** A probe; {@code failures} is told by its thread of questions that could not be answered. */
+    PixelProbe(Consumer<Throwable> failures) {
+        worker = new NewestFirst<>("tompkins-probe", PixelProbe::answer, (question, error) -> failures.accept(error));
+    }
 
     /** Reads a place of a plan's picture; the answer comes on the event thread, unless a newer question comes first. */
     void ask(RenderPlan plan, Point2D place, Consumer<Reading> answer) {

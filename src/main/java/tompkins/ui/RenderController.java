@@ -2,6 +2,8 @@ package tompkins.ui;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
 import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderListener;
@@ -16,16 +18,6 @@ import tompkins.trace.RenderPlan;
  */
 final class RenderController implements AutoCloseable {
 
-    /** Told of pictures by threads of the renderer, of trouble by a thread of the controller. */
-    interface Listener {
-
-        /** There is a better picture. */
-        void picture(Picture picture);
-
-        /** There is no picture; the message says why. */
-        void failed(String message);
-    }
-
     /** A picture is shown coarse if the next finer one would come later than this after the change. */
     private static final Duration PATIENCE = Duration.ofMillis(30);
 
@@ -35,13 +27,17 @@ final class RenderController implements AutoCloseable {
     /** A picture that has nothing to show after this time gives way all the same. */
     private static final Duration LONGEST_WAIT = Duration.ofMillis(80);
 
+    /** How often to look whether a picture may give way. */
+    private static final Duration POLL = Duration.ofMillis(1);
+
     /** The sum of the parts of the work may miss 1 by its rounding. */
     private static final double ALMOST_ONE = 1 - 1e-9;
 
     private record Request(Studio studio, long time) {}
 
     private final Renderer renderer = new Renderer();
-    private final Listener listener;
+    private final Consumer<Picture> pictures;
+    private final Consumer<Throwable> failures;
     private final NewestFirst<Request> planner;
     private volatile Run run;
     private volatile Quality quality;
@@ -49,9 +45,16 @@ final class RenderController implements AutoCloseable {
     /** Known to the planner's thread alone. */
     private RenderPlan lastPlan;
 
-    RenderController(Listener listener) {
-        this.listener = listener;
-        planner = new NewestFirst<>("tompkins-plan", this::render);
+    /**
+     * A controller.
+     *
+     * @param pictures told of each better picture, by threads of the renderer
+     * @param failures told why there is no picture, by threads of the renderer and the controller
+     */
+    RenderController(Consumer<Picture> pictures, Consumer<Throwable> failures) {
+        this.pictures = pictures;
+        this.failures = failures;
+        planner = new NewestFirst<>("tompkins-plan", this::render, (request, error) -> failures.accept(error));
     }
 
     /** Asks for the picture of a studio instead of all that were asked for before. Returns at once. */
@@ -91,40 +94,30 @@ final class RenderController implements AutoCloseable {
     }
 
     private void render(Request request) {
-        try {
-            giveWay();
-            if (planner.hasNewer()) {
-                return;
-            }
-            // while the camera alone changes, the scene stays as it was prepared
-            RenderPlan plan = RenderPlan.of(request.studio, lastPlan);
-            lastPlan = plan;
-            if (!planner.hasNewer()) {
-                Run next = new Run(request.time, quality(request.studio));
-                next.job = renderer.startCoarse(plan, next.wanted, next);
-                run = next;
-            }
-        } catch (InterruptedException closing) {
-            Thread.currentThread().interrupt();
-        } catch (RuntimeException | OutOfMemoryError | StackOverflowError error) {
-            listener.failed(message(error));
+        giveWay();
+        if (planner.hasNewer()) {
+            return;
+        }
+        // while the camera alone changes, the scene stays as it was prepared
+        RenderPlan plan = RenderPlan.of(request.studio, lastPlan);
+        lastPlan = plan;
+        if (!planner.hasNewer()) {
+            Run next = new Run(request.time, quality(request.studio));
+            next.job = renderer.startCoarse(plan, next.wanted, next);
+            run = next;
         }
     }
 
     /** Ends the running picture as soon as it has been of use. */
-    private void giveWay() throws InterruptedException {
+    private void giveWay() {
         Run running = run;
         if (running == null) {
             return;
         }
         while (!running.mayEnd()) {
-            Thread.sleep(1);
+            LockSupport.parkNanos(POLL.toNanos());
         }
         running.job.cancel();
-    }
-
-    private static String message(Throwable error) {
-        return error.getMessage() == null ? error.getClass().getSimpleName() : error.getMessage();
     }
 
     @Override
@@ -170,7 +163,7 @@ final class RenderController implements AutoCloseable {
         public void ended(RenderJob rendered) {
             ended = true;
             if (rendered.failure() != null) {
-                listener.failed(message(rendered.failure()));
+                failures.accept(rendered.failure());
             } else if (rendered.isComplete()) {
                 deliver(rendered, true);
             }
@@ -183,7 +176,7 @@ final class RenderController implements AutoCloseable {
             RenderReport report = tellsError ? rendered.report() : null;
             double samples = (double) rendered.samples()
                     / ((double) rendered.plan().width() * rendered.plan().height());
-            listener.picture(new Picture(
+            pictures.accept(new Picture(
                     rendered.plan(),
                     wanted,
                     rendered.image(),

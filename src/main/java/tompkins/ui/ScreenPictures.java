@@ -24,10 +24,10 @@ final class ScreenPictures implements AutoCloseable {
     private Wanted doneFor;
     private ScreenPicture done = ScreenPicture.EMPTY;
 
-    /** Hands images to {@code screen} on the event thread. */
-    ScreenPictures(Consumer<ScreenPicture> screen) {
+    /** Hands images to {@code screen} on the event thread; {@code failures} is told of trouble by its own thread. */
+    ScreenPictures(Consumer<ScreenPicture> screen, Consumer<Throwable> failures) {
         this.screen = screen;
-        worker = new NewestFirst<>("tompkins-screen", this::prepare);
+        worker = new NewestFirst<>("tompkins-screen", this::prepare, (order, error) -> failures.accept(error));
     }
 
     /** There is a better picture. Called by any thread. */

@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.awt.geom.Point2D;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import tompkins.spacetime.Event;
@@ -94,6 +97,18 @@ class PixelProbeTest {
                         "camera frame at (0, 0, 0; t\u00a0=\u00a00)",
                         "Hits sphere after 9",
                         "camera/scene 3");
+    }
+
+    @Test
+    void aQuestionThatCannotBeAnsweredIsToldAndTheNextOneIsAnswered() throws InterruptedException {
+        BlockingQueue<Object> answers = new LinkedBlockingQueue<>();
+        Point2D middle = new Point2D.Double(32, 24);
+        try (PixelProbe probe = new PixelProbe(answers::add)) {
+            probe.ask(null, middle, answers::add);
+            assertThat(answers.poll(60, TimeUnit.SECONDS)).isInstanceOf(NullPointerException.class);
+            probe.ask(RenderPlan.of(Studios.sphere()), middle, answers::add);
+            assertThat(answers.poll(60, TimeUnit.SECONDS)).isInstanceOf(PixelProbe.Reading.class);
+        }
     }
 
     @Test

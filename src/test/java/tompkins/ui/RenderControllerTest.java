@@ -20,18 +20,8 @@ import tompkins.trace.RenderPlan;
 class RenderControllerTest {
 
     private final List<Picture> pictures = new CopyOnWriteArrayList<>();
-    private final List<String> failures = new CopyOnWriteArrayList<>();
-    private final RenderController controller = new RenderController(new RenderController.Listener() {
-        @Override
-        public void picture(Picture picture) {
-            pictures.add(picture);
-        }
-
-        @Override
-        public void failed(String message) {
-            failures.add(message);
-        }
-    });
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    private final RenderController controller = new RenderController(pictures::add, failures::add);
 
     @AfterEach
     void close() {
