@@ -170,7 +170,11 @@ final class PhotographView implements AutoCloseable {
             if (place == null || lastPlan == null) {
                 listener.read(null);
             } else {
-                hover.ask(lastPlan, place, listener::read);
+                Picture seen = canvas.shownAt(place);
+                // a pinned picture may have another size
+                double scale = (double) seen.image().width() / lastPlan.width();
+                Point2D there = new Point2D.Double(scale * place.getX(), scale * place.getY());
+                hover.ask(seen.plan(), there, listener::read);
             }
         }
 

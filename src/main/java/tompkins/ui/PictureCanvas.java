@@ -261,6 +261,14 @@ final class PictureCanvas extends JPanel {
         return new Point2D.Double(column + 0.5, row + 0.5);
     }
 
+    /** The picture that is seen at a place of the picture: beyond the divider it is the other one. */
+    Picture shownAt(Point2D place) {
+        boolean beyond =
+                splits() && place.getX() > divider * shown.now().image().width();
+        boolean alone = otherAlone && shown.otherImage() != null;
+        return beyond || alone ? shown.other() : shown.now();
+    }
+
     private final class CanvasMouse extends MouseAdapter {
 
         private boolean nearDivider(MouseEvent event) {

@@ -206,6 +206,14 @@ class WindowTest {
         Point divider = new Point(corner.x + bounds.x + bounds.width / 2, corner.y + bounds.y + bounds.height / 2);
         driver.drag(divider, new Point(divider.x - bounds.width / 4, divider.y), 10);
         assertThat(canvas.divider()).isCloseTo(0.25, within(0.02));
+        JLabel what = driver.find(JLabel.class, "status.what");
+        driver.move(new Point(corner.x + bounds.x + bounds.width / 8, divider.y));
+        WindowDriver.await("the moving camera's reading", () -> what.getText().contains("to the velocity"));
+        driver.move(new Point(corner.x + bounds.x + bounds.width * 5 / 8, divider.y));
+        WindowDriver.await(
+                "the reading of the camera at rest, which has no angle to the velocity",
+                () -> what.getText().startsWith("Pixel 200, ")
+                        && !what.getText().contains("to the velocity"));
         driver.hold(KeyEvent.VK_F8);
         driver.release(KeyEvent.VK_F8);
         WindowDriver.onEventThread(() -> {
