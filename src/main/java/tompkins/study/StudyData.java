@@ -122,6 +122,10 @@ public final class StudyData {
         return text.replace(',', ';');
     }
 
+    private static String unquoted(String cell) {
+        return cell.replace(';', ',');
+    }
+
     private Measurement measurement(String line) {
         String[] cells = line.split(",", -1);
         double[] numbers = new double[cells.length];
@@ -135,8 +139,8 @@ public final class StudyData {
                     new IOException(damaged));
         }
         return new Measurement(
-                cells[0],
-                cells[1],
+                unquoted(cells[0]),
+                unquoted(cells[1]),
                 numbers[2],
                 numbers[3],
                 new Spread(numbers[4], numbers[5], numbers[6]),

@@ -120,6 +120,19 @@ class StudiesTest {
     }
 
     @Test
+    void methodsWithACommaAreKnownAgain() throws IOException {
+        StudyData data = new StudyData(new PrecisionStudy(3), folder.resolve("precision.csv"), "test");
+        List<Measurement> measured = data.complete((point, done, count) -> {}, () -> false);
+
+        List<Measurement> read = data.complete((point, done, count) -> {}, () -> true);
+
+        assertThat(read)
+                .extracting(Measurement::method)
+                .contains("half angles, double")
+                .isEqualTo(measured.stream().map(Measurement::method).toList());
+    }
+
+    @Test
     void pageShowsChartsAndSentences() throws IOException {
         Study study = new StabilityStudy(3);
         StudyPage page = new StudyPage(folder, "page", "# Title");
