@@ -196,11 +196,12 @@ final class AntialiasingStudy implements Study {
     public List<Chart> charts() {
         List<Chart> charts = new ArrayList<>();
         compared.forEach((name, studio) -> charts.add(new Chart(
-                name,
-                name + (studio.camera().hasWideLens() ? ", wide lens" : ", pinhole"),
-                Chart.across("rays", Measurement::rays),
-                Chart.ERROR,
-                true)));
+                        name,
+                        name + (studio.camera().hasWideLens() ? ", wide lens" : ", pinhole"),
+                        Chart.across("rays", Measurement::rays),
+                        Chart.ERROR,
+                        true)
+                .withOwn(ADAPTIVE)));
         if (!promised.isEmpty()) {
             charts.add(honesty.chart());
         }

@@ -28,6 +28,7 @@ final class ApertureStudy implements Study {
     private final int repeats;
     private final Map<String, ScenePixels> scenes;
     private final Map<String, SamplingMethod.Factory> methods;
+    private final String program;
     private final ApertureFindings findings;
 
     /**
@@ -50,6 +51,7 @@ final class ApertureStudy implements Study {
         this.mostSamples = mostSamples;
         this.repeats = repeats;
         this.methods = methods;
+        this.program = program;
         scenes = new LinkedHashMap<>();
         studios.forEach((name, studio) -> scenes.put(name, new ScenePixels(studio, SCENE_PIXELS, 16 * mostSamples)));
         findings = new ApertureFindings(methods.keySet(), program, scenes.keySet());
@@ -195,10 +197,11 @@ final class ApertureStudy implements Study {
     public List<Chart> charts() {
         List<Chart> charts = new ArrayList<>();
         for (ExactProblem problem : ExactProblem.values()) {
-            charts.add(Chart.errorAgainstTime(problem.key(), problem.title() + ", exact answer"));
+            charts.add(Chart.errorAgainstTime(problem.key(), problem.title() + ", exact answer")
+                    .withOwn(program));
         }
         for (String name : scenes.keySet()) {
-            charts.add(Chart.errorAgainstTime(name, name + ", wide lens"));
+            charts.add(Chart.errorAgainstTime(name, name + ", wide lens").withOwn(program));
         }
         return charts;
     }

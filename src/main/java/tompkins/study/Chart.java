@@ -12,8 +12,22 @@ import java.util.function.ToDoubleFunction;
  * @param across the axis across
  * @param up the axis upwards
  * @param pareto whether the best methods, which no other beats in both, are marked: less is better on both axes
+ * @param own the method of the program, whose points are drawn last and larger; empty if there is none
+ * @param guides lines to compare the curves with
  */
-public record Chart(String problem, String title, Axis<Double> across, Axis<Spread> up, boolean pareto) {
+public record Chart(
+        String problem,
+        String title,
+        Axis<Double> across,
+        Axis<Spread> up,
+        boolean pareto,
+        String own,
+        List<Guide> guides) {
+
+    /** A chart in which no method stands out, without guides. */
+    Chart(String problem, String title, Axis<Double> across, Axis<Spread> up, boolean pareto) {
+        this(problem, title, across, up, pareto, "", List.of());
+    }
 
     /**
      * An axis.
@@ -23,6 +37,14 @@ public record Chart(String problem, String title, Axis<Double> across, Axis<Spre
      * @param <T> a number, or a spread with error bars
      */
     public record Axis<T>(String label, Function<Measurement, T> value) {}
+
+    /**
+     * A straight line from the origin.
+     *
+     * @param name in the legend
+     * @param factor what the axis upwards shows, divided by what the axis across shows
+     */
+    record Guide(String name, double factor) {}
 
     /** Seconds of one thread. */
     static final Axis<Double> SECONDS = new Axis<>(
@@ -37,6 +59,16 @@ public record Chart(String problem, String title, Axis<Double> across, Axis<Spre
     /** Error against time. */
     static Chart errorAgainstTime(String problem, String title) {
         return new Chart(problem, title, SECONDS, ERROR, true);
+    }
+
+    /** The same chart, in which the method of the program stands out. */
+    Chart withOwn(String method) {
+        return new Chart(problem, title, across, up, pareto, method, guides);
+    }
+
+    /** The same chart with lines to compare the curves with. */
+    Chart withGuides(List<Guide> lines) {
+        return new Chart(problem, title, across, up, pareto, own, lines);
     }
 
     /** Another number across. */

@@ -9,10 +9,9 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.text.DecimalFormat;
-import java.text.DecimalFormatSymbols;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.DoubleSummaryStatistics;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -20,17 +19,18 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.jfree.chart.ChartUtils;
 import org.jfree.chart.JFreeChart;
-import org.jfree.chart.axis.LogAxis;
-import org.jfree.chart.axis.NumberTickUnit;
 import org.jfree.chart.block.BlockBorder;
 import org.jfree.chart.plot.ValueMarker;
 import org.jfree.chart.plot.XYPlot;
 import org.jfree.chart.renderer.xy.XYErrorRenderer;
+import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
 import org.jfree.chart.ui.RectangleAnchor;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.TextAnchor;
 import org.jfree.data.xy.XYIntervalSeries;
 import org.jfree.data.xy.XYIntervalSeriesCollection;
+import org.jfree.data.xy.XYSeries;
+import org.jfree.data.xy.XYSeriesCollection;
 
 /** Draws a {@link Chart}: a curve with error bars for each method, its slope, the Pareto front, and the reference's error. */
 public final class ChartDrawing {
@@ -38,8 +38,11 @@ public final class ChartDrawing {
     private static final int WIDTH = 860;
     private static final int HEIGHT = 560;
     private static final int FEWEST_FOR_SLOPE = 3;
+    private static final double RING = 6;
     private static final Color GRID = new Color(0xdddddd);
     private static final Color FRONT = new Color(255, 200, 0, 130);
+    private static final Color GUIDE = new Color(0x888888);
+    private static final float[][] DASHES = {{9, 5}, {2, 4}};
 
     // told apart also by those who see few colours (Okabe and Ito 2008)
     private static final Color[] COLOURS = {
@@ -75,14 +78,23 @@ public final class ChartDrawing {
         renderer.setDefaultLinesVisible(true);
         renderer.setDrawXError(false);
         curves(chart, shown).forEach((name, points) -> addCurve(chart, name, points, curves, renderer));
-        XYPlot plot =
-                new XYPlot(curves, axis(chart.across().label()), axis(chart.up().label()), renderer);
+        XYPlot plot = new XYPlot(
+                curves,
+                new DecadeAxis(
+                        chart.across().label(),
+                        shown.stream().map(chart.across().value())),
+                new DecadeAxis(
+                        chart.up().label(),
+                        shown.stream()
+                                .map(point -> chart.up().value().apply(point).low())),
+                renderer);
         plot.setBackgroundPaint(Color.WHITE);
         plot.setDomainGridlinePaint(GRID);
         plot.setRangeGridlinePaint(GRID);
         if (chart.pareto()) {
             addFront(chart, shown, plot);
         }
+        addGuides(chart, shown, plot);
         addFloor(shown, plot);
         JFreeChart drawing = new JFreeChart(chart.title(), new Font(Font.SANS_SERIF, Font.BOLD, 16), plot, true);
         drawing.setBackgroundPaint(Color.WHITE);
@@ -94,6 +106,10 @@ public final class ChartDrawing {
 
     private static Map<String, List<Measurement>> curves(Chart chart, List<Measurement> shown) {
         Map<String, List<Measurement>> curves = new LinkedHashMap<>();
+        // the first curve is drawn last, over the others
+        if (shown.stream().anyMatch(point -> point.method().equals(chart.own()))) {
+            curves.put(chart.own(), new ArrayList<>());
+        }
         for (Measurement point : shown) {
             curves.computeIfAbsent(point.method(), method -> new ArrayList<>()).add(point);
         }
@@ -128,6 +144,12 @@ public final class ChartDrawing {
         renderer.setSeriesPaint(number, COLOURS[number % COLOURS.length]);
         renderer.setSeriesStroke(number, new BasicStroke(1.6f));
         renderer.setSeriesShape(number, marker(number));
+        if (name.equals(chart.own())) {
+            // a ring, so that a point of another method at the same place is seen in it
+            renderer.setSeriesShape(number, new Ellipse2D.Double(-RING, -RING, 2 * RING, 2 * RING));
+            renderer.setSeriesShapesFilled(number, false);
+            renderer.setSeriesOutlineStroke(number, new BasicStroke(2));
+        }
     }
 
     private static String slope(Chart chart, List<Measurement> points) {
@@ -156,16 +178,6 @@ public final class ChartDrawing {
         triangle.lineTo(-4, 3);
         triangle.closePath();
         return triangle;
-    }
-
-    private static LogAxis axis(String label) {
-        LogAxis axis = new LogAxis(label);
-        axis.setBaseSymbol("10");
-        axis.setTickUnit(new NumberTickUnit(1, new DecimalFormat("0", DecimalFormatSymbols.getInstance(Locale.ROOT))));
-        axis.setBaseFormatter(new DecimalFormat("0", DecimalFormatSymbols.getInstance(Locale.ROOT)));
-        axis.setLabelFont(new Font(Font.SANS_SERIF, Font.PLAIN, 13));
-        axis.setMinorTickMarksVisible(true);
-        return axis;
     }
 
     /** The points that no other beats in both, from the cheapest on. */
@@ -212,6 +224,26 @@ public final class ChartDrawing {
         renderer.setSeriesStroke(0, new BasicStroke(9, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         plot.setDataset(1, front);
         plot.setRenderer(1, renderer);
+    }
+
+    private static void addGuides(Chart chart, List<Measurement> shown, XYPlot plot) {
+        DoubleSummaryStatistics across =
+                shown.stream().mapToDouble(chart.across().value()::apply).summaryStatistics();
+        XYSeriesCollection guides = new XYSeriesCollection();
+        XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
+        for (Chart.Guide guide : chart.guides()) {
+            int number = guides.getSeriesCount();
+            XYSeries series = new XYSeries(guide.name());
+            series.add(across.getMin(), guide.factor() * across.getMin());
+            series.add(across.getMax(), guide.factor() * across.getMax());
+            guides.addSeries(series);
+            renderer.setSeriesPaint(number, GUIDE);
+            float[] dash = DASHES[number % DASHES.length];
+            renderer.setSeriesStroke(
+                    number, new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dash, 0));
+        }
+        plot.setDataset(2, guides);
+        plot.setRenderer(2, renderer);
     }
 
     private static void addFloor(List<Measurement> shown, XYPlot plot) {

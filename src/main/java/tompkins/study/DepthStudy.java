@@ -226,7 +226,7 @@ final class DepthStudy implements Study {
     }
 
     private static Chart chart(String problem, String title) {
-        return new Chart(problem, title, Chart.across("rays", Measurement::rays), Chart.ERROR, true);
+        return new Chart(problem, title, Chart.across("rays", Measurement::rays), Chart.ERROR, true).withOwn(PROGRAM);
     }
 
     @Override

@@ -67,14 +67,17 @@ final class Honesty {
 
     Chart chart() {
         return new Chart(
-                PROBLEM,
-                String.format(
-                        Locale.ROOT,
-                        "Error found against error promised, all scenes (%.2f times is allowed)",
-                        TOLERANCE),
-                Chart.setting("promised RMSE (--error)"),
-                Chart.ERROR,
-                false);
+                        PROBLEM,
+                        String.format(
+                                Locale.ROOT,
+                                "Error found against error promised, all scenes (%.2f times is allowed)",
+                                TOLERANCE),
+                        Chart.setting("promised RMSE (--error)"),
+                        Chart.ERROR,
+                        false)
+                .withGuides(List.of(
+                        new Chart.Guide("found = promised", 1),
+                        new Chart.Guide(String.format(Locale.ROOT, "%.2f times that", TOLERANCE), TOLERANCE)));
     }
 
     /** The share of the photographs that keep what was promised. */

@@ -149,17 +149,19 @@ final class PrecisionStudy implements Study {
     public List<Chart> charts() {
         return List.of(
                 new Chart(
-                        RADIANS,
-                        "Direction in the scene",
-                        Chart.setting("gamma"),
-                        new Chart.Axis<>("largest error in radians", Measurement::error),
-                        false),
+                                RADIANS,
+                                "Direction in the scene",
+                                Chart.setting("gamma"),
+                                new Chart.Axis<>("largest error in radians", Measurement::error),
+                                false)
+                        .withOwn(DirectionForm.HALF_ANGLE.title()),
                 new Chart(
-                        PIXELS,
-                        "Place in the picture",
-                        Chart.setting("gamma"),
-                        new Chart.Axis<>("largest error in pixels", Measurement::error),
-                        false));
+                                PIXELS,
+                                "Place in the picture",
+                                Chart.setting("gamma"),
+                                new Chart.Axis<>("largest error in pixels", Measurement::error),
+                                false)
+                        .withOwn(DirectionForm.HALF_ANGLE.title()));
     }
 
     @Override

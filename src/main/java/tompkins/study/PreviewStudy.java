@@ -134,7 +134,8 @@ final class PreviewStudy implements Study {
     public List<Chart> charts() {
         List<Chart> charts = new ArrayList<>();
         for (String name : studios.keySet()) {
-            charts.add(Chart.errorAgainstTime(name, name + ", previews at every 8th, 4th and 2nd pixel"));
+            charts.add(Chart.errorAgainstTime(name, name + ", previews at every 8th, 4th and 2nd pixel")
+                    .withOwn(PROGRAM));
         }
         return charts;
     }

@@ -210,11 +210,12 @@ final class StabilityStudy implements Study {
     public List<Chart> charts() {
         return PLACES.stream()
                 .map(place -> new Chart(
-                        place.key,
-                        place.title,
-                        Chart.setting(place.distance),
-                        new Chart.Axis<>("largest relative error", Measurement::error),
-                        false))
+                                place.key,
+                                place.title,
+                                Chart.setting(place.distance),
+                                new Chart.Axis<>("largest relative error", Measurement::error),
+                                false)
+                        .withOwn(STABLE))
                 .toList();
     }
 

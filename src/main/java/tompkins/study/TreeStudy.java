@@ -190,8 +190,9 @@ final class TreeStudy implements Study {
 
     @Override
     public List<Chart> charts() {
-        return List.of(new Chart(
-                SPHERES, "List against tree, building included", Chart.setting("objects"), Chart.TIME, false));
+        return List.of(
+                new Chart(SPHERES, "List against tree, building included", Chart.setting("objects"), Chart.TIME, false)
+                        .withOwn(PROGRAM));
     }
 
     @Override

@@ -35,6 +35,7 @@ class StudiesTest {
         for (Chart chart : study.charts()) {
             assertThat(chart.shown(all)).as(chart.title()).isNotEmpty();
             assertThat(ChartDrawing.png(chart, all)).hasSizeLessThan(100_000);
+            ChartDrawingTest.assertReadable(chart, all);
         }
     }
 
