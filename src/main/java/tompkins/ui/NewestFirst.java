@@ -35,13 +35,6 @@ final class NewestFirst<T> implements AutoCloseable {
         }
     }
 
-    /** Whether something newer than the work at hand waits, or everything is to end. */
-    boolean hasNewer() {
-        synchronized (lock) {
-            return waiting != null || closed;
-        }
-    }
-
     private void run() {
         try {
             for (T thing = take(); thing != null; thing = take()) {

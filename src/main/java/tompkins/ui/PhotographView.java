@@ -87,10 +87,11 @@ final class PhotographView implements AutoCloseable {
         renderOther();
     }
 
-    /** Ends the work on all pictures; what is there stays. */
+    /** Ends the work on all pictures; what is there stays until the next change. */
     void stop() {
         controller.stop();
         otherController.stop();
+        otherStudio = null;
     }
 
     private void show(ScreenPicture pictures) {

@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import tompkins.render.Quality;
@@ -33,12 +34,16 @@ final class RenderController implements AutoCloseable {
     /** The sum of the parts of the work may miss 1 by its rounding. */
     private static final double ALMOST_ONE = 1 - 1e-9;
 
-    private record Request(Studio studio, long time) {}
+    private record Request(Studio studio, Quality quality, long time) {}
 
     private final Renderer renderer = new Renderer();
     private final Consumer<Picture> pictures;
     private final Consumer<Throwable> failures;
     private final NewestFirst<Request> planner;
+
+    /** The picture that is to come; null when it is there, cannot be made, or was stopped, be it still in planning. */
+    private final AtomicReference<Request> wanted = new AtomicReference<>();
+
     private volatile Run run;
     private volatile Quality quality;
 
@@ -54,12 +59,14 @@ final class RenderController implements AutoCloseable {
     RenderController(Consumer<Picture> pictures, Consumer<Throwable> failures) {
         this.pictures = pictures;
         this.failures = failures;
-        planner = new NewestFirst<>("tompkins-plan", this::render, (request, error) -> failures.accept(error));
+        planner = new NewestFirst<>("tompkins-plan", this::render, this::fail);
     }
 
     /** Asks for the picture of a studio instead of all that were asked for before. Returns at once. */
     void show(Studio studio) {
-        planner.submit(new Request(studio, System.nanoTime()));
+        Request request = new Request(studio, quality(studio), System.nanoTime());
+        wanted.set(request);
+        planner.submit(request);
     }
 
     /** The quality of the next pictures; null for what their scenes say. */
@@ -75,36 +82,53 @@ final class RenderController implements AutoCloseable {
 
     /** Ends the work on the picture; what is there stays. */
     void stop() {
+        wanted.set(null);
         Run running = run;
         if (running != null) {
             running.job.cancel();
         }
     }
 
-    /** Whether the newest picture is not complete yet. */
+    /** Whether a picture is to come, or one that was stopped is still being worked on by the renderer. */
     boolean isBusy() {
         Run running = run;
-        return planner.hasNewer() || running != null && !running.ended;
+        return wanted.get() != null || running != null && !running.ended;
     }
 
-    /** The share of the picture that is done, from 0 to 1. */
+    /** The share of the picture to come that is done, from 0 to 1; 1 if none is to come. */
     double progress() {
+        Request request = wanted.get();
+        if (request == null) {
+            return 1;
+        }
         Run running = run;
-        return running == null || running.job.isCancelled() ? 1 : running.job.progress();
+        return running != null && running.request == request ? running.job.progress() : 0;
     }
 
     private void render(Request request) {
         giveWay();
-        if (planner.hasNewer()) {
+        if (wanted.get() != request) {
             return;
         }
         // while the camera alone changes, the scene stays as it was prepared
         RenderPlan plan = RenderPlan.of(request.studio, lastPlan);
         lastPlan = plan;
-        if (!planner.hasNewer()) {
-            Run next = new Run(request.time, quality(request.studio));
-            next.job = renderer.startCoarse(plan, next.wanted, next);
-            run = next;
+        if (wanted.get() != request) {
+            return;
+        }
+        Run next = new Run(request);
+        next.job = renderer.startCoarse(plan, request.quality, next);
+        run = next;
+        if (wanted.get() == null) {
+            // whoever stopped it may have come too early to see the run
+            next.job.cancel();
+        }
+    }
+
+    /** Tells why there is no picture, unless nobody waits for it any more. */
+    private void fail(Request request, Throwable error) {
+        if (wanted.compareAndSet(request, null)) {
+            failures.accept(error);
         }
     }
 
@@ -130,16 +154,14 @@ final class RenderController implements AutoCloseable {
     /** One picture on its way. */
     private final class Run implements RenderListener {
 
-        private final long changeTime;
-        private final Quality wanted;
+        private final Request request;
         private final long startTime = System.nanoTime();
         private volatile RenderJob job;
         private volatile boolean shown;
         private volatile boolean ended;
 
-        Run(long changeTime, Quality wanted) {
-            this.changeTime = changeTime;
-            this.wanted = wanted;
+        Run(Request request) {
+            this.request = request;
         }
 
         boolean mayEnd() {
@@ -151,7 +173,7 @@ final class RenderController implements AutoCloseable {
         public void passDone(RenderJob rendered) {
             long now = System.nanoTime();
             // each of the coarse passes takes three times the samples of all before it
-            long nextPass = now - changeTime + 3 * (now - startTime);
+            long nextPass = now - request.time + 3 * (now - startTime);
             boolean finerSoon = !shown && nextPass < PATIENCE.toNanos();
             boolean last = rendered.progress() > ALMOST_ONE;
             if (!finerSoon && !last && !rendered.isCancelled()) {
@@ -163,14 +185,15 @@ final class RenderController implements AutoCloseable {
         public void ended(RenderJob rendered) {
             ended = true;
             if (rendered.failure() != null) {
-                failures.accept(rendered.failure());
+                fail(request, rendered.failure());
             } else if (rendered.isComplete()) {
+                wanted.compareAndSet(request, null);
                 deliver(rendered, true);
             }
         }
 
         private void deliver(RenderJob rendered, boolean complete) {
-            Duration time = Duration.ofNanos(System.nanoTime() - changeTime);
+            Duration time = Duration.ofNanos(System.nanoTime() - request.time);
             // the error takes a moment to work out: not while the picture follows a hand
             boolean tellsError = complete || System.nanoTime() - startTime > LONGEST_WAIT.toNanos();
             RenderReport report = tellsError ? rendered.report() : null;
@@ -178,7 +201,7 @@ final class RenderController implements AutoCloseable {
                     / ((double) rendered.plan().width() * rendered.plan().height());
             pictures.accept(new Picture(
                     rendered.plan(),
-                    wanted,
+                    request.quality,
                     rendered.image(),
                     complete,
                     time,

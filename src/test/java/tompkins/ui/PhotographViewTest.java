@@ -63,6 +63,25 @@ class PhotographViewTest {
         assertThat(IntStream.of(levels).filter(level -> level != 0xff000000)).isEmpty();
     }
 
+    @Test
+    void theOtherPictureThatWasStoppedIsMadeAgainWithTheNextChange() throws InterruptedException {
+        onEventThread(() -> {
+            model.set(Studios.slow());
+            compareWithRest();
+        });
+        WindowDriver.await("the other picture", () -> other() != null);
+        onEventThread(view::stop);
+        Thread.sleep(300);
+        Picture stopped = other();
+        onEventThread(() -> model.set(Studios.slow().withVelocity(Velocity.of(0, 0, 0.5))));
+        WindowDriver.await("the other picture again", () -> other() != stopped);
+        assertThat(other().studio()).isEqualTo(stopped.studio());
+    }
+
+    private Picture other() {
+        return view.canvas().shown().other();
+    }
+
     private void compareWithRest() {
         ComparePanel panel = new ComparePanel(() -> {}, peeking -> {}, () -> {});
         panel.setOther(ComparePanel.Other.AT_REST);

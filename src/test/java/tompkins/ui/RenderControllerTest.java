@@ -2,9 +2,11 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -49,6 +51,7 @@ class RenderControllerTest {
             assertThat(last().image().rgb()).isEqualTo(expected);
         }
         assertThat(controller.progress()).isEqualTo(1);
+        assertThat(controller.isBusy()).isFalse();
     }
 
     @Test
@@ -87,10 +90,35 @@ class RenderControllerTest {
     }
 
     @Test
+    void aPictureThatIsStillBeingPlannedCanBeStopped() throws InterruptedException {
+        controller.show(Studios.sphere().withScene(Collections.nCopies(400_000, Sphere.DEFAULT)));
+        await(RenderControllerTest::isPlanning);
+        assertThat(controller.isBusy()).isTrue();
+        assertThat(controller.progress()).isEqualTo(0);
+        controller.stop();
+        assertThat(isPlanning()).isTrue();
+        assertThat(controller.isBusy()).isFalse();
+        await(() -> !isPlanning());
+        Thread.sleep(100);
+        assertThat(controller.isBusy()).isFalse();
+        assertThat(pictures).isEmpty();
+        controller.show(Studios.sphere());
+        await(() -> !pictures.isEmpty() && last().complete());
+    }
+
+    private static boolean isPlanning() {
+        return Thread.getAllStackTraces().entrySet().stream()
+                .filter(thread -> thread.getKey().getName().equals("tompkins-plan"))
+                .flatMap(thread -> Stream.of(thread.getValue()))
+                .anyMatch(call -> call.getClassName().equals(RenderPlan.class.getName()));
+    }
+
+    @Test
     void aPictureThatCannotBeMadeIsReportedAndTheNextOneComes() throws InterruptedException {
         Studio group = Studios.sphere().withScene(List.of(nested()));
         controller.show(group);
         await(() -> !failures.isEmpty());
+        assertThat(controller.isBusy()).isFalse();
         controller.show(Studios.sphere());
         await(() -> !pictures.isEmpty() && last().complete());
     }
