@@ -38,7 +38,8 @@ final class StudioOptions {
         }
         if (beta != null) {
             Vector3d components = new Vector3d(numbers("--beta", beta, "0,0,0.9"));
-            changed = changed.withVelocity(MistakeException.inOption("--beta", () -> Velocity.of(components)));
+            Studio before = changed;
+            changed = MistakeException.inOption("--beta", () -> before.withVelocity(Velocity.of(components)));
         }
         Shutter model = changed.camera().shutter();
         if (shutter != null) {

@@ -10,15 +10,11 @@ import tompkins.io.JsonValue.JsonList;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.Member;
 import tompkins.property.InvalidPropertyException;
-import tompkins.property.NumberText;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 
 /** Makes velocities from JSON: three components, or a number on one scale with a direction. */
 final class VelocityReader {
-
-    /** Beyond this Lorentz factor a picture would consist of rounding errors. */
-    static final double LARGEST_GAMMA = 1e8;
 
     static final String DIRECTION = "direction";
 
@@ -32,26 +28,20 @@ final class VelocityReader {
 
     /** The velocity, or null if a mistake was noted. */
     Velocity read(JsonValue value, String path) {
-        Velocity velocity = null;
         try {
             if (value instanceof JsonList) {
                 Vector3dc components = values.vector(value, path);
-                velocity = components == null ? null : Velocity.of(components);
-            } else if (value instanceof JsonObject object) {
-                velocity = scaled(object, path);
-            } else {
-                values.refuse(
-                        value, path, "three numbers [x, y, z] in units of c, or an object with one of " + scaleKeys());
+                return components == null ? null : Velocity.of(components);
             }
+            if (value instanceof JsonObject object) {
+                return scaled(object, path);
+            }
+            values.refuse(
+                    value, path, "three numbers [x, y, z] in units of c, or an object with one of " + scaleKeys());
         } catch (InvalidPropertyException invalid) {
             Refusal.note(problems, invalid, value, path);
         }
-        if (velocity != null && !(velocity.gamma() <= LARGEST_GAMMA)) {
-            String message = "must have a Lorentz factor of at most 1e8, has " + NumberText.of(velocity.gamma());
-            problems.add(value, path, message);
-            return null;
-        }
-        return velocity;
+        return null;
     }
 
     private Velocity scaled(JsonObject object, String path) {

@@ -26,6 +26,9 @@ public final class Velocity {
     /** Up to this Lorentz factor all results keep the digits that {@code docs/accuracy.md} promises. */
     public static final double GUARANTEED_GAMMA = 1e6;
 
+    /** Beyond this Lorentz factor a picture would consist of rounding errors. */
+    public static final double LARGEST_GAMMA = 1e8;
+
     private final SpeedScale scale;
     private final double value;
     private final Vector3dc given;
@@ -111,6 +114,20 @@ public final class Velocity {
         Vector3d proper =
                 properSpeed == 0 ? new Vector3d() : Vectors.unit(given).mul(properSpeed);
         return new Velocity(scale, value, given, gamma, properSpeed, proper);
+    }
+
+    /**
+     * The velocity of a description, if it is given and pictures show more than rounding errors at it.
+     *
+     * @throws InvalidPropertyException if it is missing, or beyond {@link #LARGEST_GAMMA}
+     */
+    public static Velocity required(String property, Velocity velocity) {
+        Require.present(property, velocity);
+        if (velocity.gamma > LARGEST_GAMMA) {
+            throw new InvalidPropertyException(
+                    property, "at most that of gamma 1e8", "that of gamma " + NumberText.of(velocity.gamma));
+        }
+        return velocity;
     }
 
     /** Whether nothing moves. */

@@ -55,7 +55,7 @@ public record Studio(
             TransformationLaw.LORENTZ,
             RenderSettings.DEFAULT);
 
-    /** Checks that nothing is missing. */
+    /** Checks that nothing is missing, and that the camera is not too fast for a picture. */
     public Studio {
         Require.present("title", title);
         Require.present("topic", topic);
@@ -65,7 +65,7 @@ public record Studio(
         lights = Require.list("lights", lights);
         Require.present("background", background);
         Require.present("camera", camera);
-        Require.present("velocity", velocity);
+        Velocity.required("velocity", velocity);
         Require.present("transformation", transformation);
         Require.present("settings", settings);
     }

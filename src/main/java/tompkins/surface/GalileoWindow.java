@@ -28,7 +28,7 @@ public record GalileoWindow(
 
     /** Checks all values. */
     public GalileoWindow {
-        Require.present("velocity", velocity);
+        Velocity.required("velocity", velocity);
         Require.present("axes", axes);
         Transmission.required("transmission", transmission);
     }

@@ -34,7 +34,7 @@ public record LorentzWindow(
 
     /** Checks all values. */
     public LorentzWindow {
-        Require.present("velocity", velocity);
+        Velocity.required("velocity", velocity);
         Require.present("axes", axes);
         Transmission.required("transmission", transmission);
     }

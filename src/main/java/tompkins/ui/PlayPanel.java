@@ -49,8 +49,8 @@ final class PlayPanel {
     /** The panel; {@code export} takes a studio and the animation of it that is to be saved. */
     PlayPanel(StudioModel model, BiConsumer<Studio, Animation> export) {
         this.model = model;
-        fromField = field("play.from", number -> from = Require.finite("from", number));
-        toField = field("play.to", number -> to = Require.finite("to", number));
+        fromField = field("play.from", number -> from = allowed("from", number));
+        toField = field("play.to", number -> to = allowed("to", number));
         secondsField =
                 field("play.seconds", number -> seconds = Require.within("seconds", number, 0.1, LONGEST_SECONDS));
         secondsField.show(seconds);
@@ -101,6 +101,19 @@ final class PlayPanel {
 
     private NumberField field(String key, DoubleConsumer commit) {
         return new NumberField(Texts.get(key), Texts.get(key), Texts.get(key + "Tip"), note, commit);
+    }
+
+    /** A number with which the animation begins or ends; what the studio refuses is marked at once, not half-way. */
+    private double allowed(String end, double number) {
+        Require.finite(end, number);
+        try {
+            property().with().apply(model.studio(), number);
+        } catch (InvalidPropertyException wrong) {
+            throw wrong;
+        } catch (IndexOutOfBoundsException | IllegalArgumentException gone) {
+            note.setError(Texts.get("play.gone"));
+        }
+        return number;
     }
 
     private static void name(JComponent component, String key) {

@@ -29,6 +29,7 @@ final class VelocityPanel {
     private final DirectionSphere sphere;
     private final VectorFields direction;
     private final Note numbers = new Note("");
+    private final Note warning = new Note("");
     private SpeedScale scale = SpeedScale.BETA;
 
     VelocityPanel(StudioModel model) {
@@ -52,6 +53,7 @@ final class VelocityPanel {
         panel.add(directionRow());
         panel.add(buttons());
         panel.add(numbers.component(), "wmin 0");
+        panel.add(warning.component(), "wmin 0");
         model.addListener(this::update);
         update();
     }
@@ -167,6 +169,7 @@ final class VelocityPanel {
         sphere.show(directionOf(now));
         direction.show(directionOf(now));
         numbers.setText(Texts.get("velocity.numbers", Numbers.brief(now.gamma(), 6), Numbers.brief(now.components())));
+        now.warning().ifPresentOrElse(warning::setError, () -> warning.setText(""));
     }
 
     private String speedText(Velocity velocity) {

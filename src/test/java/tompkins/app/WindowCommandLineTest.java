@@ -112,7 +112,7 @@ class WindowCommandLineTest {
                 OPENED.withScene(List.of()),
                 OPENED.withTransformation(TransformationLaw.GALILEAN),
                 OPENED.withVelocity(Velocity.of(SpeedScale.GAMMA, 1e7, new Vector3d(0, 0, 1))),
-                OPENED.withVelocity(Velocity.of(SpeedScale.ONE_MINUS_BETA, 1e-17, new Vector3d(0, 0, 1))),
+                OPENED.withVelocity(Velocity.of(SpeedScale.ONE_MINUS_BETA, 5.3e-17, new Vector3d(0, 0, 1))),
                 with(new FocusSurfaceShutter(1)).withScene(List.of()));
     }
 

@@ -57,7 +57,7 @@ public final class SceneFileReference {
         try (InputStream in = SceneFileReference.class.getResourceAsStream(INTRODUCTION)) {
             String text = new String(in.readAllBytes(), StandardCharsets.UTF_8).replace("\r\n", "\n");
             return text.replace("@SPEEDS@", speeds())
-                    .replace("@LARGEST_GAMMA@", JsonLayout.number(VelocityReader.LARGEST_GAMMA))
+                    .replace("@LARGEST_GAMMA@", JsonLayout.number(Velocity.LARGEST_GAMMA))
                     .replace("@GUARANTEED_GAMMA@", JsonLayout.number(Velocity.GUARANTEED_GAMMA))
                     .replace("@LARGEST_MESH@", Integer.toString(MeshFile.LARGEST_KEPT_FILE >> 20))
                     .replace("@LARGEST_FILE@", Integer.toString(SceneText.LARGEST >> 20))

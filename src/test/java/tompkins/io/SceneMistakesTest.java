@@ -75,7 +75,8 @@ class SceneMistakesTest {
             {"velocity": 0.5}             | f:1:14: velocity: must be three numbers [x, y, z] in units of c, or an object with \
             one of beta, gamma, rapidity, oneMinusBeta, was 0.5
             {"velocity": {"gamma": 0.5}}  | f:1:24: velocity.gamma: must be 1 or above, was 0.5
-            {"velocity": {"gamma": 1.1e8}} | f:1:14: velocity: must have a Lorentz factor of at most 1e8, has 110000000
+            {"velocity": {"gamma": 1.1e8}} | f:1:14: velocity: must be at most that of gamma 1e8, \
+            was that of gamma 110000000
             {"velocity": {"rapidity": 1e4}} | f:1:27: velocity.rapidity: must be from 0 to 710, was 10000
             {"velocity": {"gamma": 2, "beta": 0.5}} | f:1:14: velocity: must have exactly one of beta, gamma, rapidity, \
             oneMinusBeta, has 2 of them

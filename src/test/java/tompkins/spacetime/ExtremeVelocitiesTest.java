@@ -75,6 +75,12 @@ class ExtremeVelocitiesTest {
         assertThat(Double.isFinite(ray.dx + ray.dy + ray.dz + ray.x + ray.time + ray.frequency))
                 .isTrue();
         assertThat(velocity.gammaMinusOne()).isEqualTo(gamma - 1, within(gamma * 4 * U));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1e6, 1.1e6, 1e8})
+    void picturesBeyondTheGuaranteedGammaSaySo(double gamma) {
+        Velocity velocity = Velocity.of(SpeedScale.GAMMA, gamma, new Vector3d(1, 2, 3));
         boolean warned = RenderPlan.of(Studio.DEFAULT.withVelocity(velocity)).sentences().stream()
                 .anyMatch(sentence -> sentence.startsWith("Warning"));
         assertThat(warned).isEqualTo(gamma > 1e6);

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.JMenu;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 
 /** Finds components by their names, uses them as a hand does, and lays them out without a display. */
@@ -66,6 +67,15 @@ final class Components {
     /** Whether a field is marked as wrong. */
     static boolean isMarked(JTextField field) {
         return "error".equals(field.getClientProperty("JComponent.outline"));
+    }
+
+    /** The texts of the visible notes: explanations and messages. */
+    static List<String> notes(Container root) {
+        return all(root)
+                .filter(JTextArea.class::isInstance)
+                .filter(Component::isVisible)
+                .map(area -> ((JTextArea) area).getText())
+                .toList();
     }
 
     /** Gives a component a width and the height that it wants then; heights of wrapped texts settle in some rounds. */

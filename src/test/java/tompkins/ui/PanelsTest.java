@@ -32,6 +32,7 @@ import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.surface.GalileoWindow;
+import tompkins.surface.LorentzWindow;
 
 /** The parts of the side panel, without a display. */
 class PanelsTest {
@@ -96,6 +97,37 @@ class PanelsTest {
                 .isEqualTo("1");
         model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.5)));
         assertThat(Components.isMarked(speed)).as("another value came").isFalse();
+    }
+
+    /** A scene with such a speed could not be opened again. */
+    @Test
+    void aSpeedWithoutPicturesIsMarkedWhereverItIsTyped() {
+        model.set(FrontWindow.with(model.studio(), LorentzWindow.DEFAULT));
+        PlayPanel play = new PlayPanel(model, (studio, animation) -> {});
+        play.run(NumberProperty.speed(SpeedScale.RAPIDITY));
+        play.setPlaying(false);
+        Studio before = model.studio();
+        Container camera = (Container) new VelocityPanel(model).component();
+        Container window = (Container) new WindowPanel(model).component();
+        assertThat(Components.isMarked(Components.enter(camera, "Speed", "gamma 1e9")))
+                .isTrue();
+        assertThat(Components.notes(camera)).anyMatch(text -> text.contains("at most that of gamma 1e8"));
+        assertThat(Components.isMarked(Components.enter(window, "Speed", "gamma 1e9")))
+                .isTrue();
+        assertThat(Components.isMarked(Components.enter((Container) play.component(), "to", "20")))
+                .isTrue();
+        assertThat(Components.notes((Container) play.component())).anyMatch(text -> text.contains("gamma 1e8"));
+        assertThat(model.studio()).isSameAs(before);
+    }
+
+    @Test
+    void aSpeedBeyondTheGuaranteeWarns() {
+        Container panel = (Container) new VelocityPanel(model).component();
+        Components.enter(panel, "Speed", "gamma 1e6");
+        assertThat(Components.notes(panel)).noneMatch(text -> text.contains("may be wrong"));
+        Components.enter(panel, "Speed", "gamma 1e7");
+        String warning = velocity().warning().orElseThrow();
+        assertThat(Components.notes(panel)).anyMatch(text -> text.contains(warning));
     }
 
     @Test

@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
-import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeAll;
@@ -102,17 +101,10 @@ class RecordFormTest {
         JTextField radius = Components.enter((Container) form.component(), "Radius", "-1");
         assertThat(committed).isEmpty();
         assertThat(Components.isMarked(radius)).isTrue();
-        assertThat(messages((Container) form.component())).anyMatch(text -> text.contains("radius must be"));
+        assertThat(Components.notes((Container) form.component())).anyMatch(text -> text.contains("radius must be"));
         Components.enter((Container) form.component(), "Radius", "3");
         assertThat(Components.isMarked(radius)).isFalse();
         assertThat(committed).hasSize(1);
-    }
-
-    private static List<String> messages(Container form) {
-        return Components.all(form)
-                .filter(JTextArea.class::isInstance)
-                .map(area -> ((JTextArea) area).getText())
-                .toList();
     }
 
     @Test
@@ -144,7 +136,7 @@ class RecordFormTest {
         Object before = surface.getSelectedItem();
         surface.setSelectedItem(LuminousSurface.class);
         assertThat(surface.getSelectedItem()).isEqualTo(before);
-        assertThat(messages((Container) form.component()))
+        assertThat(Components.notes((Container) form.component()))
                 .anyMatch(text -> text.contains("surface must be another one"));
     }
 
