@@ -7,14 +7,17 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.math.Vectors;
 
 /** Fields for the two or three components of a vector. */
 final class VectorFields {
 
     private static final String[] AXES = {"x", "y", "z"};
+    private static final int DIRECTION_DIGITS = 4;
 
     private final List<NumberField> fields = new ArrayList<>();
     private final Vector3d value = new Vector3d();
+    private Vector3dc typed;
 
     /**
      * Fields for a property.
@@ -30,6 +33,7 @@ final class VectorFields {
             fields.add(new NumberField(property + " (" + AXES[axis] + ")", name, tip, note, number -> {
                 Vector3d next = new Vector3d(value);
                 next.setComponent(component, number);
+                typed = next;
                 commit.accept(next);
                 value.set(next);
             }));
@@ -51,6 +55,22 @@ final class VectorFields {
         for (NumberField field : fields) {
             panel.add(field.field(), "growx, wmin 40, sizegroup vector");
         }
+    }
+
+    /**
+     * Shows a direction as a unit vector, so that nobody takes it for a velocity; but as it was typed if it was typed here,
+     * so that a second number does not change the first.
+     */
+    void showDirection(Vector3dc direction) {
+        show(direction.equals(typed) ? direction : roundedUnit(direction));
+    }
+
+    private static Vector3dc roundedUnit(Vector3dc direction) {
+        Vector3d unit = Vectors.unit(direction);
+        return new Vector3d(
+                Numbers.rounded(unit.x, DIRECTION_DIGITS),
+                Numbers.rounded(unit.y, DIRECTION_DIGITS),
+                Numbers.rounded(unit.z, DIRECTION_DIGITS));
     }
 
     void show(Vector3dc vector) {

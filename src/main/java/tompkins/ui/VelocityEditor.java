@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import java.util.function.Consumer;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
@@ -32,6 +33,7 @@ final class VelocityEditor implements ValueEditor {
             commit.accept(Velocity.of(scale, scale.valueOf(velocity), vector));
         });
         panel.add(speed.field(), "span, growx, wmin 0");
+        panel.add(new JLabel(Wording.label("direction")), "span");
         direction.addInRow(panel);
     }
 
@@ -54,6 +56,6 @@ final class VelocityEditor implements ValueEditor {
                     case RAPIDITY -> "rapidity " + Numbers.text(velocity.value());
                     case ONE_MINUS_BETA -> "1-" + Numbers.text(velocity.value());
                 });
-        direction.show(directionOf(velocity));
+        direction.showDirection(directionOf(velocity));
     }
 }

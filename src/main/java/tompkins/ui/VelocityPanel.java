@@ -4,6 +4,7 @@ import java.awt.event.ActionEvent;
 import javax.swing.ButtonGroup;
 import javax.swing.JButton;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
@@ -89,6 +90,7 @@ final class VelocityPanel {
         row.setOpaque(false);
         JPanel fields = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, wrap 2, gap 6 4", "[][grow,fill]"));
         fields.setOpaque(false);
+        fields.add(new JLabel(Wording.label("direction")), "span");
         direction.addInColumn(fields);
         row.add(sphere);
         row.add(fields, "growx, wmin 0");
@@ -167,7 +169,7 @@ final class VelocityPanel {
         slider.show(now.rapidity());
         speed.show(speedText(now));
         sphere.show(directionOf(now));
-        direction.show(directionOf(now));
+        direction.showDirection(directionOf(now));
         numbers.setText(Texts.get("velocity.numbers", Numbers.brief(now.gamma(), 6), Numbers.brief(now.components())));
         now.warning().ifPresentOrElse(warning::setError, () -> warning.setText(""));
     }

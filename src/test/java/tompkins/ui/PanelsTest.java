@@ -9,6 +9,7 @@ import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
@@ -142,6 +143,27 @@ class PanelsTest {
         assertThat(velocity().isRest()).isTrue();
         Components.enter(panel, "Direction y", "1");
         assertThat(velocity().given()).isEqualTo(new Vector3d(1, 1, 0));
+    }
+
+    @Test
+    void aDirectionIsAUnitVectorUntilItIsTyped() {
+        model.set(model.studio().withVelocity(Velocity.of(0.3, 0, -0.4)));
+        Container panel = (Container) new VelocityPanel(model).component();
+        assertThat(direction(panel)).containsExactly("0.6", "0", "-0.8");
+        Components.enter(panel, "Direction y", "2");
+        Components.enter(panel, "Direction z", "-1");
+        assertThat(direction(panel)).as("as typed").containsExactly("0.6", "2", "-1");
+        assertThat(velocity().given()).isEqualTo(new Vector3d(0.6, 2, -1));
+        assertThat(velocity().speed()).isCloseTo(0.5, within(1e-15));
+        model.undo();
+        assertThat(direction(panel)).containsExactly("0.2683", "0.8944", "-0.3578");
+    }
+
+    private static List<String> direction(Container panel) {
+        return Stream.of("x", "y", "z")
+                .map(axis -> Components.find(panel, JTextField.class, "Direction " + axis)
+                        .getText())
+                .toList();
     }
 
     @Test
