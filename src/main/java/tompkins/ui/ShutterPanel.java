@@ -31,6 +31,8 @@ final class ShutterPanel {
     private final JPanel timeRow = Rows.panel();
     private final JPanel parameters = Rows.column();
     private Class<?> shownModel;
+    private Shutter replaced;
+    private Shutter replacement;
     private RecordForm form;
 
     ShutterPanel(StudioModel model) {
@@ -78,8 +80,18 @@ final class ShutterPanel {
     private void choose() {
         Class<?> chosen = (Class<?>) models.getSelectedItem();
         if (chosen != shownModel) {
-            ValueEditors.attempt(note, () -> model.set(Shutters.replaced(model.studio(), chosen)));
+            ValueEditors.attempt(note, () -> replaceBy(chosen));
         }
+    }
+
+    /** A shutter without an opening time has forgotten that of the one before it, which therefore speaks for it. */
+    private void replaceBy(Class<?> chosen) {
+        boolean forgotten = !hasOpeningTime(shownModel) && shutter() == replacement;
+        Shutter before = forgotten ? replaced : shutter();
+        Studio next = Shutters.replaced(withShutter(before), chosen);
+        replaced = before;
+        replacement = next.camera().shutter();
+        model.set(next);
     }
 
     private void update() {

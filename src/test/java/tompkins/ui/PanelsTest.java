@@ -27,6 +27,7 @@ import tompkins.camera.ThinLensCamera;
 import tompkins.render.Quality;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.DetectorPlaneShutter;
+import tompkins.shutter.FixedPointSurfaceShutter;
 import tompkins.shutter.FocusSurfaceShutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
@@ -202,6 +203,25 @@ class PanelsTest {
         assertThat(model.studio().camera().shutter().openingTime()).isEqualTo(2);
         models.setSelectedItem(AperturePlaneShutter.class);
         assertThat(model.studio().camera().shutter().openingTime()).isCloseTo(1.5, within(1e-9));
+    }
+
+    @Test
+    void theFixedPointSurfaceDoesNotForgetTheOpeningTime() {
+        Container panel = (Container) new ShutterPanel(model).component();
+        JComboBox<?> models = Components.find(panel, JComboBox.class, "Shutter model");
+        models.setSelectedItem(FixedPointSurfaceShutter.class);
+        models.setSelectedItem(AperturePlaneShutter.class);
+        assertThat(model.studio().camera().shutter()).isEqualTo(new AperturePlaneShutter(0));
+        models.setSelectedItem(FixedPointSurfaceShutter.class);
+        Studio other = Studios.lattice()
+                .withVelocity(Velocity.of(0, 0, 0.5))
+                .withCamera(model.studio().camera().withShutter(new FixedPointSurfaceShutter()));
+        model.open(other, null);
+        models.setSelectedItem(AperturePlaneShutter.class);
+        assertThat(model.studio())
+                .as("a scene that begins with it has no time before it")
+                .isEqualTo(Shutters.replaced(other, AperturePlaneShutter.class));
+        assertThat(model.studio().camera().shutter().openingTime()).isNotCloseTo(0, within(1e-3));
     }
 
     @Test
