@@ -1,6 +1,7 @@
 package tompkins.ui;
 
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.ButtonGroup;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
@@ -34,17 +35,21 @@ final class ComparePanel {
     private final JButton peek = new JButton(Texts.get("compare.peek"));
     private final JButton pin = new JButton(Texts.get("compare.pin"));
     private final Note hint = new Note("");
+    private final Supplier<Shutter> shutterNow;
     private final Runnable changed;
+    private boolean pinned;
     private final Updating updating = new Updating();
 
     /**
      * The panel.
      *
+     * @param shutterNow the shutter of the photograph
      * @param changed called when anything here has changed
      * @param peeking told when the other picture is to be shown alone, and when not any more
      * @param pinning called to keep the picture that is shown
      */
-    ComparePanel(Runnable changed, Consumer<Boolean> peeking, Runnable pinning) {
+    ComparePanel(Supplier<Shutter> shutterNow, Runnable changed, Consumer<Boolean> peeking, Runnable pinning) {
+        this.shutterNow = shutterNow;
         this.changed = changed;
         others.setRenderer(ValueEditors.renderer(other -> Wording.label((Other) other)));
         name(others, "compare.name");
@@ -67,9 +72,10 @@ final class ComparePanel {
         pin.setToolTipText(Tips.html(Texts.get("compare.pinTip")));
         pin.addActionListener(event -> {
             pinning.run();
+            pinned = true;
             others.setSelectedItem(Other.PINNED_PICTURE);
         });
-        others.addActionListener(event -> updating.unless(this::update));
+        others.addActionListener(event -> updating.unless(this::choose));
         shutters.addActionListener(event -> updating.unless(this::update));
         JPanel views = new JPanel(new MigLayout("novisualpadding, insets 0, gap 12", "[pref!][pref!]"));
         views.setOpaque(false);
@@ -93,13 +99,24 @@ final class ComparePanel {
         box.setToolTipText(Tips.html(Texts.get(key + "Tip")));
     }
 
+    private void choose() {
+        if (other() == Other.OTHER_SHUTTER
+                && shutters.getSelectedItem() == shutterNow.get().getClass()) {
+            // the shutter in use would show the same picture twice
+            updating.during(
+                    () -> shutters.setSelectedIndex((shutters.getSelectedIndex() + 1) % shutters.getItemCount()));
+        }
+        update();
+    }
+
     private void update() {
         shutters.setVisible(other() == Other.OTHER_SHUTTER);
-        boolean compares = other() != Other.NOTHING;
+        boolean missing = other() == Other.PINNED_PICTURE && !pinned;
+        boolean compares = other() != Other.NOTHING && !missing;
         split.setEnabled(compares);
         difference.setEnabled(compares);
         peek.setEnabled(compares);
-        hint.setText(compares ? Texts.get("compare.hint") : "");
+        hint.setText(missing ? Texts.get("compare.pinFirst") : compares ? Texts.get("compare.hint") : "");
         changed.run();
     }
 

@@ -29,7 +29,11 @@ final class SidePanel {
     SidePanel(StudioModel model, PhotographView view) {
         shutter = new ShutterPanel(model);
         lens = new LensPanel(model, picking -> pick(model, view, picking));
-        compare = new ComparePanel(() -> compareAgain(view), view.canvas()::setOtherAlone, view::pinPicture);
+        compare = new ComparePanel(
+                () -> model.studio().camera().shutter(),
+                () -> compareAgain(view),
+                view.canvas()::setOtherAlone,
+                view::pinPicture);
         ray = new RaySection(() -> view.setPin(null));
         Note remarks = new Note(model.studio().remarks());
         model.addListener(() -> remarks.setText(model.studio().remarks()));

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.render.Quality;
@@ -285,7 +286,7 @@ class PanelsTest {
 
     @Test
     void comparisonsDifferInOneThing() {
-        ComparePanel panel = new ComparePanel(() -> {}, peeking -> {}, () -> {});
+        ComparePanel panel = comparePanel();
         Studio now = model.studio();
         assertThat(panel.otherStudio(now)).isNull();
         assertThat(panel.view()).isEqualTo(Comparison.NONE);
@@ -302,6 +303,39 @@ class PanelsTest {
         Components.find((Container) panel.component(), JRadioButton.class, "Difference")
                 .doClick();
         assertThat(panel.view()).isEqualTo(Comparison.DIFFERENCE);
+    }
+
+    private ComparePanel comparePanel() {
+        return new ComparePanel(() -> model.studio().camera().shutter(), () -> {}, peeking -> {}, () -> {});
+    }
+
+    @ParameterizedTest
+    @ValueSource(classes = {AperturePlaneShutter.class, DetectorPlaneShutter.class, FixedPointSurfaceShutter.class})
+    void theOtherShutterIsAnotherOne(Class<?> shutter) {
+        Studio now = Shutters.replaced(model.studio(), shutter);
+        model.set(now);
+        ComparePanel panel = comparePanel();
+        JComboBox<?> shutters =
+                Components.find((Container) panel.component(), JComboBox.class, "Shutter to compare with");
+        shutters.setSelectedItem(shutter);
+        panel.setOther(ComparePanel.Other.OTHER_SHUTTER);
+        assertThat(shutters.getSelectedItem()).isNotEqualTo(shutter);
+        assertThat(panel.otherStudio(now).camera().shutter().getClass()).isEqualTo(shutters.getSelectedItem());
+        shutters.setSelectedItem(shutter);
+        assertThat(panel.otherStudio(now).camera().shutter())
+                .as("who wants the same may have it")
+                .isInstanceOf(shutter);
+    }
+
+    @Test
+    void thereIsNoPinnedPictureBeforeOneIsPinned() {
+        Container panel = (Container) comparePanel().component();
+        Components.find(panel, JComboBox.class, "Compare with").setSelectedItem(ComparePanel.Other.PINNED_PICTURE);
+        assertThat(Components.notes(panel)).containsExactly("Pin a picture first.");
+        assertThat(Components.find(panel, JRadioButton.class, "Split").isEnabled())
+                .isFalse();
+        Components.find(panel, JButton.class, "Pin this picture").doClick();
+        assertThat(Components.notes(panel)).containsExactly(Texts.get("compare.hint"));
     }
 
     @Test
