@@ -22,8 +22,15 @@ final class Numbers {
         try {
             return Double.parseDouble(text.strip().replace('\u2212', '-'));
         } catch (NumberFormatException e) {
-            throw new InvalidPropertyException(property, "a number such as 0.5 or 2e-3", "\"" + text.strip() + "\"");
+            throw noNumber(property, "a number such as 0.5 or 2e-3", text);
         }
+    }
+
+    /** What to say of a text that writes no number; many languages write a comma where programs want a point. */
+    static InvalidPropertyException noNumber(String property, String allowed, String text) {
+        boolean comma = text.matches(".*\\d\\s*,\\s*\\d.*");
+        return new InvalidPropertyException(
+                property, comma ? allowed + ", with a point, not a comma" : allowed, "\"" + text.strip() + "\"");
     }
 
     /** All digits of a number, but no more than it needs. */

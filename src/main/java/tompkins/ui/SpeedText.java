@@ -64,7 +64,6 @@ final class SpeedText {
     }
 
     private static InvalidPropertyException wrong(String text) {
-        return new InvalidPropertyException(
-                "speed", "a number, or like \"gamma 10\", \"1-1e-9\", \"rapidity 2\"", "\"" + text.strip() + "\"");
+        return Numbers.noNumber("speed", "a number, or like \"gamma 10\", \"1-1e-9\", \"rapidity 2\"", text);
     }
 }

@@ -59,6 +59,16 @@ class NumbersTest {
                 .hasMessageContaining("wide");
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = ';',
+            value = {"0,9; true", "-1 , 5; true", "0.9.; false", "wide, high; false"})
+    void aDecimalCommaIsNamed(String text, boolean named) {
+        assertThatThrownBy(() -> Numbers.parse("radius", text))
+                .satisfies(refusal -> assertThat(refusal.getMessage().contains("with a point, not a comma"))
+                        .isEqualTo(named));
+    }
+
     @Test
     void slidersReachTheirEndsExactlyAndComeBackToTheirPlace() {
         for (Range range : new Range[] {Range.even(-20, 20), new Range(0, 0.5, 2), new Range(1, 256, 4)}) {

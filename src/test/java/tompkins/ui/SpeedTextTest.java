@@ -49,4 +49,11 @@ class SpeedTextTest {
                 .isInstanceOf(InvalidPropertyException.class)
                 .hasMessageContaining("must be");
     }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"0,97", "gamma 2,5", "1-0,1"})
+    void aDecimalCommaIsNamed(String text) {
+        assertThatThrownBy(() -> SpeedText.parse(text, SpeedScale.BETA, ALONG_Z))
+                .hasMessageContaining("with a point, not a comma");
+    }
 }
