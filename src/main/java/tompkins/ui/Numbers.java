@@ -39,6 +39,15 @@ final class Numbers {
         return NumberText.of(value + 0.0);
     }
 
+    /** As many digits of a number as find room among so many characters. */
+    static String fitting(double value, int characters) {
+        String text = text(value);
+        for (int digits = characters; digits > 1 && text.length() > characters; digits--) {
+            text = text(rounded(value, digits));
+        }
+        return text;
+    }
+
     /** The first digits of a number, for reading. */
     static String brief(double value) {
         return brief(value, 5);

@@ -135,6 +135,9 @@ final class ShutterPanel {
     /** A drawing, the name, and in the list a line that says what the model does. */
     private static final class ModelRenderer implements ListCellRenderer<Class<?>> {
 
+        /** Width of a line in sizes of the type, so that it fits into the list beneath the narrowest panel. */
+        private static final double LINE = 10;
+
         private final JPanel cell = new JPanel(new BorderLayout(8, 0));
         private final JPanel words = new JPanel(new BorderLayout(0, 2));
         private final JLabel icon = new JLabel();
@@ -160,7 +163,7 @@ final class ShutterPanel {
             name.setText(model == null ? "" : Wording.label(model));
             line.setVisible(inList);
             line.setText(
-                    inList ? "<html><body style='width: " + Look.pixels(12) + "px'>" + Wording.meaning(model) : "");
+                    inList ? "<html><body style='width: " + Look.pixels(LINE) + "px'>" + Wording.meaning(model) : "");
             cell.setOpaque(inList);
             cell.setBackground(marked ? list.getSelectionBackground() : list.getBackground());
             name.setForeground(ink);

@@ -20,6 +20,9 @@ final class VelocityPanel {
     /** The speed at the right end of the slider, as a rapidity: gamma 200. */
     private static final Range RAPIDITIES = Range.even(0, 6);
 
+    /** So much of a speed is seen in its field, and so much of the speeds of an animation is steady enough to be read. */
+    private static final int SPEED_CHARACTERS = 9;
+
     private static final Vector3dc FORWARDS = new Vector3d(0, 0, 1);
 
     private final StudioModel model;
@@ -177,8 +180,8 @@ final class VelocityPanel {
     private String speedText(Velocity velocity) {
         double value = scale.valueOf(velocity);
         if (scale == SpeedScale.BETA && value > 0.999999) {
-            return "1-" + Numbers.brief(velocity.oneMinusSpeed());
+            return "1-" + Numbers.fitting(velocity.oneMinusSpeed(), SPEED_CHARACTERS - 2);
         }
-        return Numbers.text(velocity.scale() == scale ? value : Numbers.rounded(value, 7));
+        return Numbers.fitting(value, SPEED_CHARACTERS);
     }
 }

@@ -16,18 +16,24 @@ import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JList;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
+import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import javax.swing.JViewport;
 import javax.swing.text.JTextComponent;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.shutter.Shutter;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.Velocity;
 import tompkins.surface.LorentzWindow;
 
 /** Every component lies inside its parent and shows all of its text, at all sizes of type, in all looks, in long words. */
@@ -116,6 +122,35 @@ class LayoutTest {
             Components.layOut(column, side.width() - BAR);
             assertThat(problems(column)).as(shutter.getSimpleName()).isEmpty();
         }
+        JComboBox<?> models = Components.find(column, JComboBox.class, Texts.get("shutter.name"));
+        checkList(models);
+    }
+
+    /** The list under a combo box is as wide as that. */
+    private static <M> void checkList(JComboBox<M> models) {
+        for (int i = 0; i < models.getItemCount(); i++) {
+            M item = models.getItemAt(i);
+            Component cell = models.getRenderer().getListCellRendererComponent(new JList<>(), item, i, false, false);
+            assertThat(cell.getPreferredSize().width).as(item.toString()).isLessThan(models.getWidth());
+        }
+    }
+
+    @Test
+    void theSpeedIsNotCut() {
+        onEventThread(() -> {
+            use(Look.LIGHT, 1, Locale.ENGLISH);
+            Container column = (Container)
+                    ((JScrollPane) sidePanel().component()).getViewport().getView();
+            JTextField speed = Components.find(column, JTextField.class, "Speed");
+            for (double beta : new double[] {0.90000000000000013, 0.52181175, 0.00012345678, 1 - 1.2345e-7}) {
+                model.set(model.studio().withVelocity(Velocity.of(SpeedScale.BETA, beta, new Vector3d(0, 0, 1))));
+                Components.layOut(column, Look.pixels(22));
+                assertThat(textWidth(speed, speed.getText()))
+                        .as(speed.getText())
+                        .isLessThanOrEqualTo(innerWidth(speed));
+                assertThat(speed.getText()).hasSizeGreaterThan(2);
+            }
+        });
     }
 
     @ParameterizedTest

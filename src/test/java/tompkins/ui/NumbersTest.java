@@ -27,6 +27,18 @@ class NumbersTest {
         assertThat(Numbers.brief(value)).isEqualTo(text.replace("e8", "e+8"));
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "0.90000000000000013, 0.9",
+        "0.52181175, 0.5218118",
+        "1.2345678e-9, 1.2346e-9",
+        "99999999.4, 99999999",
+        "2, 2"
+    })
+    void asManyDigitsAreShownAsFit(double value, String text) {
+        assertThat(Numbers.fitting(value, 9)).isEqualTo(text);
+    }
+
     @Test
     void infinityHasASign() {
         assertThat(Numbers.brief(Double.POSITIVE_INFINITY)).isEqualTo("\u221e");
