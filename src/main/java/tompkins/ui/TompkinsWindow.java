@@ -2,6 +2,8 @@ package tompkins.ui;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -131,7 +133,11 @@ public final class TompkinsWindow {
         JComponent panel = side.component();
         panel.setPreferredSize(new Dimension(side.width(), 0));
         panel.setBorder(BorderFactory.createMatteBorder(0, 1, 0, 0, UIManager.getColor("Tompkins.line")));
-        frame.setMinimumSize(new Dimension(Look.pixels(MINIMUM_WIDTH), Look.pixels(MINIMUM_HEIGHT)));
+        // large type must not make the window larger than a small screen
+        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        frame.setMinimumSize(new Dimension(
+                Math.min(Look.pixels(MINIMUM_WIDTH), screen.width),
+                Math.min(Look.pixels(MINIMUM_HEIGHT), screen.height)));
         frame.revalidate();
     }
 
