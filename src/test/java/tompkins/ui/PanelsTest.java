@@ -235,8 +235,8 @@ class PanelsTest {
         Container panel = (Container) new LensPanel(model, picking -> {}).component();
         Components.enter(panel, "Aperture", "0.1");
         Components.enter(panel, "Focus", "4");
-        Components.enter(panel, "Field of view", "60");
-        Components.enter(panel, "Exposure", "1");
+        Components.enter(panel, "Field of view (\u00b0)", "60");
+        Components.enter(panel, "Exposure (stops)", "1");
         Components.enter(panel, "Samples", "16");
         ThinLensCamera camera = (ThinLensCamera) model.studio().camera();
         assertThat(camera.apertureRadius()).isEqualTo(0.1);
@@ -246,7 +246,7 @@ class PanelsTest {
         assertThat(model.studio().settings().samples()).isEqualTo(16);
         assertThat(Components.isMarked(Components.enter(panel, "Aperture", "-1")))
                 .isTrue();
-        assertThat(Components.isMarked(Components.enter(panel, "Field of view", "180")))
+        assertThat(Components.isMarked(Components.enter(panel, "Field of view (\u00b0)", "180")))
                 .isTrue();
     }
 
