@@ -83,7 +83,8 @@ class PhotographViewTest {
     }
 
     private void compareWithRest() {
-        ComparePanel panel = new ComparePanel(() -> {}, peeking -> {}, () -> {});
+        ComparePanel panel =
+                new ComparePanel(() -> model.studio().camera().shutter(), () -> {}, peeking -> {}, () -> {});
         panel.setOther(ComparePanel.Other.AT_REST);
         Components.find(panel.component(), JRadioButton.class, "Difference").setSelected(true);
         view.compare(panel);
