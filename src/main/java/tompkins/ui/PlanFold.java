@@ -9,7 +9,9 @@ import javax.swing.JPanel;
 final class PlanFold {
 
     private final JPanel panel = Rows.column();
-    private List<String> shown = List.of();
+
+    /** Kept from picture to picture: a new note takes the event thread a millisecond, another text next to nothing. */
+    private final List<Note> notes = new ArrayList<>();
 
     JComponent component() {
         return panel;
@@ -17,19 +19,24 @@ final class PlanFold {
 
     /** Shows sentences, and warnings first. */
     void show(List<String> sentences, List<String> warnings) {
-        List<String> all = new ArrayList<>(warnings);
-        all.addAll(sentences);
-        if (all.equals(shown)) {
-            return;
+        setCount(warnings.size() + sentences.size());
+        for (int i = 0; i < warnings.size(); i++) {
+            notes.get(i).setError(warnings.get(i));
         }
-        shown = all;
-        panel.removeAll();
-        for (String warning : warnings) {
+        for (int i = 0; i < sentences.size(); i++) {
+            notes.get(warnings.size() + i).setText(sentences.get(i));
+        }
+    }
+
+    private void setCount(int count) {
+        while (notes.size() < count) {
             Note note = new Note("");
-            note.setError(warning);
+            notes.add(note);
             panel.add(note.component(), "wmin 0");
         }
-        sentences.forEach(sentence -> panel.add(new Note(sentence).component(), "wmin 0"));
+        while (notes.size() > count) {
+            panel.remove(notes.remove(notes.size() - 1).component());
+        }
         panel.revalidate();
         panel.repaint();
     }
