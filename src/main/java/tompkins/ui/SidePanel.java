@@ -38,7 +38,7 @@ final class SidePanel {
         Note remarks = new Note(model.studio().remarks());
         model.addListener(() -> remarks.setText(model.studio().remarks()));
         remarks.component().setName("remarks");
-        panel.add(remarks.component(), "wmin 0");
+        panel.add(remarks.component(), "wmin 0, gapleft 6");
         add("section.velocity", new VelocityPanel(model).component(), true);
         add("section.shutter", shutter.component(), true);
         add("section.lens", lens.component(), true);
