@@ -16,7 +16,6 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
-import org.openjdk.jmh.infra.Blackhole;
 import tompkins.camera.PixelSampler;
 import tompkins.camera.SamplePlaces;
 import tompkins.light.AmbientLight;
@@ -124,14 +123,19 @@ public class HotMethodsBenchmark {
     private final SpaceTimeTransformation sceneFromCamera =
             TransformationLaw.LORENTZ.sceneFromCamera(PaperStudios.VELOCITY);
     private final PixelSampler sampler = new PixelSampler(1, true);
+    private final RayBlock block = new RayBlock(RayBlock.MOST);
     private final SamplePlaces places = new SamplePlaces(RayBlock.MOST);
 
+    /** A block is filled and takes the change of frame in its place. */
     @Benchmark
-    @OperationsPerInvocation(RAYS)
-    public void transformation(Rays rays, Blackhole sink) {
-        for (Ray ray : rays.rays) {
-            sink.consume(sceneFromCamera.transform(ray));
+    @OperationsPerInvocation(RayBlock.MOST)
+    public RayBlock transformation(Rays rays) {
+        block.begin(RayBlock.MOST);
+        for (int i = 0; i < RayBlock.MOST; i++) {
+            block.set(i, rays.rays[i]);
         }
+        sceneFromCamera.transform(block);
+        return block;
     }
 
     @Benchmark
