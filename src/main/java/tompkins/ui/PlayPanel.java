@@ -1,5 +1,6 @@
 package tompkins.ui;
 
+import java.util.Objects;
 import java.util.function.BiConsumer;
 import java.util.function.DoubleConsumer;
 import javax.swing.JButton;
@@ -107,7 +108,8 @@ final class PlayPanel {
     private double allowed(String end, double number) {
         Require.finite(end, number);
         try {
-            property().with().apply(model.studio(), number);
+            // made only to see whether it can be
+            Objects.requireNonNull(property().with().apply(model.studio(), number));
         } catch (InvalidPropertyException wrong) {
             throw wrong;
         } catch (IndexOutOfBoundsException | IllegalArgumentException gone) {
