@@ -84,19 +84,7 @@ class LayoutTest {
     }
 
     private SidePanel sidePanel() {
-        view = new PhotographView(model, new PhotographView.Listener() {
-            @Override
-            public void shown(Picture picture) {}
-
-            @Override
-            public void read(PixelProbe.Reading reading) {}
-
-            @Override
-            public void pinned(PixelProbe.Reading reading) {}
-
-            @Override
-            public void failed(String message) {}
-        });
+        view = new PhotographView(model, new SilentListener());
         return new SidePanel(model, view);
     }
 

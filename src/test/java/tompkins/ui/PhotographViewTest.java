@@ -19,23 +19,8 @@ class PhotographViewTest {
 
     private final StudioModel model =
             new StudioModel(Studios.lattice().withSettings(Studios.sphere().settings()), null);
-    private final PhotographView view = WindowDriver.onEventThread(() -> new PhotographView(model, new Deaf()));
-
-    /** Nobody who listens. */
-    private static final class Deaf implements PhotographView.Listener {
-
-        @Override
-        public void shown(Picture picture) {}
-
-        @Override
-        public void read(PixelProbe.Reading reading) {}
-
-        @Override
-        public void pinned(PixelProbe.Reading reading) {}
-
-        @Override
-        public void failed(String message) {}
-    }
+    private final PhotographView view =
+            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener()));
 
     @BeforeAll
     static void look() {

@@ -1,0 +1,17 @@
+package tompkins.ui;
+
+/** Nobody who listens to a photograph. */
+final class SilentListener implements PhotographView.Listener {
+
+    @Override
+    public void shown(Picture picture) {}
+
+    @Override
+    public void read(PixelProbe.Reading reading) {}
+
+    @Override
+    public void pinned(PixelProbe.Reading reading) {}
+
+    @Override
+    public void failed(String message) {}
+}
