@@ -11,7 +11,7 @@ import tompkins.ray.RayBlock;
  * hashing: Laine and Karras 2011): every power of two of first samples fills pixel and lens evenly.
  * Of the samplers that were compared it needs the least time for the same error of a picture (see the charts of the aperture
  * in docs/speed-and-accuracy.md). It works through a block in short loops, of which the compiler makes instructions for
- * several pixels at once: a third of the time of one pixel after the other.
+ * several pixels at once: two thirds of the time of one pixel after the other, most of which goes into the lens.
  */
 public final class PixelSampler {
 
