@@ -151,6 +151,10 @@ final class PictureCanvas extends JPanel {
         return comparison == Comparison.SPLIT && shown.otherImage() != null && !otherAlone;
     }
 
+    private boolean showsOtherAlone() {
+        return otherAlone && shown.otherImage() != null;
+    }
+
     private int dividerX() {
         Rectangle bounds = pictureBounds();
         return bounds.x + (int) Math.round(divider * bounds.width);
@@ -174,7 +178,7 @@ final class PictureCanvas extends JPanel {
         if (difference) {
             paint(g, shown.difference(), bounds);
             label(g, Texts.get("compare.differenceLabel", otherName), bounds.x + 12, bounds, false);
-        } else if (otherAlone && shown.otherImage() != null) {
+        } else if (showsOtherAlone()) {
             paint(g, shown.otherImage(), bounds);
             label(g, otherName, bounds.x + 12, bounds, false);
         } else {
@@ -265,8 +269,7 @@ final class PictureCanvas extends JPanel {
     Picture shownAt(Point2D place) {
         boolean beyond =
                 splits() && place.getX() > divider * shown.now().image().width();
-        boolean alone = otherAlone && shown.otherImage() != null;
-        return beyond || alone ? shown.other() : shown.now();
+        return beyond || showsOtherAlone() ? shown.other() : shown.now();
     }
 
     private final class CanvasMouse extends MouseAdapter {
