@@ -49,7 +49,7 @@ final class Photographer {
     void takeDefault(Path file, Path folder) throws IOException, InterruptedException {
         Studio studio = StudioReader.read(file);
         Path target = targetOf(file, folder);
-        boolean again = isPhotographOf(target, info(studio, file));
+        boolean again = Files.isRegularFile(target) && isPhotographOf(target, info(studio, file));
         if (!again && Files.exists(target)) {
             throw new MistakeException(target + ": there is a file of this name already, and it is no photograph of "
                     + file + "; move it away, or choose another name with \"render\" and -o");
@@ -60,7 +60,7 @@ final class Photographer {
 
     private static boolean isPhotographOf(Path file, PhotographInfo info) {
         try {
-            return Files.isRegularFile(file) && PhotographFile.readScene(file).equals(Optional.of(info.sceneJson()));
+            return PhotographFile.readScene(file).equals(Optional.of(info.sceneJson()));
         } catch (PictureException otherFile) {
             return false;
         }
