@@ -1,6 +1,5 @@
 package tompkins.ui;
 
-import java.time.Duration;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -12,9 +11,6 @@ import tompkins.trace.RenderPlan;
 final class SidePanel {
 
     private static final double WIDTH = 22.5;
-
-    /** Nobody reads the sentences of a picture of a drag, which would take the time of every fifth one. */
-    private static final Duration GLANCE = Duration.ofMillis(150);
 
     private final JPanel panel = new Column();
     private final JScrollPane scroll;
@@ -95,11 +91,8 @@ final class SidePanel {
         return compare;
     }
 
-    /** Shows what there is to say about the picture on the screen, unless another one is about to follow it. */
+    /** Shows what there is to say about the picture on the screen. */
     void show(Picture picture) {
-        if (!picture.complete() && picture.time().compareTo(GLANCE) < 0) {
-            return;
-        }
         RenderPlan made = picture.plan();
         if (shown == null
                 || shown.plan() != made
