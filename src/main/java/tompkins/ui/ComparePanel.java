@@ -24,7 +24,7 @@ final class ComparePanel {
         AT_REST,
         GALILEAN_CAMERA,
         OTHER_SHUTTER,
-        PINNED_PICTURE
+        KEPT_PICTURE
     }
 
     private final JPanel panel = Rows.column();
@@ -33,11 +33,11 @@ final class ComparePanel {
     private final JRadioButton split = new JRadioButton(Texts.get("compare.split"), true);
     private final JRadioButton difference = new JRadioButton(Texts.get("compare.difference"));
     private final JButton peek = new JButton(Texts.get("compare.peek"));
-    private final JButton pin = new JButton(Texts.get("compare.pin"));
+    private final JButton keep = new JButton(Texts.get("compare.keep"));
     private final Note hint = new Note("");
     private final Supplier<Shutter> shutterNow;
     private final Runnable changed;
-    private boolean pinned;
+    private boolean kept;
     private final Updating updating = new Updating();
 
     /**
@@ -46,9 +46,9 @@ final class ComparePanel {
      * @param shutterNow the shutter of the photograph
      * @param changed called when anything here has changed
      * @param peeking told when the other picture is to be shown alone, and when not any more
-     * @param pinning called to keep the picture that is shown
+     * @param keeping called to keep the picture that is shown
      */
-    ComparePanel(Supplier<Shutter> shutterNow, Runnable changed, Consumer<Boolean> peeking, Runnable pinning) {
+    ComparePanel(Supplier<Shutter> shutterNow, Runnable changed, Consumer<Boolean> peeking, Runnable keeping) {
         this.shutterNow = shutterNow;
         this.changed = changed;
         others.setRenderer(ValueEditors.renderer(other -> Wording.label((Other) other)));
@@ -68,12 +68,12 @@ final class ComparePanel {
         peek.setToolTipText(Tips.html(Texts.get("compare.peekTip")));
         peek.getModel()
                 .addChangeListener(event -> peeking.accept(peek.getModel().isPressed()));
-        pin.setName(Texts.get("compare.pin"));
-        pin.setToolTipText(Tips.html(Texts.get("compare.pinTip")));
-        pin.addActionListener(event -> {
-            pinning.run();
-            pinned = true;
-            others.setSelectedItem(Other.PINNED_PICTURE);
+        keep.setName(Texts.get("compare.keep"));
+        keep.setToolTipText(Tips.html(Texts.get("compare.keepTip")));
+        keep.addActionListener(event -> {
+            keeping.run();
+            kept = true;
+            others.setSelectedItem(Other.KEPT_PICTURE);
         });
         others.addActionListener(event -> updating.unless(this::choose));
         shutters.addActionListener(event -> updating.unless(this::update));
@@ -83,7 +83,7 @@ final class ComparePanel {
         views.add(difference);
         JPanel buttons = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, wrap 1, gap 4", "[grow,fill]"));
         buttons.setOpaque(false);
-        buttons.add(pin);
+        buttons.add(keep);
         buttons.add(peek);
         panel.add(others, "wmin 0");
         panel.add(shutters, "wmin 0");
@@ -111,12 +111,12 @@ final class ComparePanel {
 
     private void update() {
         shutters.setVisible(other() == Other.OTHER_SHUTTER);
-        boolean missing = other() == Other.PINNED_PICTURE && !pinned;
+        boolean missing = other() == Other.KEPT_PICTURE && !kept;
         boolean compares = other() != Other.NOTHING && !missing;
         split.setEnabled(compares);
         difference.setEnabled(compares);
         peek.setEnabled(compares);
-        hint.setText(missing ? Texts.get("compare.pinFirst") : compares ? Texts.get("compare.hint") : "");
+        hint.setText(missing ? Texts.get("compare.keepFirst") : compares ? Texts.get("compare.hint") : "");
         changed.run();
     }
 
@@ -147,10 +147,10 @@ final class ComparePanel {
                 : Wording.label(other());
     }
 
-    /** The studio of the other picture; null if there is none, or if it is the pinned one. */
+    /** The studio of the other picture; null if there is none, or if it is the kept one. */
     Studio otherStudio(Studio now) {
         return switch (other()) {
-            case NOTHING, PINNED_PICTURE -> null;
+            case NOTHING, KEPT_PICTURE -> null;
             case AT_REST -> now.withVelocity(Velocity.of(new Vector3d()));
             case GALILEAN_CAMERA -> now.withTransformation(TransformationLaw.GALILEAN);
             case OTHER_SHUTTER -> Shutters.replaced(now, (Class<?>) shutters.getSelectedItem());

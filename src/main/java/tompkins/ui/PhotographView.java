@@ -36,7 +36,7 @@ final class PhotographView implements AutoCloseable {
     private final PixelProbe fixed = new PixelProbe(this::fail);
     private ComparePanel otherSource;
     private Studio otherStudio;
-    private Picture pinnedPicture;
+    private Picture keptPicture;
     private Point2D pin;
     private DoubleConsumer picked;
     private RenderPlan lastPlan;
@@ -117,9 +117,9 @@ final class PhotographView implements AutoCloseable {
             return;
         }
         Studio studio = otherSource.otherStudio(model.studio());
-        if (otherSource.other() == ComparePanel.Other.PINNED_PICTURE) {
+        if (otherSource.other() == ComparePanel.Other.KEPT_PICTURE) {
             otherStudio = null;
-            screen.setOther(pinnedPicture);
+            screen.setOther(keptPicture);
         } else if (studio == null) {
             otherStudio = null;
             screen.setOther(null);
@@ -139,8 +139,8 @@ final class PhotographView implements AutoCloseable {
     }
 
     /** Keeps the picture that is on the screen, to compare others with it. */
-    void pinPicture() {
-        pinnedPicture = canvas.shown().now();
+    void keepPicture() {
+        keptPicture = canvas.shown().now();
     }
 
     /** Marks a place of the picture and tells the life of its ray; of no place if it is null. */
@@ -172,7 +172,7 @@ final class PhotographView implements AutoCloseable {
                 listener.read(null);
             } else {
                 Picture seen = canvas.shownAt(place);
-                // a pinned picture may have another size
+                // a kept picture may have another size
                 double scale = (double) seen.image().width() / lastPlan.width();
                 Point2D there = new Point2D.Double(scale * place.getX(), scale * place.getY());
                 hover.ask(seen.plan(), there, listener::read);

@@ -29,7 +29,7 @@ final class SidePanel {
                 () -> model.studio().camera().shutter(),
                 () -> compareAgain(view),
                 view.canvas()::setOtherAlone,
-                view::pinPicture);
+                view::keepPicture);
         ray = new RaySection(() -> view.setPin(null));
         Note remarks = new Note(model.studio().remarks());
         model.addListener(() -> remarks.setText(model.studio().remarks()));

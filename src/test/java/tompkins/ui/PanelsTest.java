@@ -328,13 +328,13 @@ class PanelsTest {
     }
 
     @Test
-    void thereIsNoPinnedPictureBeforeOneIsPinned() {
+    void thereIsNoKeptPictureBeforeOneIsKept() {
         Container panel = (Container) comparePanel().component();
-        Components.find(panel, JComboBox.class, "Compare with").setSelectedItem(ComparePanel.Other.PINNED_PICTURE);
-        assertThat(Components.notes(panel)).containsExactly("Pin a picture first.");
+        Components.find(panel, JComboBox.class, "Compare with").setSelectedItem(ComparePanel.Other.KEPT_PICTURE);
+        assertThat(Components.notes(panel)).containsExactly("Keep a picture first.");
         assertThat(Components.find(panel, JRadioButton.class, "Split").isEnabled())
                 .isFalse();
-        Components.find(panel, JButton.class, "Pin this picture").doClick();
+        Components.find(panel, JButton.class, "Keep this picture").doClick();
         assertThat(Components.notes(panel)).containsExactly(Texts.get("compare.hint"));
     }
 
