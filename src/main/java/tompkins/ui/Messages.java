@@ -1,6 +1,10 @@
 package tompkins.ui;
 
 import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
+import javax.swing.JComponent;
 import javax.swing.JOptionPane;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
@@ -10,6 +14,9 @@ final class Messages {
 
     private static final int COLUMNS = 60;
     private static final int MOST_ROWS = 26;
+
+    /** What a dialog has above and below its content, in sizes of its type. */
+    private static final double FRAME = 12;
 
     private Messages() {}
 
@@ -23,6 +30,17 @@ final class Messages {
         show(parent, title, message, JOptionPane.PLAIN_MESSAGE);
     }
 
+    /** Tells something that is laid out already, with a scroll bar if the screen is too low for it. */
+    static void tell(Component parent, String title, JComponent content) {
+        JScrollPane scroll = scroll(content);
+        Dimension size = content.getPreferredSize();
+        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        size.height = Math.min(size.height, screen.height - Look.pixels(FRAME));
+        scroll.getViewport().setPreferredSize(size);
+        scroll.getVerticalScrollBar().setUnitIncrement(Look.pixels(2));
+        JOptionPane.showMessageDialog(parent, scroll, title, JOptionPane.PLAIN_MESSAGE);
+    }
+
     private static void show(Component parent, String title, String message, int kind) {
         JTextArea text = new JTextArea(message, (int) Math.min(MOST_ROWS, lines(message)), COLUMNS);
         text.setName("message");
@@ -30,9 +48,13 @@ final class Messages {
         text.setLineWrap(true);
         text.setWrapStyleWord(true);
         text.setOpaque(false);
-        JScrollPane scroll = new JScrollPane(text);
+        JOptionPane.showMessageDialog(parent, scroll(text), title, kind);
+    }
+
+    private static JScrollPane scroll(JComponent content) {
+        JScrollPane scroll = new JScrollPane(content);
         scroll.setBorder(null);
-        JOptionPane.showMessageDialog(parent, scroll, title, kind);
+        return scroll;
     }
 
     private static long lines(String message) {

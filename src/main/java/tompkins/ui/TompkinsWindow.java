@@ -267,7 +267,7 @@ public final class TompkinsWindow {
 
         @Override
         public void showKeys() {
-            Messages.tell(frame, Texts.get("menu.keys"), Texts.get("help.keys"));
+            Messages.tell(frame, Texts.get("menu.keys"), new KeyTable().component());
         }
 
         @Override

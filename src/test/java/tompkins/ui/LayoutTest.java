@@ -10,7 +10,9 @@ import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.Executors;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
@@ -158,6 +160,29 @@ class LayoutTest {
         editor.setSize(editor.getPreferredSize());
         Components.layOut(editor);
         assertThat(problems(editor)).isEmpty();
+    }
+
+    @ParameterizedTest
+    @MethodSource("looks")
+    void theKeysStandInTwoColumns(Look look, float size, Locale locale) {
+        onEventThread(() -> {
+            use(look, size, locale);
+            JComponent keys = new KeyTable().component();
+            keys.setSize(keys.getPreferredSize());
+            Components.layOut(keys);
+            assertThat(problems(keys)).isEmpty();
+            List<Component> cells = List.of(keys.getComponents());
+            assertThat(cells.stream().map(Component::getX).distinct())
+                    .as("left edges")
+                    .hasSize(2);
+            Map<Integer, List<String>> lines = cells.stream()
+                    .collect(Collectors.groupingBy(
+                            Component::getY,
+                            Collectors.mapping(cell -> ((JLabel) cell).getText(), Collectors.toList())));
+            assertThat(lines.values())
+                    .contains(List.of("Keys"), List.of("Ctrl Z", "undo"))
+                    .contains(List.of("Sphere"), List.of("Arrow keys", "turn it by 5 degrees"));
+        });
     }
 
     private static void onEventThread(Runnable check) {
