@@ -87,7 +87,7 @@ final class LensPanel {
         return panel;
     }
 
-    /** A point was picked, or picking was given up. */
+    /** The picture was clicked: nothing is to be picked any more. */
     void endPicking() {
         pick.setSelected(false);
     }

@@ -38,7 +38,7 @@ final class PhotographView implements AutoCloseable {
     private Studio otherStudio;
     private Picture keptPicture;
     private Point2D pin;
-    private DoubleConsumer picked;
+    private Picking picking;
     private RenderPlan lastPlan;
 
     PhotographView(StudioModel model, Listener listener) {
@@ -158,11 +158,24 @@ final class PhotographView implements AutoCloseable {
         }
     }
 
-    /** The next click on the picture gives the distance of what is there; NaN if there is nothing. */
-    void pickDistance(DoubleConsumer taker) {
-        picked = taker;
-        canvas.setPicking(taker != null);
+    /**
+     * Lets the next click on the picture give the distance of what is there; NaN if there is nothing.
+     *
+     * @param clicked called at the click: the distance may be long in coming, or never come
+     * @param taker takes the distance
+     */
+    void startPicking(Runnable clicked, DoubleConsumer taker) {
+        picking = new Picking(clicked, taker);
+        canvas.setPicking(true);
     }
+
+    /** Lets clicks on the picture pin pixels again. */
+    void stopPicking() {
+        picking = null;
+        canvas.setPicking(false);
+    }
+
+    private record Picking(Runnable clicked, DoubleConsumer taker) {}
 
     private final class ProbeMouse implements PictureCanvas.Mouse {
 
@@ -181,11 +194,12 @@ final class PhotographView implements AutoCloseable {
 
         @Override
         public void clicked(Point2D place) {
-            if (picked != null && lastPlan != null) {
-                DoubleConsumer taker = picked;
-                pickDistance(null);
+            if (picking != null && lastPlan != null) {
+                Picking ending = picking;
                 RenderPlan plan = lastPlan;
-                fixed.ask(plan, place, reading -> taker.accept(PixelProbe.depth(plan, reading)));
+                stopPicking();
+                ending.clicked.run();
+                fixed.ask(plan, place, reading -> ending.taker.accept(PixelProbe.depth(plan, reading)));
             } else {
                 setPin(place);
             }

@@ -64,17 +64,18 @@ final class SidePanel {
     }
 
     private void pick(StudioModel model, PhotographView view, boolean picking) {
-        view.pickDistance(
-                picking
-                        ? distance -> {
-                            lens.endPicking();
-                            if (distance > 0) {
-                                model.set(model.studio()
-                                        .withCamera(Cameras.focusedAt(
-                                                model.studio().camera(), Numbers.rounded(distance, 6))));
-                            }
-                        }
-                        : null);
+        if (picking) {
+            view.startPicking(lens::endPicking, distance -> focus(model, distance));
+        } else {
+            view.stopPicking();
+        }
+    }
+
+    private static void focus(StudioModel model, double distance) {
+        if (distance > 0) {
+            model.set(model.studio()
+                    .withCamera(Cameras.focusedAt(model.studio().camera(), Numbers.rounded(distance, 6))));
+        }
     }
 
     /** The width that it needs: that of its texts, at least that of a narrow panel. */

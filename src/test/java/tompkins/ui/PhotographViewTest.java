@@ -2,10 +2,13 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Container;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.util.concurrent.Executors;
 import java.util.stream.IntStream;
 import javax.swing.JRadioButton;
+import javax.swing.JToggleButton;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -61,6 +64,27 @@ class PhotographViewTest {
         onEventThread(() -> model.set(Studios.slow().withVelocity(Velocity.of(0, 0, 0.5))));
         WindowDriver.await("the other picture again", () -> other() != stopped);
         assertThat(other().studio()).isEqualTo(stopped.studio());
+    }
+
+    @Test
+    void theClickReleasesTheButtonForPickingEvenIfItsPixelCannotBeRead() {
+        Container panel = (Container)
+                WindowDriver.onEventThread(() -> new SidePanel(model, view)).component();
+        onEventThread(() -> {
+            view.canvas().setSize(64, 48);
+            view.render();
+        });
+        WindowDriver.await("a picture", () -> view.canvas().shown().now() != null);
+        JToggleButton pick = Components.find(panel, JToggleButton.class, "Pick a point to focus on");
+        // who is closed answers no questions
+        view.close();
+        onEventThread(() -> {
+            pick.doClick();
+            view.canvas()
+                    .dispatchEvent(new MouseEvent(
+                            view.canvas(), MouseEvent.MOUSE_RELEASED, 0, 0, 32, 24, 1, false, MouseEvent.BUTTON1));
+        });
+        assertThat(pick.isSelected()).isFalse();
     }
 
     private Picture other() {
