@@ -15,17 +15,20 @@ import java.util.UUID;
 import java.util.stream.Stream;
 
 /**
- * A file, or a folder of files, that appears under its name only when it is complete. Until {@link #commit} it has
- * another name in the same folder; {@link #close} without it removes every trace, and what was there before stays.
+ * A file, or a folder of files, that appears in its place only when it is complete. Until {@link #commit} it lies, under
+ * its own name, in a folder of its own beside that place: a name that cannot be had is refused at once, not after the work.
+ * {@link #close} without it removes every trace, and what was there before stays.
  */
 public final class PendingFile implements Closeable {
 
     private final Path target;
+    private final Path room;
     private final Path temporary;
 
-    private PendingFile(Path target, Path temporary) {
+    private PendingFile(Path target, Path room) {
         this.target = target;
-        this.temporary = temporary;
+        this.room = room;
+        temporary = room.resolve(target.getFileName());
     }
 
     /**
@@ -40,10 +43,7 @@ public final class PendingFile implements Closeable {
         if (Files.exists(target) && !Files.isWritable(target)) {
             throw new PictureException(target + ": cannot be written: the file is write-protected");
         }
-        PendingFile pending = beside(Files.exists(target) ? target.toRealPath() : target);
-        // Not Files.createTempFile, which hides the file from everybody but its owner.
-        Files.createFile(pending.temporary);
-        return pending;
+        return beside(Files.exists(target) ? target.toRealPath() : target, false);
     }
 
     /**
@@ -55,17 +55,28 @@ public final class PendingFile implements Closeable {
         if (Files.exists(target) && !isEmptyFolder(target)) {
             throw new PictureException(target + ": cannot be written: it exists; name a new or an empty folder");
         }
-        PendingFile pending = beside(target);
-        Files.createDirectory(pending.temporary);
-        return pending;
+        return beside(target, true);
     }
 
-    private static PendingFile beside(Path target) throws IOException {
+    private static PendingFile beside(Path target, boolean isFolder) throws IOException {
         Path folder = target.toAbsolutePath().getParent();
         if (folder == null || !Files.isDirectory(folder)) {
             throw new PictureException(target + ": cannot be written: there is no folder " + folder);
         }
-        return new PendingFile(target, folder.resolve(".tompkins-" + UUID.randomUUID() + ".part"));
+        PendingFile pending = new PendingFile(target, folder.resolve(".tompkins-" + UUID.randomUUID() + ".part"));
+        // Not Files.createTempDirectory nor createTempFile, which hide from everybody but the owner.
+        Files.createDirectory(pending.room);
+        try {
+            if (isFolder) {
+                Files.createDirectory(pending.temporary);
+            } else {
+                Files.createFile(pending.temporary);
+            }
+        } catch (IOException refused) {
+            pending.close();
+            throw refused;
+        }
+        return pending;
     }
 
     private static boolean isEmptyFolder(Path path) throws IOException {
@@ -98,16 +109,17 @@ public final class PendingFile implements Closeable {
         } catch (AtomicMoveNotSupportedException e) {
             Files.move(temporary, target, StandardCopyOption.REPLACE_EXISTING);
         }
+        Files.delete(room);
     }
 
     /** Removes what was not committed. */
     @Override
     public void close() throws IOException {
-        if (Files.notExists(temporary)) {
+        if (Files.notExists(room)) {
             return;
         }
         List<Path> parts;
-        try (Stream<Path> tree = Files.walk(temporary)) {
+        try (Stream<Path> tree = Files.walk(room)) {
             parts = tree.sorted(Comparator.reverseOrder()).toList();
         }
         for (Path part : parts) {

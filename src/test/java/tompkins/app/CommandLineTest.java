@@ -119,9 +119,18 @@ class CommandLineTest {
 
         Path closed = Files.createDirectory(folder.resolve("closed"));
         closed.toFile().setWritable(false);
-        // the administrator may write everywhere but into the kernel's own folder
-        Path locked = Files.isWritable(closed) ? Path.of("/sys") : closed;
-        assertThat(refusalOf(locked.resolve("picture.png"))).isEqualTo("there is no permission");
+        // the administrator may write everywhere but into the kernel's own folder, which has its own words for it
+        boolean administrator = Files.isWritable(closed);
+        Path locked = administrator ? Path.of("/sys") : closed;
+        assertThat(refusalOf(locked.resolve("picture.png")))
+                .isEqualTo(administrator ? "Operation not permitted" : "there is no permission");
+    }
+
+    @Test
+    @Timeout(60)
+    void aNameThatIsTooLongForTheDiskIsRefusedBeforeThePictureIsTaken() {
+        assertThat(refusalOf(folder.resolve("x".repeat(300) + ".png"))).isEqualTo("File name too long");
+        assertThat(folder).isEmptyDirectory();
     }
 
     /** Why no picture can be written there. */
