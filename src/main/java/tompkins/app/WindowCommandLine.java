@@ -1,9 +1,11 @@
 package tompkins.app;
 
+import java.net.URISyntaxException;
+import java.net.URL;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.regex.Matcher;
 import org.joml.Vector3dc;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
@@ -20,12 +22,34 @@ final class WindowCommandLine implements CommandLineWriter {
     /** Lorentz factors that differ by less than this share of them give pictures that nobody can tell apart. */
     private static final double SAME = 1e-9;
 
+    private final Path jar;
+
+    /** Writes calls of the program that is running. */
+    WindowCommandLine() {
+        this(running());
+    }
+
+    /** Writes calls of a program: of its jar, or of the one that Maven makes beside the folder of its classes. */
+    WindowCommandLine(Path program) {
+        jar = Files.isDirectory(program) ? program.resolveSibling("tompkins.jar") : program;
+    }
+
+    private static Path running() {
+        URL place =
+                WindowCommandLine.class.getProtectionDomain().getCodeSource().getLocation();
+        try {
+            return Path.of(place.toURI());
+        } catch (URISyntaxException impossible) {
+            throw new IllegalStateException("the program lies in a place without a usable name: " + place, impossible);
+        }
+    }
+
     @Override
     public Optional<String> of(Studio studio, Quality quality, Studio opened, Path file) {
         if (file == null || !isSayable(studio, opened)) {
             return Optional.empty();
         }
-        StringBuilder line = new StringBuilder("java -jar tompkins.jar render " + quoted(file));
+        StringBuilder line = new StringBuilder("java -jar " + quoted(jar) + " render " + quoted(file));
         RenderSettings settings = studio.settings();
         RenderSettings before = opened.settings();
         if (settings.width() != before.width() || settings.height() != before.height()) {
@@ -93,12 +117,13 @@ final class WindowCommandLine implements CommandLineWriter {
         }
     }
 
-    /** The name of a file as a shell takes it for one word; Windows has other shells, and other letters in names. */
+    /**
+     * The whole path of a file, for any folder, as a shell takes it for one word; Windows has other shells, and other letters
+     * in names.
+     */
     private static String quoted(Path file) {
-        String separator = file.getFileSystem().getSeparator();
-        // a word that begins so would be an option, or name a file of arguments
-        String name = file.toString().replaceFirst("^(?=[-@])", Matcher.quoteReplacement("." + separator));
-        boolean windows = separator.equals("\\");
+        String name = file.toAbsolutePath().toString();
+        boolean windows = file.getFileSystem().getSeparator().equals("\\");
         if (name.matches(windows ? "[\\p{L}\\p{N}._\\\\:-]+" : "[\\p{L}\\p{N}._/:-]+")) {
             return name;
         }

@@ -17,7 +17,6 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.io.StudioReader;
@@ -37,6 +36,9 @@ class WindowCommandLineTest {
 
     private static final Studio OPENED =
             Studio.DEFAULT.withScene(List.of(Sphere.DEFAULT)).withSettings(RenderSettings.DEFAULT.withSize(8, 6));
+
+    private static final Path JAR = Path.of("/programs/tompkins.jar");
+    private static final String PROGRAM = "java -jar /programs/tompkins.jar ";
 
     @TempDir
     private Path folder;
@@ -82,21 +84,21 @@ class WindowCommandLineTest {
 
     private static Optional<String> line(Studio studio, Path from) {
         Quality quality = new Quality.Samples(studio.settings().samples());
-        return new WindowCommandLine().of(studio, quality, OPENED, from);
+        return new WindowCommandLine(JAR).of(studio, quality, OPENED, from);
     }
 
     @Test
     void aPromisedErrorIsSaidInsteadOfTheSamples() {
         Studio studio = OPENED.withSettings(OPENED.settings().withSamples(7));
-        assertThat(new WindowCommandLine().of(studio, new Quality.TargetError(0.005), OPENED, file))
-                .contains("java -jar tompkins.jar render " + file + " --error=0.005");
+        assertThat(new WindowCommandLine(JAR).of(studio, new Quality.TargetError(0.005), OPENED, file))
+                .contains(PROGRAM + "render " + file + " --error=0.005");
     }
 
     private List<Object> words(Studio studio) {
         String line = line(studio, file).orElseThrow();
-        assertThat(line).startsWith("java -jar tompkins.jar render ");
-        return new ArrayList<>(Arrays.asList(
-                (Object[]) line.substring("java -jar tompkins.jar ".length()).split(" ")));
+        assertThat(line).startsWith(PROGRAM + "render ");
+        return new ArrayList<>(
+                Arrays.asList((Object[]) line.substring(PROGRAM.length()).split(" ")));
     }
 
     @Test
@@ -127,17 +129,34 @@ class WindowCommandLineTest {
         assertThat(line(OPENED, null)).isEmpty();
     }
 
-    @Test
-    void apostrophesAreQuoted() {
-        assertThat(line(OPENED, Path.of("it's.json"))).contains("java -jar tompkins.jar render 'it'\\''s.json'");
+    /** Options and files of arguments begin with these letters, whole paths do not. */
+    @ParameterizedTest
+    @ValueSource(strings = {"one.json", "-o.json", "one-@.json"})
+    void aSceneOfThisFolderIsNamedForAllFolders(String name) {
+        String here = Path.of("").toAbsolutePath() + "/";
+        assertThat(line(OPENED, Path.of(name)).orElseThrow().replace("'", ""))
+                .isEqualTo(PROGRAM + "render " + here + name);
     }
 
-    @ParameterizedTest
-    @CsvSource(
-            quoteCharacter = '"',
-            value = {"-o.json, ./-o.json", "@words.json, './@words.json'"})
-    void namesThatWouldBeOptionsAreNot(Path named, String word) {
-        assertThat(line(OPENED, named)).contains("java -jar tompkins.jar render " + word);
+    @Test
+    void theJarThatRunsIsNamed() throws IOException {
+        Path programs = Files.createDirectory(folder.resolve("it's mine"));
+        Path jar = Files.createFile(programs.resolve("tompkins-2.jar"));
+
+        assertThat(lineOf(new WindowCommandLine(jar)))
+                .isEqualTo("java -jar '" + folder + "/it'\\''s mine/tompkins-2.jar' render " + file);
+    }
+
+    /** The tests run from classes. */
+    @Test
+    void fromClassesTheJarThatMavenMakesOfThemIsNamed() {
+        String target = Path.of(System.getProperty("basedir", ""), "target").toAbsolutePath() + "/";
+        assertThat(lineOf(new WindowCommandLine())).isEqualTo("java -jar " + target + "tompkins.jar render " + file);
+    }
+
+    private String lineOf(WindowCommandLine writer) {
+        return writer.of(OPENED, new Quality.Samples(OPENED.settings().samples()), OPENED, file)
+                .orElseThrow();
     }
 
     /** The shell itself is asked: what it makes of the copied line. */
@@ -160,7 +179,7 @@ class WindowCommandLineTest {
             })
     void shellTakesTheNameForOneWord(String name) throws IOException, InterruptedException {
         Path named = folder.resolve(name + ".json");
-        String words = line(OPENED, named).orElseThrow().substring("java -jar tompkins.jar ".length());
+        String words = line(OPENED, named).orElseThrow().substring(PROGRAM.length());
         Path script = Files.writeString(folder.resolve("script"), "printf '<%s>' " + words);
 
         Process shell = new ProcessBuilder("sh", script.toString()).start();
@@ -173,6 +192,6 @@ class WindowCommandLineTest {
     @Test
     void namesWithSpacesAreQuoted() throws IOException {
         Path spaced = Files.createDirectories(folder.resolve("my scenes")).resolve("one.json");
-        assertThat(line(OPENED, spaced)).contains("java -jar tompkins.jar render '" + spaced + "'");
+        assertThat(line(OPENED, spaced)).contains(PROGRAM + "render '" + spaced + "'");
     }
 }
