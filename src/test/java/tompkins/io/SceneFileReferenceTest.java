@@ -109,6 +109,18 @@ class SceneFileReferenceTest {
                 .isEqualTo(studio);
     }
 
+    /** The reference tells of comments and commas at the end; the first example is one for every reader of JSON. */
+    @Test
+    void theExampleOfTheReadmeWorksAndIsPlainJson() throws IOException {
+        Matcher example = Pattern.compile("\n## A scene\n\n((?: {4}.*\n)+)")
+                .matcher(Files.readString(PROJECT.resolve("README.md")));
+        assertThat(example.find()).isTrue();
+        Studio studio = StudioReader.read(example.group(1), "README.md", folder);
+        assertThat(studio.velocity().speed()).isEqualTo(0.9);
+        assertThat(studio.scene()).hasSize(1);
+        assertThat(example.group(1)).doesNotContainPattern(",\\s*[}\\]]");
+    }
+
     @Test
     void messagesAreThoseOfTheProgram() {
         String scene = examples().findFirst().orElseThrow();
