@@ -1,12 +1,17 @@
 package tompkins.ui;
 
 import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
+import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
@@ -26,6 +31,9 @@ final class BackgroundTask implements Progress {
     /** Shorter work shows no window. */
     private static final int PATIENCE_MILLISECONDS = 400;
 
+    /** What runs at the moment; used by the event thread alone. */
+    private static final List<BackgroundTask> RUNNING = new ArrayList<>();
+
     private final Window owner;
     private final JDialog dialog;
     private final JProgressBar bar = new JProgressBar(0, STEPS);
@@ -41,6 +49,11 @@ final class BackgroundTask implements Progress {
         JButton cancel = new JButton(Texts.get("task.cancel"));
         cancel.setName(Texts.get("task.cancel"));
         cancel.addActionListener(event -> cancelled = true);
+        dialog.getRootPane()
+                .registerKeyboardAction(
+                        event -> cancel.doClick(),
+                        KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
+                        JComponent.WHEN_IN_FOCUSED_WINDOW);
         bar.getAccessibleContext().setAccessibleName(title);
         panel.add(cancel, "growx 0, alignx right");
         dialog.setContentPane(panel);
@@ -59,11 +72,24 @@ final class BackgroundTask implements Progress {
      */
     static void start(Window owner, String title, Work work, Runnable done) {
         BackgroundTask task = new BackgroundTask(owner, title);
+        RUNNING.add(task);
         Timer timer = new Timer(PATIENCE_MILLISECONDS, event -> task.refresh());
         timer.start();
         Thread thread = new Thread(() -> task.run(work, timer, done), "tompkins-task");
         thread.setDaemon(true);
         thread.start();
+    }
+
+    /**
+     * Brings forward what still runs for a window, which should not be closed before. Called by the event thread.
+     *
+     * @return whether anything runs
+     */
+    static boolean showRunning(Window owner) {
+        List<BackgroundTask> running =
+                RUNNING.stream().filter(task -> task.owner == owner).toList();
+        running.forEach(task -> task.dialog.setVisible(true));
+        return !running.isEmpty();
     }
 
     private void run(Work work, Timer timer, Runnable done) {
@@ -78,6 +104,7 @@ final class BackgroundTask implements Progress {
         Throwable reason = failure;
         SwingUtilities.invokeLater(() -> {
             timer.stop();
+            RUNNING.remove(this);
             dialog.dispose();
             if (reason != null) {
                 Messages.error(owner, Messages.of(reason));
@@ -89,7 +116,10 @@ final class BackgroundTask implements Progress {
 
     private void refresh() {
         bar.setValue((int) (progress * STEPS));
-        dialog.setVisible(true);
+        // showing it again would take the focus from whatever the user does meanwhile
+        if (!dialog.isVisible()) {
+            dialog.setVisible(true);
+        }
     }
 
     @Override

@@ -59,8 +59,8 @@ public final class TompkinsWindow {
         frame.setName("tompkins");
         frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         frame.addWindowListener(new Closer());
-        frame.setSize(new Dimension(
-                settings.number("width", Look.pixels(WIDTH)), settings.number("height", Look.pixels(HEIGHT))));
+        frame.setSize(
+                onScreen(settings.number("width", Look.pixels(WIDTH)), settings.number("height", Look.pixels(HEIGHT))));
         frame.setLocationByPlatform(true);
         model.addListener(this::showTitle);
         showTitle();
@@ -133,12 +133,14 @@ public final class TompkinsWindow {
         JComponent panel = side.component();
         panel.setPreferredSize(new Dimension(side.width(), 0));
         panel.setBorder(BorderFactory.createMatteBorder(0, 1, 0, 0, UIManager.getColor("Tompkins.line")));
-        // large type must not make the window larger than a small screen
+        frame.setMinimumSize(onScreen(Look.pixels(MINIMUM_WIDTH), Look.pixels(MINIMUM_HEIGHT)));
+        panel.revalidate();
+    }
+
+    /** A size, or that of the screen where that is smaller: large type, or a window of yesterday's screen, may not fit. */
+    private static Dimension onScreen(int width, int height) {
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        frame.setMinimumSize(new Dimension(
-                Math.min(Look.pixels(MINIMUM_WIDTH), screen.width),
-                Math.min(Look.pixels(MINIMUM_HEIGHT), screen.height)));
-        frame.revalidate();
+        return new Dimension(Math.min(width, screen.width), Math.min(height, screen.height));
     }
 
     private void bindPeekKey() {
@@ -165,7 +167,9 @@ public final class TompkinsWindow {
 
         @Override
         public void windowClosing(WindowEvent event) {
-            files.leaveScene(this::close);
+            if (!BackgroundTask.showRunning(frame)) {
+                files.leaveScene(this::close);
+            }
         }
 
         private void close() {

@@ -3,8 +3,10 @@ package tompkins.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.Toolkit;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
 import java.awt.datatransfer.UnsupportedFlavorException;
@@ -20,6 +22,7 @@ import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
+import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
@@ -221,6 +224,53 @@ class WindowQuestionsTest {
             assertThat(left.filter(Files::isRegularFile)).containsExactly(file);
         }
         assertThat(driver.find(JLabel.class, "status.what").getText()).doesNotStartWith("Saved");
+    }
+
+    @Test
+    void theWindowStaysOpenWhileAnExportRuns() {
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().open(Studios.slow(), null);
+            return null;
+        });
+        driver.menu("menu.playPanel");
+        driver.answer(Texts.get("play.export"));
+        driver.choose(folder.resolve("film.png"));
+        WindowDriver.await("the progress", () -> task().findAny().isPresent());
+        JMenuItem close = driver.find(JMenuItem.class, "menu.close");
+        WindowDriver.onEventThread(() -> {
+            close.doClick();
+            return null;
+        });
+        assertThat(isOpen()).isTrue();
+        driver.answer("Cancel");
+        WindowDriver.await("the end of the work", () -> task().findAny().isEmpty());
+        driver.menu("menu.close");
+        WindowDriver.await("the end", () -> !driver.window().frame().isDisplayable());
+    }
+
+    @Test
+    void aWindowOfALargerScreenIsMadeToFit() throws IOException {
+        driver.close();
+        Files.writeString(
+                Files.createDirectories(folder.resolve("settings")).resolve("window.properties"),
+                "width=9000\nheight=8000\n");
+        driver = new WindowDriver(WALL, file, List.of());
+        Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
+        assertThat(driver.window().frame().getSize()).isEqualTo(screen);
+    }
+
+    @Test
+    void thePanelIsAsWideAsLargeTypeNeeds() {
+        JScrollPane panel = driver.find(JScrollPane.class, "panel");
+        int before = WindowDriver.onEventThread(panel::getWidth);
+        driver.menu("look.PROJECTOR");
+        WindowDriver.await("larger type", () -> panel.getWidth() > before);
+        assertThat(WindowDriver.onEventThread(
+                        () -> panel.getViewport().getView().getMinimumSize().width))
+                .isLessThanOrEqualTo(
+                        WindowDriver.onEventThread(() -> panel.getViewport().getWidth()));
+        driver.menu("look.LIGHT");
+        WindowDriver.await("the first width", () -> panel.getWidth() == before);
     }
 
     private Stream<JDialog> task() {
