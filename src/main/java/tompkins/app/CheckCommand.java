@@ -7,12 +7,17 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import tompkins.image.PhotographFile;
+import tompkins.image.PictureException;
 import tompkins.io.SceneFileException;
 import tompkins.io.StudioReader;
 import tompkins.studio.Studio;
 
-/** Looks for mistakes in scene files. */
-@Command(name = "check", mixinStandardHelpOptions = true, description = "Looks for mistakes in scene files.")
+/** Looks for mistakes in scene files, and for damage in saved photographs. */
+@Command(
+        name = "check",
+        mixinStandardHelpOptions = true,
+        description = "Looks for mistakes in scene files, and for damage in saved photographs.")
 final class CheckCommand implements Callable<Integer> {
 
     @Parameters(arity = "1..*", paramLabel = "SCENE", description = "scene files, or saved photographs")
@@ -31,9 +36,15 @@ final class CheckCommand implements Callable<Integer> {
                         .warning()
                         .ifPresent(warning -> spec.commandLine().getErr().println(scene + ": warning: " + warning));
                 ScenePlan.of(studio, scene);
+                PhotographFile.requireWhole(scene);
                 spec.commandLine().getOut().println(scene + ": no mistakes");
             } catch (SceneFileException | MistakeException mistakes) {
                 spec.commandLine().getErr().println(mistakes.getMessage());
+                code = Failures.MISTAKE;
+            } catch (PictureException damaged) {
+                spec.commandLine()
+                        .getErr()
+                        .println(damaged.getMessage() + "; its scene has no mistakes: render takes the picture again");
                 code = Failures.MISTAKE;
             }
         }

@@ -1,5 +1,6 @@
 package tompkins.image;
 
+import java.awt.Rectangle;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -7,6 +8,10 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import javax.imageio.ImageReadParam;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.FileImageInputStream;
+import javax.imageio.stream.ImageInputStream;
 
 /** Saves photographs with the scene inside, and finds the scene in saved photographs. */
 public final class PhotographFile {
@@ -95,6 +100,38 @@ public final class PhotographFile {
             return encoding == PictureEncoding.HDR ? Optional.of(PictureFormat.HDR) : Optional.empty();
         } catch (IOException e) {
             throw PictureException.cannotRead(file, e);
+        }
+    }
+
+    /**
+     * Tries whether the picture of a saved photograph is whole, by reading its last row; its scene, which comes first, may be
+     * found in spite of damage. Does nothing for a file of another kind, such as a scene file.
+     *
+     * @throws PictureException if the picture is damaged
+     */
+    public static void requireWhole(Path file) throws PictureException {
+        try {
+            if (format(file).isPresent()) {
+                readLastRow(encoding(file), file);
+            }
+        } catch (IOException | RuntimeException e) {
+            throw new PictureException(file + ": the picture is damaged: " + PictureException.reason(e), e);
+        }
+    }
+
+    private static void readLastRow(PictureEncoding encoding, Path file) throws IOException {
+        ImageReader reader = ImageProviders.reader(encoding);
+        try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
+            reader.setInput(stream, true, true);
+            int width = reader.getWidth(0);
+            // there is no reader for the rows of a Radiance picture that is very narrow or very wide
+            if (encoding != PictureEncoding.HDR || RadianceFile.isPacked(width)) {
+                ImageReadParam lastRow = reader.getDefaultReadParam();
+                lastRow.setSourceRegion(new Rectangle(0, reader.getHeight(0) - 1, width, 1));
+                reader.read(0, lastRow);
+            }
+        } finally {
+            reader.dispose();
         }
     }
 

@@ -159,7 +159,7 @@ public final class PictureFile {
     }
 
     private static void requirePackedRows(int width, String name) throws PictureException {
-        if (width < RadianceFile.NARROWEST_PACKED || width > RadianceFile.WIDEST_PACKED) {
+        if (!RadianceFile.isPacked(width)) {
             throw new PictureException(name + ": a Radiance picture must be from " + RadianceFile.NARROWEST_PACKED
                     + " to " + RadianceFile.WIDEST_PACKED + " pixels wide, is " + width);
         }

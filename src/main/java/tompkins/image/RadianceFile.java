@@ -31,10 +31,15 @@ final class RadianceFile {
 
     private RadianceFile() {}
 
+    /** Whether the rows of a picture so wide are packed into runs. */
+    static boolean isPacked(int width) {
+        return width >= NARROWEST_PACKED && width <= WIDEST_PACKED;
+    }
+
     static void write(OutputStream out, LinearImage image, PhotographInfo info) throws IOException {
         out.write(header(image, info).getBytes(StandardCharsets.ISO_8859_1));
         int width = image.width();
-        boolean packed = width >= NARROWEST_PACKED && width <= WIDEST_PACKED;
+        boolean packed = isPacked(width);
         byte[] row = new byte[4 * width];
         for (int y = 0; y < image.height(); y++) {
             for (int x = 0; x < width; x++) {

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
@@ -364,6 +365,26 @@ class CommandLineTest {
         String out = ProgramRun.of("explain", empty).out();
 
         assertThat(out).contains("The scene holds no objects").doesNotContain("primitive");
+    }
+
+    @Test
+    void checkTellsOfAPictureThatIsCutThoughItsSceneIsSound() throws IOException {
+        Path photograph = folder.resolve("photograph.png");
+        ProgramRun.of("render", FIG1B, "-o", photograph, "--size", "64x48");
+        byte[] bytes = Files.readAllBytes(photograph);
+        Path cut = Files.write(folder.resolve("cut.png"), Arrays.copyOf(bytes, bytes.length - 500));
+
+        ProgramRun run = ProgramRun.of("check", cut, photograph);
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.out().strip()).isEqualTo(photograph + ": no mistakes");
+        assertThat(run.err().strip())
+                .isEqualTo(
+                        cut + ": the picture is damaged: the file ends too early or contradicts itself; its scene has"
+                                + " no mistakes: render takes the picture again");
+        Path again = folder.resolve("again.png");
+        ProgramRun.of("render", cut, "-o", again);
+        assertThat(Files.readAllBytes(again)).isEqualTo(bytes);
     }
 
     @Test

@@ -64,7 +64,7 @@ class LimitsTest {
         try (var files = Files.list(folder)) {
             assertThat(files.filter(file -> file.toString().endsWith(".png"))
                             .map(file -> file.getFileName().toString()))
-                    .containsExactlyInAnyOrder("mine.png", "text.png", "bomb.png", "folder.png");
+                    .containsExactlyInAnyOrder("mine.png", "text.png", "bomb.png", "folder.png", "cut.png");
         }
     }
 
@@ -111,6 +111,7 @@ class LimitsTest {
                 scene("file that ends too early", "{ \"title\": \"a\""),
                 scene("nesting", "[".repeat(100_000)),
                 new Case("100 MB of nesting", 2, "check", large()),
+                new Case("photograph that is cut", 2, "check", cutPhotograph(good)),
                 scene("picture that is none", surface("text.png")),
                 scene("picture that claims 100000 x 100000", surface("bomb.png")),
                 scene("picture outside the scene's folder", surface("../other.png")),
@@ -183,6 +184,13 @@ class LimitsTest {
         byte[] brackets = new byte[100 << 20];
         Arrays.fill(brackets, (byte) '[');
         return Files.write(folder.resolve("large.json"), brackets).toString();
+    }
+
+    private String cutPhotograph(String scene) throws IOException {
+        Path photograph = folder.resolve("cut.png");
+        ProgramRun.of("render", scene, "-o", photograph, "--size", "64x48");
+        byte[] whole = Files.readAllBytes(photograph);
+        return Files.write(photograph, Arrays.copyOf(whole, whole.length - 500)).toString();
     }
 
     /** The beginning of a PNG file with a sound header. */

@@ -76,6 +76,22 @@ class SceneInDamagedFileTest {
                 .hasMessageStartingWith(cut + ": cannot be read: ");
     }
 
+    @ParameterizedTest
+    @EnumSource
+    void aPictureThatIsCutIsToldFromAWholeOneThoughTheSceneIsFound(PictureFormat format) throws IOException {
+        for (int width : new int[] {1, 3, 40}) {
+            Path whole = folder.resolve("whole" + format.endings().get(0));
+            PhotographFile.write(whole, Samples.random(width, 50, 1), format, ToneCurve.LINEAR, Samples.INFO);
+            PhotographFile.requireWhole(whole);
+        }
+        byte[] photograph = photograph(format);
+        Path cut = file(Arrays.copyOf(photograph, photograph.length - 400));
+        assertThat(PhotographFile.readScene(cut)).contains(Samples.SCENE);
+        assertThatThrownBy(() -> PhotographFile.requireWhole(cut))
+                .isInstanceOf(PictureException.class)
+                .hasMessage(cut + ": the picture is damaged: the file ends too early or contradicts itself");
+    }
+
     @Test
     void aChangedSceneIsNotBelieved() throws IOException {
         byte[] png = photograph(PictureFormat.PNG);
