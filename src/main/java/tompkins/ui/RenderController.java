@@ -25,7 +25,10 @@ final class RenderController implements AutoCloseable {
     /** A picture that has been worked on for so long has been seen, and gives way to a newer one. */
     private static final Duration FRAME = Duration.ofMillis(30);
 
-    /** A picture that has nothing to show after this time gives way all the same. */
+    /**
+     * A picture that has nothing to show after this time gives way all the same. The next one gets twice the time, for something
+     * has to be seen.
+     */
     private static final Duration LONGEST_WAIT = Duration.ofMillis(80);
 
     /** How often to look whether a picture may give way. */
@@ -47,8 +50,9 @@ final class RenderController implements AutoCloseable {
     private volatile Run run;
     private volatile Quality quality;
 
-    /** Known to the planner's thread alone. */
+    // known to the planner's thread alone
     private RenderPlan lastPlan;
+    private long longestWait = LONGEST_WAIT.toNanos();
 
     /**
      * A controller.
@@ -135,12 +139,13 @@ final class RenderController implements AutoCloseable {
     /** Ends the running picture as soon as it has been of use. */
     private void giveWay() {
         Run running = run;
-        if (running == null) {
+        if (running == null || running.job.isCancelled()) {
             return;
         }
-        while (!running.mayEnd()) {
+        while (!running.mayEnd(longestWait)) {
             LockSupport.parkNanos(POLL.toNanos());
         }
+        longestWait = running.shown || running.ended ? LONGEST_WAIT.toNanos() : 2 * longestWait;
         running.job.cancel();
     }
 
@@ -164,9 +169,9 @@ final class RenderController implements AutoCloseable {
             this.request = request;
         }
 
-        boolean mayEnd() {
+        boolean mayEnd(long longestWait) {
             long age = System.nanoTime() - startTime;
-            return ended || shown && age >= FRAME.toNanos() || age >= LONGEST_WAIT.toNanos();
+            return ended || shown && age >= FRAME.toNanos() || age >= longestWait;
         }
 
         @Override

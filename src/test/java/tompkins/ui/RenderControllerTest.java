@@ -7,15 +7,19 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import tompkins.image.ToneCurve;
 import tompkins.render.Renderer;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
+import tompkins.surface.Mirror;
 import tompkins.trace.RenderPlan;
 
 @Timeout(120)
@@ -76,6 +80,20 @@ class RenderControllerTest {
         assertThat(last().complete()).isFalse();
         controller.show(Studios.sphere());
         await(() -> last().studio().equals(Studios.sphere()) && last().complete());
+    }
+
+    /** In a ball of perfect mirrors a ray goes on until it is given up: even the coarsest pass takes long. */
+    @Test
+    void aPictureIsSeenWhileAHandMovesHoweverLongItTakes() throws InterruptedException {
+        Studio mirrors = Studios.sphere()
+                .withScene(List.of(new Sphere("mirror", new Vector3d(0.5, 0, 0), 3, new Mirror(1))))
+                .withSettings(new RenderSettings(320, 240, 1, 1, 5_000, ToneCurve.LINEAR));
+        int changes = 0;
+        while (pictures.isEmpty()) {
+            controller.show(mirrors.withVelocity(Velocity.of(0, 0, ++changes * 1e-4)));
+            Thread.sleep(20);
+        }
+        assertThat(last().complete()).isFalse();
     }
 
     @Test
