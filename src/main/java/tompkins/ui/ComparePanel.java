@@ -60,7 +60,7 @@ final class ComparePanel {
         for (JRadioButton button : new JRadioButton[] {split, difference}) {
             group.add(button);
             button.setName(button.getText());
-            button.addActionListener(event -> changed.run());
+            button.addActionListener(event -> update());
         }
         split.setToolTipText(Tips.html(Texts.get("compare.splitTip")));
         difference.setToolTipText(Tips.html(Texts.get("compare.differenceTip")));
@@ -116,7 +116,10 @@ final class ComparePanel {
         split.setEnabled(compares);
         difference.setEnabled(compares);
         peek.setEnabled(compares);
-        hint.setText(missing ? Texts.get("compare.keepFirst") : compares ? Texts.get("compare.hint") : "");
+        hint.setText(
+                missing
+                        ? Texts.get("compare.keepFirst")
+                        : compares && split.isSelected() ? Texts.get("compare.hint") : "");
         changed.run();
     }
 

@@ -184,6 +184,9 @@ final class PictureCanvas extends JPanel {
         } else {
             paint(g, shown.nowImage(), bounds);
         }
+        if (comparison != Comparison.NONE && shown.other() != null && shown.otherImage() == null) {
+            label(g, Texts.get("compare.otherShape", otherName), bounds.x + 12, bounds, false);
+        }
         if (splits()) {
             paintSplit(g, bounds);
         }

@@ -12,7 +12,7 @@ import tompkins.image.BufferedImages;
  * @param now the picture, or null
  * @param nowImage the picture as levels, at most in the size in which it is shown
  * @param other what it is compared with, or null
- * @param otherImage the same of that
+ * @param otherImage the same of that; null if it has other proportions, too
  * @param difference by how much the two differ, or null
  */
 record ScreenPicture(

@@ -61,7 +61,9 @@ final class ScreenPictures implements AutoCloseable {
         boolean sameUse =
                 doneFor != null && doneFor.canvas.equals(order.canvas) && doneFor.difference == order.difference;
         BufferedImage now = sameUse && order.now == done.now() ? done.nowImage() : image(order.now, order);
-        BufferedImage other = sameUse && order.other == done.other() ? done.otherImage() : image(order.other, order);
+        Picture comparable = sameProportions(order.now, order.other) ? order.other : null;
+        boolean sameOther = sameUse && order.other == done.other() && done.otherImage() != null;
+        BufferedImage other = sameOther && comparable != null ? done.otherImage() : image(comparable, order);
         BufferedImage difference = order.difference && other != null && sameShape(now, other)
                 ? ScreenPicture.difference(now, other)
                 : null;
@@ -81,6 +83,18 @@ final class ScreenPictures implements AutoCloseable {
         // The display enlarges a picture itself, in a fifth of the time; two that are subtracted need the same size.
         boolean enlarged = fitted.width >= levels.getWidth();
         return enlarged && !order.difference ? levels : ScreenPicture.scaled(levels, fitted);
+    }
+
+    /** Whether two pictures fill the same place on the screen, but for less than a pixel of theirs; false if one is null. */
+    private static boolean sameProportions(Picture first, Picture second) {
+        if (first == null || second == null) {
+            return false;
+        }
+        long width = first.image().width();
+        long height = first.image().height();
+        long difference =
+                width * second.image().height() - height * second.image().width();
+        return Math.abs(difference) < Math.max(width, second.image().width());
     }
 
     private static boolean sameShape(BufferedImage first, BufferedImage second) {

@@ -10,7 +10,7 @@ import tompkins.trace.RenderPlan;
 /** The narrow panel beside the photograph: all that a teacher turns, one part under the other. */
 final class SidePanel {
 
-    private static final double WIDTH = 22.5;
+    private static final double WIDTH = 25;
 
     private final JPanel panel = new Column();
     private final JScrollPane scroll;

@@ -236,7 +236,7 @@ class PanelsTest {
         Components.enter(panel, "Aperture", "0.1");
         Components.enter(panel, "Focus", "4");
         Components.enter(panel, "Field of view (\u00b0)", "60");
-        Components.enter(panel, "Exposure (stops)", "1");
+        Components.enter(panel, "Exposure", "1");
         Components.enter(panel, "Samples", "16");
         ThinLensCamera camera = (ThinLensCamera) model.studio().camera();
         assertThat(camera.apertureRadius()).isEqualTo(0.1);

@@ -2,11 +2,14 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Dimension;
 import java.time.Duration;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
 import tompkins.render.Quality;
@@ -23,6 +26,39 @@ class ScreenPicturesTest {
 
     private static Picture picture(RenderPlan plan, LinearImage image) {
         return new Picture(plan, Quality.of(plan), image, true, Duration.ZERO, 1, Double.NaN, List.of());
+    }
+
+    private static Picture grey(int width, int height) {
+        float[] rgb = new float[3 * width * height];
+        Arrays.fill(rgb, 0.5f);
+        return picture(RenderPlan.of(Studios.sphere()), new LinearImage(width, height, rgb));
+    }
+
+    /** Stretched to the place of another picture, it would show another scene. */
+    @Test
+    void aPictureOfOtherProportionsIsNotCompared() throws InterruptedException {
+        try (ScreenPictures screen = new ScreenPictures(events::add, events::add)) {
+            screen.setCanvas(new Dimension(100, 100));
+            screen.setNow(grey(64, 48));
+            screen.setOther(grey(32, 24));
+            ScreenPicture shown = await(picture -> picture.other() != null);
+            assertThat(shown.otherImage()).isNotNull();
+            screen.setNow(grey(64, 32));
+            shown = await(picture -> picture.now().image().height() == 32);
+            assertThat(shown.other()).isNotNull();
+            assertThat(shown.otherImage()).isNull();
+            screen.setNow(grey(64, 48));
+            shown = await(picture -> picture.now().image().height() == 48);
+            assertThat(shown.otherImage()).isNotNull();
+        }
+    }
+
+    private ScreenPicture await(Predicate<ScreenPicture> condition) throws InterruptedException {
+        ScreenPicture shown = (ScreenPicture) nextEvent();
+        while (!condition.test(shown)) {
+            shown = (ScreenPicture) nextEvent();
+        }
+        return shown;
     }
 
     @Test
