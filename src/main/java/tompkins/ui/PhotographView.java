@@ -22,7 +22,10 @@ final class PhotographView implements AutoCloseable {
         /** The pinned pixel was read; null if none is pinned. */
         void pinned(PixelProbe.Reading reading);
 
-        /** There is no picture, or no reading of a pixel; the message says why. */
+        /** There is no picture of the studio; the message says why. */
+        void noPicture(String message);
+
+        /** There is no picture to compare with, or no reading of a pixel; the message says why. */
         void failed(String message);
     }
 
@@ -47,7 +50,8 @@ final class PhotographView implements AutoCloseable {
         screen = new ScreenPictures(this::show, this::fail);
         canvas = new PictureCanvas(screen::setCanvas);
         canvas.setMouse(new ProbeMouse());
-        controller = new RenderController(screen::setNow, this::fail);
+        controller = new RenderController(
+                screen::setNow, error -> SwingUtilities.invokeLater(() -> listener.noPicture(Messages.of(error))));
         otherController = new RenderController(this::showOther, this::fail);
         model.addListener(this::render);
     }

@@ -26,6 +26,7 @@ final class PixelProbe implements AutoCloseable {
      * @param inScene where and when, in the scene frame; null if nothing was hit
      * @param inCamera the same event in the camera frame; null if nothing was hit
      * @param angleDegrees angle between the look direction and the camera's velocity, in the camera frame; NaN at rest
+     * @param sceneAngleDegrees the same angle in the scene frame; NaN at rest, and for a ray that ends in the camera frame
      * @param frequencyRatio frequency in the camera frame divided by that in the scene frame
      */
     record Reading(
@@ -36,6 +37,7 @@ final class PixelProbe implements AutoCloseable {
             Event inScene,
             Event inCamera,
             double angleDegrees,
+            double sceneAngleDegrees,
             double frequencyRatio) {}
 
     private record Question(RenderPlan plan, Point2D place, Consumer<Reading> answer) {}
@@ -63,7 +65,7 @@ final class PixelProbe implements AutoCloseable {
         int row = (int) place.getY();
         RayLife life = RayLife.of(plan, place.getX(), place.getY(), 0, 0);
         if (life == null) {
-            return new Reading(column, row, null, null, null, null, Double.NaN, 1);
+            return new Reading(column, row, null, null, null, null, Double.NaN, Double.NaN, 1);
         }
         RayLife.Encounter end =
                 life.hits().isEmpty() ? null : life.hits().get(life.hits().size() - 1);
@@ -73,10 +75,7 @@ final class PixelProbe implements AutoCloseable {
         Event inCamera = end == null
                 ? null
                 : inCameraFrame ? end.event() : sceneFromCamera.inverse().transform(end.event());
-        double angle = plan.isAtRest()
-                ? Double.NaN
-                : degreesBetween(
-                        life.cameraDirection(), plan.studio().velocity().direction());
+        Vector3dc velocity = plan.isAtRest() ? null : plan.studio().velocity().direction();
         String object = end == null || leavesTheScene(life) ? null : end.object();
         return new Reading(
                 column,
@@ -85,7 +84,8 @@ final class PixelProbe implements AutoCloseable {
                 object,
                 object == null ? null : inScene,
                 object == null ? null : inCamera,
-                angle,
+                degreesBetween(life.cameraDirection(), velocity),
+                degreesBetween(life.sceneDirection(), velocity),
                 life.frequencyRatio());
     }
 
@@ -94,7 +94,11 @@ final class PixelProbe implements AutoCloseable {
         return life.hits().get(life.hits().size() - 1).surface().continuesRays();
     }
 
+    /** NaN if one of the directions is null. */
     private static double degreesBetween(Vector3dc first, Vector3dc second) {
+        if (first == null || second == null) {
+            return Double.NaN;
+        }
         Vector3d across = new Vector3d(first).cross(second);
         return Math.toDegrees(Math.atan2(across.length(), first.dot(second)));
     }

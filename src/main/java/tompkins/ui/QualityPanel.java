@@ -96,7 +96,7 @@ final class QualityPanel {
         private final JDialog dialog;
         private final PictureStudy study = new PictureStudy(model.studio());
         private final ChartPanel chart = new ChartPanel(null);
-        private final JLabel state = new JLabel(Texts.get("quality.measuring"));
+        private final JLabel state = new JLabel();
         private volatile boolean closed;
         private List<Measurement> shown = List.of();
 
@@ -124,6 +124,7 @@ final class QualityPanel {
         }
 
         void start() {
+            state.setText(progress(0));
             dialog.setVisible(true);
             Thread thread = new Thread(this::measure, "tompkins-study");
             thread.setDaemon(true);
@@ -149,8 +150,11 @@ final class QualityPanel {
         private void draw(List<Measurement> measured) {
             shown = measured;
             chart.setChart(ChartDrawing.drawing(study.chart(), measured));
-            state.setText(String.format(
-                    Locale.ROOT, "%s  %d / %d", Texts.get("quality.measuring"), measured.size(), study.points()));
+            state.setText(progress(measured.size()));
+        }
+
+        private String progress(int measured) {
+            return String.format(Locale.ROOT, "%s  %d / %d", Texts.get("quality.measuring"), measured, study.points());
         }
 
         private final class PointChooser implements ChartMouseListener {

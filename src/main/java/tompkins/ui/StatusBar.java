@@ -5,6 +5,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.Timer;
+import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 
 /** The line under the photograph: what is under the mouse, and how far the picture is. */
@@ -19,6 +20,7 @@ final class StatusBar {
     private final JLabel picture = new JLabel(" ");
     private final JProgressBar progress = new JProgressBar(0, STEPS);
     private final Timer timer;
+    private String failure;
 
     /** A status bar that shows the progress of a controller. */
     StatusBar(RenderController controller) {
@@ -51,13 +53,29 @@ final class StatusBar {
     }
 
     private void showIdle() {
-        what.setText(Texts.get("status.idle"));
+        what.setText(failure == null ? Texts.get("status.idle") : failure);
+        what.setForeground(UIManager.getColor(failure == null ? "Label.foreground" : "Tompkins.error"));
         where.setText(" ");
+    }
+
+    /** Says why there is no picture of the scene, until there is one. */
+    void fail(String message) {
+        failure = message;
+        showIdle();
+        picture.setText(Texts.get("status.before"));
+    }
+
+    /** There is a picture of the scene. */
+    void endFailure() {
+        if (failure != null) {
+            failure = null;
+            showIdle();
+        }
     }
 
     /** Shows what lies under the mouse, or a hint if that is nothing. */
     void show(PixelProbe.Reading reading) {
-        if (reading == null) {
+        if (reading == null || failure != null) {
             showIdle();
             return;
         }
@@ -69,7 +87,7 @@ final class StatusBar {
                 .append(object);
         if (Double.isFinite(reading.angleDegrees())) {
             text.append("  \u00b7  ")
-                    .append(Texts.get("status.angle", Numbers.brief(reading.angleDegrees(), 4)))
+                    .append(angle(reading))
                     .append("  \u00b7  ")
                     .append(Texts.get("probe.ratio", Numbers.brief(reading.frequencyRatio(), 4)));
         }
@@ -82,8 +100,18 @@ final class StatusBar {
         where.setToolTipText(where.getText());
     }
 
+    private static String angle(PixelProbe.Reading reading) {
+        String inCamera = Numbers.brief(reading.angleDegrees(), 4);
+        return Double.isNaN(reading.sceneAngleDegrees())
+                ? Texts.get("status.cameraAngle", inCamera)
+                : Texts.get("status.angles", inCamera, Numbers.brief(reading.sceneAngleDegrees(), 4));
+    }
+
     /** Shows what the picture on the screen is. */
     void show(Picture shown) {
+        if (failure != null) {
+            return;
+        }
         long milliseconds = shown.time().toMillis();
         String samples = Numbers.brief(shown.samples(), 3);
         picture.setText(Texts.get(
@@ -98,6 +126,7 @@ final class StatusBar {
 
     /** Shows one line of text, until the mouse moves. */
     void say(String message) {
+        showIdle();
         what.setText(message);
         where.setText(" ");
     }

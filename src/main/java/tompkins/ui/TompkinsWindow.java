@@ -195,6 +195,9 @@ public final class TompkinsWindow {
         @Override
         public void shown(Picture picture) {
             side.show(picture);
+            if (picture.studio().equals(model.studio())) {
+                status.endFailure();
+            }
             status.show(picture);
         }
 
@@ -206,6 +209,11 @@ public final class TompkinsWindow {
         @Override
         public void pinned(PixelProbe.Reading reading) {
             side.show(reading);
+        }
+
+        @Override
+        public void noPicture(String message) {
+            status.fail(message);
         }
 
         @Override

@@ -64,6 +64,9 @@ class PixelProbeTest {
         assertThat(event.time()).isCloseTo(-distance, within(1e-12));
         assertThat(reading.frequencyRatio()).isCloseTo(1 / (GAMMA * (1 - BETA * cosine)), within(1e-12));
         assertThat(reading.angleDegrees()).isCloseTo(Math.toDegrees(Math.atan(tangent)), within(1e-9));
+        // the half angles of aberration: tan(s/2) = sqrt((1 + beta) / (1 - beta)) tan(c/2)
+        double sceneHalf = Math.sqrt((1 + BETA) / (1 - BETA)) * Math.tan(Math.atan(tangent) / 2);
+        assertThat(reading.sceneAngleDegrees()).isCloseTo(Math.toDegrees(2 * Math.atan(sceneHalf)), within(1e-9));
         Event camera = reading.inCamera();
         assertThat(camera.x() / camera.z()).isCloseTo(tangent, within(1e-12));
         assertThat(camera.position().length()).isCloseTo(-camera.time(), within(1e-11));

@@ -13,5 +13,8 @@ final class SilentListener implements PhotographView.Listener {
     public void pinned(PixelProbe.Reading reading) {}
 
     @Override
+    public void noPicture(String message) {}
+
+    @Override
     public void failed(String message) {}
 }

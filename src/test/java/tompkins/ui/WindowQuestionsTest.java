@@ -40,6 +40,7 @@ import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
 
@@ -271,6 +272,26 @@ class WindowQuestionsTest {
                         WindowDriver.onEventThread(() -> panel.getViewport().getWidth()));
         driver.menu("look.LIGHT");
         WindowDriver.await("the first width", () -> panel.getWidth() == before);
+    }
+
+    /** The old picture must not pass for that of the scene. */
+    @Test
+    void aSceneThatCannotBePicturedSaysSoUntilItCan() {
+        JLabel what = driver.find(JLabel.class, "status.what");
+        JLabel picture = driver.find(JLabel.class, "status.picture");
+        Sphere huge = new Sphere("sphere", new Vector3d(0, 0, 10), 1e200, ColouredSurface.DEFAULT);
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().set(WALL.withScene(List.of(huge)));
+            return null;
+        });
+        WindowDriver.await("the message", () -> what.getText().contains("scene[0]"));
+        PictureCanvas canvas = driver.find(PictureCanvas.class, "picture");
+        driver.move(driver.centre(canvas));
+        assertThat(WindowDriver.onEventThread(what::getText)).contains("scene[0]");
+        assertThat(WindowDriver.onEventThread(picture::getText)).isEqualTo("the picture is that of the scene before");
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        WindowDriver.await("the picture of the wall", () -> picture.getText().startsWith("64 \u00d7 48"));
+        assertThat(WindowDriver.onEventThread(what::getText)).doesNotContain("scene[0]");
     }
 
     private Stream<JDialog> task() {
