@@ -3,6 +3,7 @@ package tompkins.ui;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
+import java.awt.Image;
 import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
 import java.awt.event.WindowAdapter;
@@ -89,20 +90,22 @@ public final class TompkinsWindow {
         TompkinsWindow window = new TompkinsWindow(studio, file, commandLine);
         window.frame.setVisible(true);
         window.view.render();
-        window.readExamples(examples);
+        window.prepareRest(examples);
         return window;
     }
 
-    /** Reads the examples away from the event thread, so that nothing waits for them. */
-    private void readExamples(Supplier<List<Studio>> examples) {
-        Thread reader = new Thread(
+    /** Reads the examples and draws the icon away from the event thread, so that the first picture does not wait for them. */
+    private void prepareRest(Supplier<List<Studio>> examples) {
+        Thread thread = new Thread(
                 () -> {
                     List<Studio> scenes = examples.get();
                     SwingUtilities.invokeLater(() -> menus.setExamples(scenes));
+                    List<Image> icon = WindowIcon.images();
+                    SwingUtilities.invokeLater(() -> frame.setIconImages(icon));
                 },
-                "tompkins-examples");
-        reader.setDaemon(true);
-        reader.start();
+                "tompkins-rest");
+        thread.setDaemon(true);
+        thread.start();
     }
 
     JFrame frame() {

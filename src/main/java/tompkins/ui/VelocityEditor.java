@@ -32,6 +32,7 @@ final class VelocityEditor implements ValueEditor {
             SpeedScale scale = velocity.scale() == null ? SpeedScale.BETA : velocity.scale();
             commit.accept(Velocity.of(scale, scale.valueOf(velocity), vector));
         });
+        panel.add(new JLabel(Texts.get("speed.name")), "span");
         panel.add(speed.field(), "span, growx, wmin 0");
         panel.add(new JLabel(Wording.label("direction")), "span");
         direction.addInRow(panel);
