@@ -67,7 +67,7 @@ final class LargePicture {
     static void measure(long milliseconds, List<Measure> measures) throws IOException, InterruptedException {
         Process process = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-Xmx320m",
+                        "-Xmx288m",
                         "-cp",
                         System.getProperty("java.class.path"),
                         LargePicture.class.getName(),
@@ -85,7 +85,7 @@ final class LargePicture {
         measures.add(Measure.atMost(what + "first progress, cold", 1000, "ms", Double.parseDouble(numbers[0])));
         measures.add(Measure.atMost(what + "cancelled within", 100, "ms", Double.parseDouble(numbers[1])));
         measures.add(Measure.atMost(
-                what + "memory of the process with a heap of 320 MB, picture saved",
+                what + "memory of the process with a heap of 288 MB, picture saved",
                 400,
                 "MB",
                 Double.parseDouble(numbers[2])));
