@@ -6,14 +6,17 @@ import tompkins.ray.RayBlock;
 import tompkins.trace.RenderPlan;
 
 /**
- * What a picture will cost on this machine, told from taking blocks of it for about two seconds.
+ * What a picture will cost on this machine, told from taking blocks of it for about four seconds.
  *
  * @param samplesPerPixel mean number of samples of a pixel
  * @param seconds time of the render
  */
 public record CostForecast(double samplesPerPixel, double seconds) {
 
-    private static final double PATIENCE = 2;
+    private static final double PATIENCE = 4;
+    /** Short enough to tell the speed of the machine while it runs cold from that when it runs warm. */
+    private static final double PART = 1;
+
     private static final double LONGEST_PART = 4;
     /** So many are needed for their mean to be within some tens of percent of that of all. */
     private static final int FIRST_BLOCKS = 32;
@@ -41,7 +44,7 @@ public record CostForecast(double samplesPerPixel, double seconds) {
         int taken = take(blocks.subList(0, Math.min(blocks.size(), FIRST_BLOCKS)), plan, wish, renderer, costs);
         double seconds = secondsSince(start);
         while (taken < blocks.size() && seconds < patience) {
-            double possible = taken * (patience - seconds) / seconds;
+            double possible = taken * Math.min(PART, patience - seconds) / seconds;
             int next = (int) Math.min(blocks.size(), taken + Math.ceil(possible));
             taken += take(blocks.subList(taken, next), plan, wish, renderer, costs);
             seconds = secondsSince(start);
@@ -57,7 +60,14 @@ public record CostForecast(double samplesPerPixel, double seconds) {
     /** Takes some blocks, and says how many. */
     private static int take(List<Tile> blocks, RenderPlan plan, Quality quality, Renderer renderer, PartCosts costs)
             throws InterruptedException {
-        RenderJob job = renderer.start(plan, quality, false, blocks, RenderListener.NONE);
+        long start = System.nanoTime();
+        RenderListener notes = new RenderListener() {
+            @Override
+            public void passDone(RenderJob job) {
+                costs.note(job.samples(), secondsSince(start) - job.planningSeconds());
+            }
+        };
+        RenderJob job = renderer.start(plan, quality, false, blocks, notes);
         double progress = job.await(LONGEST_PART) ? 1 : job.progress();
         job.cancel();
         job.await();

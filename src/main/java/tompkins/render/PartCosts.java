@@ -3,15 +3,36 @@ package tompkins.render;
 /** What the parts of a picture cost that were taken so far, and so what all of it will. */
 final class PartCosts {
 
+    /** Seconds in which pauses of the machine no longer matter. */
+    private static final double LONG_ENOUGH = 0.2;
+
     private double pixels;
     private double samples;
     private double expectedSamples;
     private double tracing;
     private double planning;
     private double rate;
+    private double notedSamples;
+    private double notedTracing;
 
     /**
-     * Adds a part.
+     * Notes how far a part is that goes on. The speed since the note before counts, unless it was a moment ago: within one part
+     * the machine may get several times faster.
+     *
+     * @param partSamples samples of the part so far
+     * @param tracingSeconds how long they took
+     */
+    void note(double partSamples, double tracingSeconds) {
+        double since = tracingSeconds - notedTracing;
+        if (since >= LONG_ENOUGH) {
+            rate = Math.max(rate, (partSamples - notedSamples) / since);
+            notedSamples = partSamples;
+            notedTracing = tracingSeconds;
+        }
+    }
+
+    /**
+     * Adds a part that has ended.
      *
      * @param partPixels pixels of the part
      * @param partSamples samples that were taken
@@ -26,6 +47,8 @@ final class PartCosts {
         tracing += seconds - planningSeconds;
         planning = planningSeconds;
         rate = Math.max(rate, partSamples / (seconds - planningSeconds));
+        notedSamples = 0;
+        notedTracing = 0;
     }
 
     /** Samples that a pixel will need. */
@@ -34,14 +57,14 @@ final class PartCosts {
     }
 
     /**
-     * Samples that are taken in a second, with the speed of the fastest part: the machine gets faster while the program runs
+     * Samples that are taken in a second, with the greatest speed so far: the machine gets faster while the program runs
      * warm.
      */
     double rate() {
         return rate;
     }
 
-    /** Seconds for all of a picture: as long as these parts took, and what is left at the speed of the fastest. */
+    /** Seconds for all of a picture: as long as these parts took, and what is left at the greatest speed. */
     double seconds(double allSamples) {
         return planning + tracing + Math.max(0, allSamples - samples) / rate;
     }

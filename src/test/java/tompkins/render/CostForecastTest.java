@@ -63,7 +63,7 @@ class CostForecastTest {
 
     /** A cold part at 1000 samples in a second, half done, and a warm one at 4000; 0.5 s of planning. */
     @Test
-    void whatIsLeftGoesAtTheSpeedOfTheFastestPart() {
+    void whatIsLeftGoesAtTheGreatestSpeed() {
         PartCosts costs = new PartCosts();
         costs.add(10, 500, 0.5, 1, 0.5);
         costs.add(30, 6000, 1, 2, 0.5);
@@ -71,6 +71,20 @@ class CostForecastTest {
         assertThat(costs.rate()).isEqualTo(4000);
         assertThat(costs.samplesPerPixel()).isEqualTo(175, within(1e-9));
         assertThat(costs.seconds(400 * 175)).isEqualTo(0.5 + 2 + 63_500.0 / 4000, within(1e-9));
+    }
+
+    /** A part that goes at 1000 samples in a second first and at 5000 then; the tenth of a second at 9000 tells nothing. */
+    @Test
+    void aPartThatGetsFasterTellsTheSpeedOfItsEnd() {
+        PartCosts costs = new PartCosts();
+        costs.note(1000, 1);
+        costs.note(1900, 1.1);
+        costs.note(6000, 2);
+        costs.add(10, 6000, 1, 2, 0);
+
+        assertThat(costs.rate()).isEqualTo(5000);
+        costs.note(2000, 1);
+        assertThat(costs.rate()).as("the next part begins at 0").isEqualTo(5000);
     }
 
     private static RenderPlan plan(Path scene, int width, int height) {
