@@ -1,7 +1,5 @@
 package tompkins.app;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -11,6 +9,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import tompkins.io.StudioReader;
+import tompkins.property.NumberText;
 import tompkins.render.CostForecast;
 import tompkins.render.Quality;
 import tompkins.render.Renderer;
@@ -63,17 +62,11 @@ final class ExplainCommand implements Callable<Integer> {
             return String.format(
                     Locale.ROOT,
                     "On this machine it will take about %s s with %s samples, %s for each pixel.",
-                    plain(forecast.seconds(), 2),
+                    NumberText.rounded(forecast.seconds(), 2),
                     samples < MILLION
-                            ? plain(samples, quality instanceof Quality.Samples ? 6 : 3)
-                            : plain(samples / MILLION, 3) + " million",
-                    plain(forecast.samplesPerPixel(), 3));
+                            ? NumberText.rounded(samples, quality instanceof Quality.Samples ? 6 : 3)
+                            : NumberText.rounded(samples / MILLION, 3) + " million",
+                    NumberText.rounded(forecast.samplesPerPixel(), 3));
         }
-    }
-
-    /** The first digits of a number, without a power of ten. */
-    private static String plain(double value, int digits) {
-        BigDecimal rounded = new BigDecimal(value).round(new MathContext(digits));
-        return rounded.stripTrailingZeros().toPlainString();
     }
 }

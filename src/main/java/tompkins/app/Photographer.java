@@ -16,6 +16,7 @@ import tompkins.io.SelfDescription;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.property.InvalidPropertyException;
+import tompkins.property.NumberText;
 import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderReport;
@@ -147,11 +148,11 @@ final class Photographer {
         double seconds = report.time().toNanos() / 1e9;
         out.println(String.format(
                 Locale.ROOT,
-                "%s  (%.2f s, %.2f million rays/s, %.1f samples a pixel%s)",
+                "%s  (%.2f s, %.2f million rays/s, %s samples a pixel%s)",
                 target.toAbsolutePath(),
                 seconds,
                 (report.rays() + report.shadowRays()) / seconds / 1e6,
-                report.samplesPerPixel(),
+                NumberText.rounded(report.samplesPerPixel(), 3),
                 Double.isNaN(report.error())
                         ? ""
                         : String.format(Locale.ROOT, ", estimated error %.2g", report.error())));

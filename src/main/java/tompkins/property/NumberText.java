@@ -1,6 +1,7 @@
 package tompkins.property;
 
 import java.math.BigDecimal;
+import java.math.MathContext;
 
 /** Numbers as people write them, for messages, fields and command lines: {@code 2}, {@code 0.000001}, {@code 1e-9}. */
 public final class NumberText {
@@ -20,5 +21,11 @@ public final class NumberText {
             return new BigDecimal(Double.toString(value)).stripTrailingZeros().toPlainString();
         }
         return Double.toString(value).replace(".0E", "e").replace('E', 'e');
+    }
+
+    /** The first digits of a number, without a power of ten. */
+    public static String rounded(double value, int digits) {
+        BigDecimal rounded = new BigDecimal(value).round(new MathContext(digits));
+        return rounded.stripTrailingZeros().toPlainString();
     }
 }

@@ -72,6 +72,11 @@ final class Film {
         return Math.abs(samples[pixel]);
     }
 
+    /** Number of pixels that have samples. */
+    int sampledPixels() {
+        return (int) Arrays.stream(samples).filter(count -> count != 0).count();
+    }
+
     /** The mean of a channel of a pixel that has samples. */
     double mean(int pixel, int channel) {
         double sum = sums[3 * pixel + channel];

@@ -276,6 +276,7 @@ public final class RenderJob {
                     nodes,
                     tests,
                     (long) plan.width() * plan.height(),
+                    film.sampledPixels(),
                     error,
                     Duration.ofNanos(until - startTime));
         }

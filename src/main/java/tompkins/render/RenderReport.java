@@ -20,6 +20,7 @@ import tompkins.ray.RayCounts;
  * @param nodes nodes of bounding-volume trees that were visited
  * @param tests primitives that were tested
  * @param pixels pixels of the picture
+ * @param sampledPixels those that have samples; time may be over before all of them have
  * @param error estimated root mean square error in linear light; NaN if there is too little to tell, such as one sample
  *     through a wide lens, or pixels without any
  * @param time how long it took
@@ -36,10 +37,12 @@ public record RenderReport(
         long nodes,
         long tests,
         long pixels,
+        long sampledPixels,
         double error,
         Duration time) {
 
-    static RenderReport of(RayCounts counts, long nodes, long tests, long pixels, double error, Duration time) {
+    static RenderReport of(
+            RayCounts counts, long nodes, long tests, long pixels, long sampledPixels, double error, Duration time) {
         return new RenderReport(
                 counts.samples,
                 counts.rays,
@@ -52,6 +55,7 @@ public record RenderReport(
                 nodes,
                 tests,
                 pixels,
+                sampledPixels,
                 error,
                 time);
     }
@@ -64,6 +68,13 @@ public record RenderReport(
     /** What the user should know: one sentence for each kind of trouble. */
     public List<String> warnings() {
         List<String> warnings = new ArrayList<>();
+        if (sampledPixels < pixels) {
+            warnings.add(String.format(
+                    Locale.ROOT,
+                    "%d of %d pixels got no sample and are interpolated between the others",
+                    pixels - sampledPixels,
+                    pixels));
+        }
         warn(warnings, withoutFocus, "missed the surface in focus and were focused at infinity");
         warn(warnings, withoutShutter, "never crossed the shutter and stayed black");
         warn(warnings, notFinite, "had no finite colour and stayed black");

@@ -49,6 +49,23 @@ class AdaptiveRenderTest {
         assertThat(trueError(studio(spheres(), 0), job)).isLessThan(1.25 * 0.004);
     }
 
+    /** Of 64 x 48 pixels the first pass takes every 8th in both directions: 8 x 6. */
+    @Test
+    void pixelsWithoutSamplesAreToldOf() throws InterruptedException {
+        RenderListener impatient = new RenderListener() {
+            @Override
+            public void passDone(RenderJob job) {
+                job.cancel();
+            }
+        };
+        RenderJob job = RENDERER.start(RenderPlan.of(studio(spheres(), 0)), new Quality.TimeLimit(100), impatient);
+        job.await();
+
+        assertThat(job.report().sampledPixels()).isEqualTo(48);
+        assertThat(job.report().warnings())
+                .containsExactly("3024 of 3072 pixels got no sample and are interpolated between the others");
+    }
+
     @Test
     void wideLensIsHonest() throws InterruptedException {
         Studio studio = studio(spheres(), 0.2);
