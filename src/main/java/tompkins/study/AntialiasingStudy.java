@@ -211,14 +211,24 @@ final class AntialiasingStudy implements Study {
     @Override
     public String answer(List<Measurement> all) {
         StringBuilder text =
-                new StringBuilder("A single sample errs least in the centre of its pixel: so a scene that says"
-                        + " nothing else gets one there, which is the cheapest picture there is. Whoever wants a better one says how"
-                        + " good it has to be: samples that go where the picture is still wrong beat the same number everywhere, so"
-                        + " that is what `--error` does.");
+                new StringBuilder("A scene that says nothing else gets one sample in the centre of each pixel,"
+                        + " which is the cheapest picture there is.");
+        for (String name : compared.keySet()) {
+            for (Measurement centre : points(name, CENTRE, all)) {
+                double anywhere = points(name, ANYWHERE, all).get(0).error().middle();
+                text.append(String.format(
+                        Locale.ROOT,
+                        " On %s it errs by %.0f %% of what a sample anywhere in the pixel errs by.",
+                        name,
+                        100 * centre.error().middle() / anywhere));
+            }
+        }
+        text.append(
+                " Whoever wants a better one says how good it has to be: `--error` puts samples where the picture is still wrong.");
         for (String name : compared.keySet()) {
             text.append(String.format(
                     Locale.ROOT,
-                    " On %s they need %.0f %% of the rays for the same error.",
+                    " On %s it needs %.0f %% of the rays that the same number everywhere needs for the same error.",
                     name,
                     100 / saving(name, all)));
         }

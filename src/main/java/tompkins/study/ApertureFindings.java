@@ -57,13 +57,13 @@ final class ApertureFindings {
                         + " at an edge the error of the program's points falls as the number of samples to the power %.2f, and"
                         + " an error of 0.002, half a step of an 8-bit picture, takes them %s samples where random places take"
                         + " %s.\n\n"
-                        + "The charts show seconds, the table counts samples. On the lens alone the Vogel spiral is ahead in both:"
-                        + " it needs %s samples for this error, and a point of it takes %.0f ns where one of the program takes %.0f ns,"
+                        + "The charts show seconds, the table counts samples. On the lens alone the Vogel spiral"
+                        + " needs %s samples for this error, and a point of it takes %.0f ns where one of the program takes %.0f ns,"
                         + " which is nearly all the time in problems that have a formula for an answer. In a photograph a ray is traced"
-                        + " through each point, and this costs far more: on %s a sample takes %.0f ns with the spiral and %.0f ns with"
+                        + " through each point: on %s a sample takes %.0f ns with the spiral and %.0f ns with"
                         + " the program's points. And the spiral fills the lens evenly, but not pixel and lens together, as every"
                         + " photograph with a wide lens needs it: where the edge also sweeps over the pixel, its error falls with the"
-                        + " number of samples to the power %.2f only, that of the program's points to the power %.2f. So the program"
+                        + " number of samples to the power %.2f, that of the program's points to the power %.2f. So the program"
                         + " takes Sobol points with Owen's scrambling.",
                 own.slope(),
                 samplesFor(0.002, own),

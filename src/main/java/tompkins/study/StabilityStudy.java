@@ -223,8 +223,8 @@ final class StabilityStudy implements Study {
     public String answer(List<Measurement> all) {
         return "The closer to these places, the fewer digits the textbook's formulas leave: at the left end of each chart an"
                 + " error of 1 means that nothing is right any more. The program's formulas say the same in other words, without"
-                + " the difference of nearly equal numbers, and keep nearly all digits everywhere. They cost no more, so the"
-                + " program uses no others.";
+                + " the difference of nearly equal numbers, and keep nearly all digits everywhere, so the program uses no"
+                + " others.";
     }
 
     @Override

@@ -201,14 +201,13 @@ final class TreeStudy implements Study {
         for (Measurement list : points(LIST, all)) {
             gain = list.seconds().middle() / seconds(TREE, list.setting(), all);
         }
+        double crossing = crossing(all);
         return String.format(
                 Locale.ROOT,
                 "The time of a list grows with the number of objects, that of a tree far more slowly. The median of the tree is below that"
-                        + " of the list from %s objects on, and the two hardly differ around there; with %.0f objects the tree is"
-                        + " %.0f times faster. The program builds a tree from %d objects on.",
-                crossing(all) < Double.POSITIVE_INFINITY
-                        ? String.format(Locale.ROOT, "%.0f", crossing(all))
-                        : "no number of",
+                        + " of the list from %s objects on; with %.0f objects the list takes %.1f times as long. The program builds"
+                        + " a tree from %d objects on.",
+                crossing < Double.POSITIVE_INFINITY ? String.format(Locale.ROOT, "%.0f", crossing) : "no number of",
                 points(LIST, all).stream()
                         .mapToDouble(Measurement::setting)
                         .max()

@@ -65,6 +65,26 @@ class StudiesTest {
     }
 
     @Test
+    void singlePrecisionSavesWhatWasMeasured() {
+        assertThat(answerWithTimes(20, 10))
+                .contains("saves nothing: it takes 20.0 ns for a direction, the program 10.0 ns.");
+        assertThat(answerWithTimes(23.6, 368.2))
+                .contains("saves 344.6 ns: it takes 23.6 ns for a direction, the program 368.2 ns.");
+    }
+
+    /** What the study of precision concludes, from the nanoseconds that single precision and the program take. */
+    private static String answerWithTimes(double single, double own) {
+        Measurement first = timed(DirectionForm.SINGLE, single);
+        return new PrecisionStudy(3).answer(List.of(first, timed(DirectionForm.HALF_ANGLE, own)));
+    }
+
+    private static Measurement timed(DirectionForm form, double nanoseconds) {
+        // 200 000 directions
+        Spread seconds = Spread.exact(nanoseconds * 2e-4);
+        return new Measurement(PrecisionStudy.PIXELS, form.title(), 1e4, 200_000, seconds, Spread.exact(3), 3, 3, 0);
+    }
+
+    @Test
     void brokenPromisesAreFound() {
         assertThat(Honesty.findings(promised(96, 4, 0.0001))).allMatch(Finding::holds);
         assertThat(Honesty.findings(promised(94, 6, 0.0001)).get(0).holds()).isFalse();
