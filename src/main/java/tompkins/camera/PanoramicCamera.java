@@ -58,10 +58,8 @@ public record PanoramicCamera(
         position = Require.finite("position", position);
         viewDirection = Require.direction("viewDirection", viewDirection);
         topDirection = CameraAxes.requireTop(topDirection, viewDirection);
-        Require.positive("horizontalAngleDegrees", horizontalAngleDegrees);
-        Require.within("horizontalAngleDegrees", horizontalAngleDegrees, 0.0, 360.0);
-        Require.positive("verticalAngleDegrees", verticalAngleDegrees);
-        Require.within("verticalAngleDegrees", verticalAngleDegrees, 0.0, 180.0);
+        Require.positive("horizontalAngleDegrees", horizontalAngleDegrees, 360);
+        Require.positive("verticalAngleDegrees", verticalAngleDegrees, 180);
         Require.positive("focusDistance", focusDistance);
         Require.within("exposureStops", exposureStops, -100.0, 100.0);
         Require.present("shutter", shutter);

@@ -23,6 +23,11 @@ public final class Require {
         return check(value > 0 && Double.isFinite(value), property, "a finite number above 0", value);
     }
 
+    /** A number above 0 and at most {@code maximum}. */
+    public static double positive(String property, double value, double maximum) {
+        return check(value > 0 && value <= maximum, property, "above 0 and at most " + NumberText.of(maximum), value);
+    }
+
     /** A finite number, 0 or above. */
     public static double notNegative(String property, double value) {
         return check(value >= 0 && Double.isFinite(value), property, "a finite number, 0 or above", value);

@@ -66,6 +66,12 @@ class SceneMistakesTest {
             {"camera": {"viewDirection": [0, 1]}} | f:1:30: camera.viewDirection: must be three numbers [x, y, z], was a list \
             of 2 values
             {"camera": {"viewDirection": [0, "1", 2]}} | f:1:34: camera.viewDirection[1]: must be a number, was "1"
+            {"camera": {"type": "PanoramicCamera", "horizontalAngleDegrees": 400}} | f:1:66: camera.horizontalAngleDegrees: must \
+            be above 0 and at most 360, was 400
+            {"camera": {"type": "PanoramicCamera", "horizontalAngleDegrees": 0}} | f:1:66: camera.horizontalAngleDegrees: must \
+            be above 0 and at most 360, was 0
+            {"camera": {"type": "PanoramicCamera", "verticalAngleDegrees": -1}} | f:1:64: camera.verticalAngleDegrees: must be \
+            above 0 and at most 180, was -1
             {"background": {"colour": "red"}} | f:1:27: background.colour: must be three numbers [red, green, blue], or one \
             number for a grey, was "red"
             {"background": {"colour": [0, -2, 0]}} | f:1:27: background.colour (green): must be a finite number, 0 or above, \
