@@ -1,6 +1,7 @@
 package tompkins.io;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -21,6 +22,9 @@ final class SyntaxMistake {
     private static final Pattern WRONG_BRACKET = Pattern.compile("Unexpected close marker '(.)': expected '(.)'");
     private static final Pattern UNKNOWN_ESCAPE = Pattern.compile("Unrecognized character escape '(.)'");
     private static final Pattern WRONG_CHARACTER = Pattern.compile("Unexpected character \\('(.)' ");
+
+    private static final Pattern CONTROL_IN_TEXT =
+            Pattern.compile("Illegal unquoted character \\(\\(CTRL-CHAR, code (\\d+)\\)\\)");
 
     /** What the library says, or a part of it, and what that means; the first that fits counts. */
     private static final List<Map.Entry<String, String>> MEANINGS = List.of(
@@ -53,10 +57,9 @@ final class SyntaxMistake {
                             + unclosed(parser)
                     : NOT_JSON + "there is a closing bracket or brace too many";
         }
-        if (message.startsWith("Illegal unquoted character")) {
-            return NOT_JSON
-                    + "a text must end on the line where it begins; a quote is missing"
-                    + " (inside a text, \\n is a new line and \\t a tab)";
+        Matcher control = CONTROL_IN_TEXT.matcher(message);
+        if (control.lookingAt()) {
+            return NOT_JSON + controlInText(Integer.parseInt(control.group(1)));
         }
         Matcher word = UNKNOWN_WORD.matcher(message);
         if (word.lookingAt()) {
@@ -75,6 +78,21 @@ final class SyntaxMistake {
             }
         }
         return NOT_JSON + message;
+    }
+
+    private static String controlInText(int code) {
+        return switch (code) {
+            case '\n', '\r' ->
+                "a text must end on the line where it begins; a quote is missing"
+                        + " (inside a text, \\n is a new line and \\t a tab)";
+            case '\t' -> "inside a text, a tab is written \\t";
+            default ->
+                String.format(
+                        Locale.ROOT,
+                        "a text must not contain the control character U+%04X as it is; it is written \\u%04x",
+                        code,
+                        code);
+        };
     }
 
     private static String unclosed(JsonParser parser) {

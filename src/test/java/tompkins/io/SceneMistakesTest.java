@@ -134,6 +134,19 @@ class SceneMistakesTest {
     /** The first word is found where it stands, whatever the file is. */
     @ParameterizedTest
     @CsvSource(
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '~', textBlock = """
+            9  | inside a text, a tab is written \\t
+            0  | a text must not contain the control character U+0000 as it is; it is written \\u0000
+            27 | a text must not contain the control character U+001B as it is; it is written \\u001b
+            10 | a text must end on the line where it begins; a quote is missing (inside a text, \\n is a new line and \\t a tab)
+            13 | a text must end on the line where it begins; a quote is missing (inside a text, \\n is a new line and \\t a tab)
+            """)
+    void controlCharacterInATextIsNamed(int code, String message) {
+        String text = "{\n\"title\": \"ab" + (char) code + "c\"}";
+        assertThat(messageOf(text)).isEqualTo("f:2:13: title: not valid JSON: " + message);
+    }
+
             delimiter = '|',
             value = {
                 "vm | f:1:1 | vm",
