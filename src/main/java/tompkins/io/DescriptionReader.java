@@ -171,8 +171,8 @@ final class DescriptionReader {
 
     /**
      * Makes the record. A value that its constructor refuses is noted and replaced by that of the default, to find what
-     * else is wrong. After that only numbers and colours are noted: they are wrong by themselves, the others perhaps only
-     * beside the value that took the place of a wrong one.
+     * else is wrong. After that only those are noted that are wrong by themselves, the others perhaps only beside the value that
+     * took the place of a wrong one.
      */
     private Object make(
             Class<?> type, Object[] arguments, Object standard, JsonObject object, String path, Set<String> replaced) {
@@ -183,7 +183,7 @@ final class DescriptionReader {
                 String key = Refusal.component(invalid);
                 int index = DescriptionTypes.keys(type).indexOf(key);
                 RecordComponent component = index < 0 ? null : type.getRecordComponents()[index];
-                if (replaced.isEmpty() || component != null && standsForItself(component.getType())) {
+                if (replaced.isEmpty() || invalid.isByItself()) {
                     Refusal.note(problems, invalid, object, path);
                 }
                 if (!replaced.add(key) || component == null) {
@@ -192,9 +192,5 @@ final class DescriptionReader {
                 arguments[index] = DescriptionTypes.value(component, standard);
             }
         }
-    }
-
-    private static boolean standsForItself(Class<?> type) {
-        return type.isPrimitive() || type == Colour.class;
     }
 }

@@ -7,18 +7,25 @@ public final class InvalidPropertyException extends IllegalArgumentException {
 
     private final String property;
     private final String problem;
+    private final boolean byItself;
 
     /**
-     * Describes one wrong value.
+     * Describes one value that is wrong, perhaps only beside the other properties.
      *
      * @param property name of the property, as in the scene file
      * @param allowed what is allowed, continuing the sentence "(property) must be ..."
      * @param value the value that was given
      */
     public InvalidPropertyException(String property, String allowed, Object value) {
+        this(property, allowed, value, false);
+    }
+
+    /** As above, and whether the value is wrong by itself, whatever the other properties are. */
+    InvalidPropertyException(String property, String allowed, Object value, boolean byItself) {
         super(property + " " + problem(allowed, value));
         this.property = property;
         problem = problem(allowed, value);
+        this.byItself = byItself;
     }
 
     private static String problem(String allowed, Object value) {
@@ -28,6 +35,11 @@ public final class InvalidPropertyException extends IllegalArgumentException {
     /** The name of the property that is wrong, as in the scene file. */
     public String property() {
         return property;
+    }
+
+    /** Whether the value is wrong by itself, and not only beside another one. */
+    public boolean isByItself() {
+        return byItself;
     }
 
     /** The message without the name: what is allowed, and the value. */

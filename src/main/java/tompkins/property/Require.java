@@ -54,7 +54,7 @@ public final class Require {
     /** A whole number from {@code minimum} to {@code maximum}, both included. */
     public static int within(String property, int value, int minimum, int maximum) {
         if (value < minimum || value > maximum) {
-            throw new InvalidPropertyException(property, "a whole number from " + minimum + " to " + maximum, value);
+            throw wrong(property, "a whole number from " + minimum + " to " + maximum, value);
         }
         return value;
     }
@@ -62,7 +62,7 @@ public final class Require {
     /** A vector of three finite numbers; returns a copy that nobody else can change. */
     public static Vector3dc finite(String property, Vector3dc value) {
         if (value == null || !value.isFinite()) {
-            throw new InvalidPropertyException(property, "three finite numbers", text(value));
+            throw wrong(property, "three finite numbers", text(value));
         }
         return new Vector3d(value);
     }
@@ -71,7 +71,7 @@ public final class Require {
     public static Vector3dc direction(String property, Vector3dc value) {
         Vector3dc copy = finite(property, value);
         if (largestComponent(copy) == 0) {
-            throw new InvalidPropertyException(property, "a direction, not the zero vector", text(copy));
+            throw wrong(property, "a direction, not the zero vector", text(copy));
         }
         return copy;
     }
@@ -79,7 +79,7 @@ public final class Require {
     /** Something, not null. */
     public static <T> T present(String property, T value) {
         if (value == null) {
-            throw new InvalidPropertyException(property, "given", "missing");
+            throw wrong(property, "given", "missing");
         }
         return value;
     }
@@ -88,7 +88,7 @@ public final class Require {
     public static <T> List<T> list(String property, List<T> value) {
         present(property, value);
         if (value.stream().anyMatch(Objects::isNull)) {
-            throw new InvalidPropertyException(property, "a list without empty places", "null");
+            throw wrong(property, "a list without empty places", "null");
         }
         return List.copyOf(value);
     }
@@ -101,13 +101,17 @@ public final class Require {
                         + "]";
     }
 
+    private static InvalidPropertyException wrong(String property, String allowed, Object value) {
+        return new InvalidPropertyException(property, allowed, value, true);
+    }
+
     private static double largestComponent(Vector3dc vector) {
         return Math.max(Math.abs(vector.x()), Math.max(Math.abs(vector.y()), Math.abs(vector.z())));
     }
 
     private static double check(boolean allowed, String property, String what, double value) {
         if (!allowed) {
-            throw new InvalidPropertyException(property, what, value);
+            throw wrong(property, what, value);
         }
         return value;
     }
