@@ -11,8 +11,8 @@ import tompkins.sceneobject.SceneObject;
 /** Makes primitives of objects, and refuses those of such sizes that what is worked out from them is no number. */
 final class ObjectPreparation {
 
-    /** Such sizes always work: their fourth powers are far from the limits of a double. */
-    private static final String ALLOWED = "made of lengths from 1e-50 to 1e50";
+    /** The sizes that always work: their fourth powers are far from the limits of a double. Others may work, too. */
+    private static final String ALLOWED = "of a size that can be worked with (lengths from 1e-50 to 1e50 always can)";
 
     private ObjectPreparation() {}
 

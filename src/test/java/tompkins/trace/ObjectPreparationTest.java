@@ -54,7 +54,8 @@ class ObjectPreparationTest {
         assertThatExceptionOfType(InvalidPropertyException.class)
                 .isThrownBy(() -> RenderPlan.of(inScene))
                 .withMessage(
-                        "scene[1] must be made of lengths from 1e-50 to 1e50, was \"" + object.description() + "\"");
+                        "scene[1] must be of a size that can be worked with (lengths from 1e-50 to 1e50 always can), was \""
+                                + object.description() + "\"");
         Studio withCamera = Studio.DEFAULT.withCameraFrame(List.of(object));
         assertThatExceptionOfType(InvalidPropertyException.class)
                 .isThrownBy(() -> RenderPlan.of(withCamera))
@@ -79,6 +80,6 @@ class ObjectPreparationTest {
         Studio studio = Studio.DEFAULT.withScene(List.of(new Sphere("far", new Vector3d(0, 0, 1e308), 1, COLOURED)));
         assertThatExceptionOfType(InvalidPropertyException.class)
                 .isThrownBy(() -> RenderPlan.of(studio))
-                .withMessageStartingWith("scene must be made of lengths");
+                .withMessageStartingWith("scene must be of a size that can be worked with");
     }
 }
