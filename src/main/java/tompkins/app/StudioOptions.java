@@ -3,10 +3,12 @@ package tompkins.app;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.joml.Vector3d;
 import picocli.CommandLine.Option;
 import tompkins.property.InvalidPropertyException;
 import tompkins.shutter.Shutter;
+import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
@@ -38,8 +40,12 @@ final class StudioOptions {
         }
         if (beta != null) {
             Vector3d components = new Vector3d(numbers("--beta", beta, "0,0,0.9"));
-            Studio before = changed;
-            changed = MistakeException.inOption("--beta", () -> before.withVelocity(Velocity.of(components)));
+            try {
+                changed = changed.withVelocity(Velocity.of(components));
+            } catch (InvalidPropertyException invalid) {
+                throw new MistakeException(
+                        "--beta " + invalid.problem() + SpeedScale.roundingHint(Stream.of(beta.split(","))));
+            }
         }
         Shutter model = changed.camera().shutter();
         if (shutter != null) {

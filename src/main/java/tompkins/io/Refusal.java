@@ -17,12 +17,17 @@ final class Refusal {
      * @param value the object with that property, or the property's value itself
      */
     static void note(Problems problems, InvalidPropertyException invalid, JsonValue value, String path) {
+        note(problems, invalid, value, path, "");
+    }
+
+    /** As above, with a hint at the end. */
+    static void note(Problems problems, InvalidPropertyException invalid, JsonValue value, String path, String hint) {
         String property = invalid.property();
         Member member = value instanceof JsonObject object ? object.members().get(component(invalid)) : null;
         if (member != null) {
-            problems.add(member.value(), path.isEmpty() ? property : path + "." + property, invalid.problem());
+            problems.add(member.value(), path.isEmpty() ? property : path + "." + property, invalid.problem() + hint);
         } else {
-            problems.add(value, path, value instanceof JsonObject ? invalid.getMessage() : invalid.problem());
+            problems.add(value, path, (value instanceof JsonObject ? invalid.getMessage() : invalid.problem()) + hint);
         }
     }
 

@@ -4,9 +4,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.io.JsonValue.JsonList;
+import tompkins.io.JsonValue.JsonNumber;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.Member;
 import tompkins.property.InvalidPropertyException;
@@ -39,9 +41,21 @@ final class VelocityReader {
             values.refuse(
                     value, path, "three numbers [x, y, z] in units of c, or an object with one of " + scaleKeys());
         } catch (InvalidPropertyException invalid) {
-            Refusal.note(problems, invalid, value, path);
+            Refusal.note(problems, invalid, value, path, SpeedScale.roundingHint(numbers(value)));
         }
         return null;
+    }
+
+    /** The numbers of a velocity, as they are written. */
+    private static Stream<String> numbers(JsonValue value) {
+        if (value instanceof JsonList list) {
+            return list.values().stream().flatMap(VelocityReader::numbers);
+        }
+        if (value instanceof JsonObject object) {
+            Member beta = object.members().get(SpeedScale.BETA.key());
+            return beta == null ? Stream.empty() : numbers(beta.value());
+        }
+        return value instanceof JsonNumber number ? Stream.of(number.text()) : Stream.empty();
     }
 
     private Velocity scaled(JsonObject object, String path) {

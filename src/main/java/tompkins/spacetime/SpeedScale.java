@@ -1,5 +1,7 @@
 package tompkins.spacetime;
 
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import tompkins.property.Meaning;
 
 /** The numbers by which a speed can be given. */
@@ -17,6 +19,8 @@ public enum SpeedScale {
     @Meaning("What the speed lacks to that of light, 1 - beta")
     ONE_MINUS_BETA("oneMinusBeta", "above 0 and at most 1");
 
+    private static final Pattern BELOW_ONE = Pattern.compile("[-+]?0*\\.[0-9]+");
+
     private final String key;
     private final String range;
 
@@ -33,6 +37,19 @@ public enum SpeedScale {
     /** The allowed values, in words. */
     public String range() {
         return range;
+    }
+
+    /**
+     * The end of the refusal of a velocity, if a number of it was written as one below 1 but has too many nines to be told from
+     * it; empty if there is none.
+     */
+    public static String roundingHint(Stream<String> numbers) {
+        return numbers.map(String::trim)
+                .filter(number -> BELOW_ONE.matcher(number).matches() && Math.abs(Double.parseDouble(number)) == 1)
+                .findFirst()
+                .map(number -> "; " + number + " was rounded to 1: nearer to the speed of light come \"gamma\" and"
+                        + " \"oneMinusBeta\" in the velocity of a scene file")
+                .orElse("");
     }
 
     /** The value of a velocity's speed on this scale. */

@@ -207,6 +207,7 @@ class CommandLineTest {
             value = {
                 "--beta 0,0,1 | --beta must be shorter than 1",
                 "--beta 0.6,0.8,0 | shorter than 1",
+                "--beta 0,-.99999999999999999,0 | was [0, -1, 0] with length 1; -.99999999999999999 was rounded to 1",
                 "--beta 0,0,NaN | 3 numbers with commas between them, such as --beta=0,0,0.9, was 0,0,NaN",
                 "--beta 1,2 | 3 numbers with commas between them, such as --beta=0,0,0.9, was 1,2",
                 "--size 640 | 640x480",

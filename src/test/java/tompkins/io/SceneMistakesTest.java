@@ -78,6 +78,15 @@ class SceneMistakesTest {
             was -2
             {"velocity": [0.6, 0, 0.8]}   | f:1:14: velocity: must be shorter than 1 (the speed of light), was [0.6, 0, 0.8] \
             with length 1
+            {"velocity": [0, 0, 0.99999999999999999]} | f:1:14: velocity: must be shorter than 1 (the speed of light), was \
+            [0, 0, 1] with length 1; 0.99999999999999999 was rounded to 1: nearer to the speed of light come "gamma" and \
+            "oneMinusBeta" in the velocity of a scene file
+            {"velocity": {"beta": 0.999999999999999999999}} | f:1:23: velocity.beta: must be from 0 to below 1, was 1; \
+            0.999999999999999999999 was rounded to 1: nearer to the speed of light come "gamma" and "oneMinusBeta" in the \
+            velocity of a scene file
+            {"velocity": {"beta": 1.0}}   | f:1:23: velocity.beta: must be from 0 to below 1, was 1
+            {"velocity": {"oneMinusBeta": 1e-17}} | f:1:14: velocity: must be at most that of gamma 1e8, was that of gamma \
+            223606797.7
             {"velocity": 0.5}             | f:1:14: velocity: must be three numbers [x, y, z] in units of c, or an object with \
             one of beta, gamma, rapidity, oneMinusBeta, was 0.5
             {"velocity": {"gamma": 0.5}}  | f:1:24: velocity.gamma: must be 1 or above, was 0.5
@@ -126,15 +135,6 @@ class SceneMistakesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "  \n", "// only a comment\n", "/* and another */"})
-    void emptyFileIsReported(String text) {
-        assertThat(messageOf(text)).isEqualTo("f: the file is empty; the smallest scene file is {}");
-    }
-
-    /** The first word is found where it stands, whatever the file is. */
-    @ParameterizedTest
-    @CsvSource(
-    @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '~', textBlock = """
             9  | inside a text, a tab is written \\t
             0  | a text must not contain the control character U+0000 as it is; it is written \\u0000
@@ -147,6 +147,15 @@ class SceneMistakesTest {
         assertThat(messageOf(text)).isEqualTo("f:2:13: title: not valid JSON: " + message);
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"", "  \n", "// only a comment\n", "/* and another */"})
+    void emptyFileIsReported(String text) {
+        assertThat(messageOf(text)).isEqualTo("f: the file is empty; the smallest scene file is {}");
+    }
+
+    /** The first word is found where it stands, whatever the file is. */
+    @ParameterizedTest
+    @CsvSource(
             delimiter = '|',
             value = {
                 "vm | f:1:1 | vm",
@@ -209,15 +218,6 @@ class SceneMistakesTest {
                         "f:7:15: velocity:");
     }
 
-    /** Wrong corners are replaced by those of the default, beside which the other one must not look wrong. */
-    @Test
-    void mistakeDoesNotMakeItsNeighboursLookWrong() {
-        assertThat(messageOf("{\"scene\": [{\"type\": \"Box\", \"from\": 5, \"to\": [0, 0, 0]}]}"))
-                .isEqualTo("f:1:36: scene[0].from: must be three numbers [x, y, z], was 5");
-    }
-
-    @Test
-    void numberOfMistakesIsBounded() {
     @Test
     void severalMistakesOfOneObjectAreReported() {
         assertThat(messageOf("{\"scene\": [{\"type\": \"Placed\", \"scale\": 0, \"rotationAxis\": [0, 0, 0]}],\n"
@@ -228,6 +228,15 @@ class SceneMistakesTest {
                         + "f:2:60: camera.viewDirection: must be a direction, not the zero vector, was [0, 0, 0]");
     }
 
+    /** Wrong corners are replaced by those of the default, beside which the other one must not look wrong. */
+    @Test
+    void mistakeDoesNotMakeItsNeighboursLookWrong() {
+        assertThat(messageOf("{\"scene\": [{\"type\": \"Box\", \"from\": 5, \"to\": [0, 0, 0]}]}"))
+                .isEqualTo("f:1:36: scene[0].from: must be three numbers [x, y, z], was 5");
+    }
+
+    @Test
+    void numberOfMistakesIsBounded() {
         String many = "{\"scene\": [" + "{\"x\": 1}, ".repeat(1000) + "]}";
         List<Problem> problems =
                 catchThrowableOfType(SceneFileException.class, () -> read(many)).problems();
