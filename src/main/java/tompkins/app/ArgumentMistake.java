@@ -1,11 +1,13 @@
 package tompkins.app;
 
+import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -35,10 +37,11 @@ final class ArgumentMistake {
         if (mistake instanceof MissingParameterException missing) {
             return missing.getMissing().size() == 1 && missing.getMissing().get(0) instanceof OptionSpec option
                     ? withoutValue(option, mistake)
-                    : mistake.getMessage();
+                    : fileLikeOption(arguments).orElse(mistake.getMessage());
         }
         if (mistake.getCause() instanceof InvalidPathException) {
-            return CONTROLS.matcher(mistake.getValue()).replaceAll("?") + ": no file can have this name";
+            String name = mistake.getValue();
+            return (name.isEmpty() ? "\"\"" : CONTROLS.matcher(name).replaceAll("?")) + ": no file can have this name";
         }
         if (mistake.getArgSpec() instanceof OptionSpec option && mistake.getValue() != null) {
             return withWrongValue(option, mistake);
@@ -122,6 +125,15 @@ final class ArgumentMistake {
         return ", such as " + option.longestName() + "=" + value;
     }
 
+    /** What to say if a file was named whose name begins as that of an option. */
+    private static Optional<String> fileLikeOption(String... words) {
+        return Stream.of(words)
+                .filter(word -> word.startsWith("-") && new File(word).exists())
+                .findFirst()
+                .map(word -> word + ": what begins with - is read as an option; the file of this name is ."
+                        + File.separator + word);
+    }
+
     private static String unmatched(UnmatchedArgumentException unmatched, CommandSpec command, String[] arguments) {
         boolean beforeCommands = command.parent() == null;
         String first = arguments[0];
@@ -144,7 +156,7 @@ final class ArgumentMistake {
         List<String> known = command.options().stream()
                 .flatMap(option -> Stream.of(option.names()))
                 .toList();
-        return "unknown option " + name + Spelling.hint(name, known);
+        return fileLikeOption(wrong).orElse("unknown option " + name + Spelling.hint(name, known));
     }
 
     private static String onlyOneOf(CommandSpec command, ParameterException mistake) {

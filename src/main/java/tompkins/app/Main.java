@@ -3,6 +3,7 @@ package tompkins.app;
 import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import picocli.CommandLine;
 
@@ -27,14 +28,21 @@ public final class Main {
         return new PrintWriter(stream, true, Charset.defaultCharset());
     }
 
+    /** A file of some name; an empty one would mean the current folder. */
+    private static Path file(String name) {
+        if (name.isEmpty()) {
+            throw new InvalidPathException(name, "empty");
+        }
+        return Path.of(name);
+    }
+
     /** Runs the program and returns its exit code. */
     static int run(PrintWriter out, PrintWriter err, String... arguments) {
         CommandLine commandLine = new CommandLine(new TompkinsCommand());
         commandLine.setOut(out);
         commandLine.setErr(err);
         commandLine.setCaseInsensitiveEnumValuesAllowed(true);
-        // as without it, but what goes wrong can be told from other mistakes
-        commandLine.registerConverter(Path.class, Path::of);
+        commandLine.registerConverter(Path.class, Main::file);
         commandLine.setExecutionExceptionHandler(Failures::report);
         commandLine.setParameterExceptionHandler(Failures::reportUsage);
         return commandLine.execute(arguments);

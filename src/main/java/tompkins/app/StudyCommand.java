@@ -56,7 +56,8 @@ final class StudyCommand implements Callable<Integer> {
             names = {"-o", "--output"},
             paramLabel = "FOLDER",
             description =
-                    "where the page goes, and beside it a folder with charts and figures; without it the current one")
+                    "a folder that exists, where the page goes, and beside it a folder with charts and figures; without it"
+                            + " the current one")
     private Path output = Path.of("");
 
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "seed of everything that is random")
@@ -70,8 +71,8 @@ final class StudyCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         List<StudyKind> kinds = kinds();
-        if (Files.exists(output) && !Files.isDirectory(output)) {
-            throw new MistakeException("-o must name a folder, was the file " + output);
+        if (!Files.isDirectory(output)) {
+            throw new MistakeException("-o must name a folder that exists, was " + output);
         }
         Studio own = scene == null ? null : StudioReader.read(scene);
         if (own != null) {

@@ -4,6 +4,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
@@ -27,7 +28,8 @@ import tompkins.ui.TompkinsWindow;
             CheckCommand.class,
             ExplainCommand.class,
             TraceCommand.class,
-            StudyCommand.class
+            StudyCommand.class,
+            HelpCommand.class
         })
 final class TompkinsCommand implements Callable<Integer> {
 

@@ -417,7 +417,7 @@ class CommandLineTest {
             delimiter = '|',
             value = {
                 "rendr | rendr: there is neither a file nor a command of this name; the commands are render, check, "
-                        + "explain, trace, study; did you mean \"render\"?",
+                        + "explain, trace, study, help; did you mean \"render\"?",
                 "foo | the commands are render, check, explain, trace, study",
                 "foo bar | foo: there is neither a file nor a command of this name; the commands are",
                 "rendr --size 4x4 scenes/fig1b.json | rendr: there is neither a file nor a command of this name",

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -59,13 +60,15 @@ class StudyCommandTest {
     }
 
     @Test
-    void aFileInThePlaceOfTheFolderIsAMistake() throws IOException {
+    void aFolderThatDoesNotExistIsAMistake() throws IOException {
         Path file = Files.writeString(folder.resolve("mine.txt"), "mine");
+        for (Path none : List.of(file, file.resolve("x"), folder.resolve("none"))) {
+            ProgramRun run = ProgramRun.of("study", "stability", "-o", none);
 
-        ProgramRun run = ProgramRun.of("study", "stability", "-o", file);
-
-        assertThat(run.code()).isEqualTo(Failures.MISTAKE);
-        assertThat(run.err().strip()).isEqualTo("-o must name a folder, was the file " + file);
+            assertThat(run.code()).isEqualTo(Failures.MISTAKE);
+            assertThat(run.err().strip()).isEqualTo("-o must name a folder that exists, was " + none);
+        }
+        assertThat(folder).isDirectoryContaining(file::equals).isDirectoryNotContaining(path -> !path.equals(file));
         assertThat(Files.readString(file)).isEqualTo("mine");
     }
 
