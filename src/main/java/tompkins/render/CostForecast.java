@@ -6,14 +6,14 @@ import tompkins.ray.RayBlock;
 import tompkins.trace.RenderPlan;
 
 /**
- * What a picture will cost on this machine, told from taking blocks of it for about five seconds.
+ * What a picture will cost on this machine, told from taking blocks of it for about three seconds.
  *
  * @param samplesPerPixel mean number of samples of a pixel
  * @param seconds time of the render
  */
 public record CostForecast(double samplesPerPixel, double seconds) {
 
-    private static final double PATIENCE = 5;
+    private static final double PATIENCE = 3;
     /** Short enough to tell the speed of the machine while it runs cold from that when it runs warm. */
     private static final double PART = 1;
 
