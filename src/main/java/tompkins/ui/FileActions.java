@@ -5,8 +5,10 @@ import java.awt.datatransfer.StringSelection;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
@@ -16,6 +18,7 @@ import tompkins.image.LinearImage;
 import tompkins.image.PhotographFile;
 import tompkins.image.PhotographInfo;
 import tompkins.image.PictureFormat;
+import tompkins.io.SceneFileException;
 import tompkins.io.SelfDescription;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
@@ -32,6 +35,9 @@ final class FileActions {
     private final CommandLineWriter commandLine;
     private final StatusBar status;
 
+    /** What the scene files held when they were opened or saved last. */
+    private final Map<Path, Studio> held = new HashMap<>();
+
     FileActions(
             JFrame frame,
             StudioModel model,
@@ -45,6 +51,7 @@ final class FileActions {
         this.status = status;
         this.settings = settings;
         this.commandLine = commandLine;
+        held.put(model.file(), model.studio());
     }
 
     /** Does what lets go of the scene, once its changes are saved or discarded; not at all if the user cancels that. */
@@ -92,6 +99,16 @@ final class FileActions {
         leaveScene(() -> read(file));
     }
 
+    /** Opens the file of the scene again, which another program may have changed. */
+    void reload() {
+        Path file = model.file();
+        if (file == null) {
+            status.say(Texts.get("file.noFile"));
+        } else {
+            open(file);
+        }
+    }
+
     private void read(Path file) {
         Studio[] loaded = new Studio[1];
         BackgroundTask.start(
@@ -99,6 +116,7 @@ final class FileActions {
                     // a photograph holds a scene, but is no file to save a scene in
                     boolean isScene = file.toString().endsWith(".json");
                     model.open(loaded[0], isScene ? file : null);
+                    held.put(file, loaded[0]);
                     settings.addRecentFile(file);
                 });
     }
@@ -117,7 +135,39 @@ final class FileActions {
         if (model.file() == null) {
             saveSceneAs(next);
         } else {
-            saveScene(model.file(), next);
+            saveOver(model.file(), next);
+        }
+    }
+
+    /** Saves over a scene file; asks first if it is not what was opened or saved here any more. */
+    private void saveOver(Path file, Runnable next) {
+        Studio known = held.get(file);
+        boolean[] changed = new boolean[1];
+        BackgroundTask.start(frame, Texts.get("file.saving", file), task -> changed[0] = isChanged(file, known), () -> {
+            int answer = changed[0] ? askAboutLoss("file.changed", file) : 0;
+            switch (answer) {
+                case 0 -> saveScene(file, next);
+                case 1 -> saveSceneAs(next);
+                default -> {}
+            }
+        });
+    }
+
+    private int askAboutLoss(String question, Path file) {
+        return Messages.choose(
+                frame,
+                Texts.get("file.overwriteTitle"),
+                Texts.get(question, file.getFileName()),
+                Texts.get("file.saveAnyway"),
+                Texts.get("menu.saveSceneAs"),
+                Texts.get("task.cancel"));
+    }
+
+    private static boolean isChanged(Path file, Studio known) {
+        try {
+            return Files.exists(file) && !StudioReader.read(file).equals(known);
+        } catch (SceneFileException noScene) {
+            return true;
         }
     }
 
@@ -145,6 +195,7 @@ final class FileActions {
             if (model.studio().equals(studio)) {
                 model.saved(file);
             }
+            held.put(file, studio);
             saved(file);
             next.run();
         });

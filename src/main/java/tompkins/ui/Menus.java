@@ -95,6 +95,7 @@ final class Menus {
         recent.setName("menu.recent");
         beforeShowing(menu, () -> fillRecent(recent));
         menu.add(recent);
+        add(menu, "menu.reload", "F5", files::reload);
         menu.addSeparator();
         add(menu, "menu.saveScene", "ctrl S", files::saveScene);
         add(menu, "menu.saveSceneAs", "ctrl shift S", files::saveSceneAs);

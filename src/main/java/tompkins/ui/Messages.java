@@ -76,17 +76,28 @@ final class Messages {
 
     /** Asks what becomes of changes; closing the question means to cancel. */
     static Unsaved askAboutChanges(Component parent, String title) {
-        Object[] answers = {Texts.get("unsaved.save"), Texts.get("unsaved.discard"), Texts.get("task.cancel")};
+        int chosen = choose(
+                parent,
+                Texts.get("unsaved.title"),
+                Texts.get("unsaved.question", title),
+                Texts.get("unsaved.save"),
+                Texts.get("unsaved.discard"),
+                Texts.get("task.cancel"));
+        return Unsaved.values()[chosen];
+    }
+
+    /** Asks which of some answers is meant: its number; closing the question gives the last one. */
+    static int choose(Component parent, String title, String question, String... answers) {
         int chosen = JOptionPane.showOptionDialog(
                 parent,
-                Texts.get("unsaved.question", title),
-                Texts.get("unsaved.title"),
-                JOptionPane.YES_NO_CANCEL_OPTION,
+                question,
+                title,
+                JOptionPane.DEFAULT_OPTION,
                 JOptionPane.WARNING_MESSAGE,
                 null,
                 answers,
                 answers[0]);
-        return chosen == JOptionPane.CLOSED_OPTION ? Unsaved.CANCEL : Unsaved.values()[chosen];
+        return chosen == JOptionPane.CLOSED_OPTION ? answers.length - 1 : chosen;
     }
 
     /** What an exception says to the user. */

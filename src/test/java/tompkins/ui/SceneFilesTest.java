@@ -1,0 +1,149 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JLabel;
+import javax.swing.JTextArea;
+import javax.swing.JTextField;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import tompkins.io.StudioReader;
+import tompkins.io.StudioWriter;
+import tompkins.sceneobject.Box;
+import tompkins.studio.Studio;
+
+/** Scene files that other programs write, too: nothing in them is lost without a question. */
+@Timeout(600)
+class SceneFilesTest {
+
+    private static final Studio BOX = Studios.sphere().withScene(List.of(Box.DEFAULT));
+
+    @TempDir
+    private Path folder;
+
+    private Path file;
+    private WindowDriver driver;
+
+    @BeforeEach
+    void open() throws IOException {
+        WindowDriver.requireDisplay();
+        System.setProperty("tompkins.settings", folder.resolve("settings").toString());
+        file = folder.resolve("sphere.json");
+        StudioWriter.save(Studios.sphere(), file);
+        driver = new WindowDriver(Studios.sphere(), file, List.of());
+    }
+
+    @AfterEach
+    void close() {
+        driver.close();
+    }
+
+    /** Changes the speed in the window. */
+    private Studio change(String speed) {
+        driver.type(driver.find(JTextField.class, "Speed"), speed);
+        return driver.studio();
+    }
+
+    private void save() {
+        driver.menu("menu.saveScene");
+    }
+
+    private void awaitSaved() {
+        WindowDriver.await("the saved scene", () -> !driver.window().model().isModified());
+    }
+
+    private void awaitStudio(Studio studio) {
+        WindowDriver.await("the scene", () -> driver.window().model().studio().equals(studio));
+    }
+
+    @Test
+    void whatAnotherProgramChangedIsWrittenOverOnlyWhenTheUserAgrees() throws IOException {
+        Studio mine = change("0.5");
+        StudioWriter.save(BOX, file);
+        save();
+        driver.answer("Cancel");
+        assertThat(StudioReader.read(file)).isEqualTo(BOX);
+        save();
+        driver.answer("Save anyway");
+        awaitSaved();
+        assertThat(StudioReader.read(file)).isEqualTo(mine);
+        Studio next = change("0.6");
+        save();
+        awaitSaved();
+        assertThat(StudioReader.read(file)).as("saved without a question").isEqualTo(next);
+    }
+
+    @Test
+    void aSceneCanBeSavedBesideOneThatAnotherProgramChanged() throws IOException {
+        Studio mine = change("0.5");
+        StudioWriter.save(BOX, file);
+        save();
+        driver.answer("Save scene as\u2026");
+        Path other = folder.resolve("other.json");
+        driver.choose(other);
+        awaitSaved();
+        assertThat(StudioReader.read(file)).isEqualTo(BOX);
+        assertThat(StudioReader.read(other)).isEqualTo(mine);
+    }
+
+    @Test
+    void reloadingShowsWhatAnotherProgramWrote() throws IOException {
+        StudioWriter.save(BOX, file);
+        driver.key(KeyEvent.VK_F5);
+        awaitStudio(BOX);
+        Studio next = change("0.5");
+        save();
+        awaitSaved();
+        assertThat(StudioReader.read(file)).as("saved without a question").isEqualTo(next);
+    }
+
+    @Test
+    void reloadingAsksWhatBecomesOfChanges() throws IOException {
+        Studio mine = change("0.5");
+        StudioWriter.save(BOX, file);
+        driver.menu("menu.reload");
+        driver.answer("Cancel");
+        assertThat(driver.studio()).isEqualTo(mine);
+        driver.menu("menu.reload");
+        driver.answer("Discard");
+        awaitStudio(BOX);
+    }
+
+    @Test
+    void aFileWithMistakesIsNotReloaded() throws IOException {
+        Files.writeString(file, "{ \"velocity\": [0, 0, 1] }");
+        driver.menu("menu.reload");
+        WindowDriver.await("the message", () -> message().isPresent());
+        assertThat(message()).hasValueSatisfying(text -> assertThat(text).contains("must be shorter than 1"));
+        driver.answer("OK");
+        assertThat(driver.studio()).isEqualTo(Studios.sphere());
+    }
+
+    private Optional<String> message() {
+        return Components.all(driver.window().frame())
+                .filter(part -> "message".equals(part.getName()) && part.isShowing())
+                .map(part -> ((JTextArea) part).getText())
+                .findFirst();
+    }
+
+    @Test
+    void aSceneWithoutAFileCannotBeReloaded() {
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().open(BOX, null);
+            return null;
+        });
+        driver.menu("menu.reload");
+        JLabel what = driver.find(JLabel.class, "status.what");
+        WindowDriver.await("the answer", () -> what.getText().contains("no file"));
+        assertThat(driver.studio()).isEqualTo(BOX);
+    }
+}
