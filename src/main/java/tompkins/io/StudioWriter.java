@@ -42,6 +42,11 @@ public final class StudioWriter {
         return List.copyOf(names);
     }
 
+    /** The text that {@link #save} writes to a file. */
+    public static String write(Studio studio, Path file) {
+        return text(studio, isNotIn(new SceneFolder(file.toAbsolutePath().getParent())));
+    }
+
     /**
      * Saves a scene file. It names the pictures and meshes that lie under its folder, and holds the others. The file appears complete
      * or not at all; what was there before stays until then.
@@ -50,8 +55,7 @@ public final class StudioWriter {
      */
     public static void save(Studio studio, Path file) throws IOException {
         try (PendingFile pending = PendingFile.file(file)) {
-            SceneFolder folder = new SceneFolder(file.toAbsolutePath().getParent());
-            Files.writeString(pending.path(), text(studio, isNotIn(folder)));
+            Files.writeString(pending.path(), write(studio, file));
             pending.commit();
         } catch (IOException failure) {
             throw PictureException.cannotWrite(file, failure);

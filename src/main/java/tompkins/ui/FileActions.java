@@ -18,7 +18,6 @@ import tompkins.image.LinearImage;
 import tompkins.image.PhotographFile;
 import tompkins.image.PhotographInfo;
 import tompkins.image.PictureFormat;
-import tompkins.io.SceneFileException;
 import tompkins.io.SelfDescription;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
@@ -139,12 +138,12 @@ final class FileActions {
         }
     }
 
-    /** Saves over a scene file; asks first if it is not what was opened or saved here any more. */
+    /** Saves over a scene file; asks first if that loses what somebody wrote. */
     private void saveOver(Path file, Runnable next) {
-        Studio known = held.get(file);
-        boolean[] changed = new boolean[1];
-        BackgroundTask.start(frame, Texts.get("file.saving", file), task -> changed[0] = isChanged(file, known), () -> {
-            int answer = changed[0] ? askAboutLoss("file.changed", file) : 0;
+        Studio before = held.get(file);
+        Loss[] loss = new Loss[1];
+        BackgroundTask.start(frame, Texts.get("file.saving", file), task -> loss[0] = Loss.of(file, before), () -> {
+            int answer = loss[0] == Loss.NOTHING ? 0 : askAboutLoss(loss[0], file);
             switch (answer) {
                 case 0 -> saveScene(file, next);
                 case 1 -> saveSceneAs(next);
@@ -153,22 +152,14 @@ final class FileActions {
         });
     }
 
-    private int askAboutLoss(String question, Path file) {
+    private int askAboutLoss(Loss loss, Path file) {
         return Messages.choose(
                 frame,
                 Texts.get("file.overwriteTitle"),
-                Texts.get(question, file.getFileName()),
+                Texts.get("loss." + loss, file.getFileName()),
                 Texts.get("file.saveAnyway"),
                 Texts.get("menu.saveSceneAs"),
                 Texts.get("task.cancel"));
-    }
-
-    private static boolean isChanged(Path file, Studio known) {
-        try {
-            return Files.exists(file) && !StudioReader.read(file).equals(known);
-        } catch (SceneFileException noScene) {
-            return true;
-        }
     }
 
     /** Asks where to save the scene. */

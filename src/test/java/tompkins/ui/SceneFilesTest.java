@@ -44,7 +44,9 @@ class SceneFilesTest {
 
     @AfterEach
     void close() {
-        driver.close();
+        if (driver != null) {
+            driver.close();
+        }
     }
 
     /** Changes the speed in the window. */
@@ -93,6 +95,24 @@ class SceneFilesTest {
         awaitSaved();
         assertThat(StudioReader.read(file)).isEqualTo(BOX);
         assertThat(StudioReader.read(other)).isEqualTo(mine);
+    }
+
+    @Test
+    void commentsAreWrittenOverOnlyWhenTheUserAgrees() throws IOException {
+        String text = "// mine\n" + Files.readString(file);
+        Files.writeString(file, text);
+        Studio mine = change("0.5");
+        save();
+        driver.answer("Cancel");
+        assertThat(file).hasContent(text);
+        save();
+        driver.answer("Save anyway");
+        awaitSaved();
+        assertThat(StudioReader.read(file)).isEqualTo(mine);
+        Studio next = change("0.6");
+        save();
+        awaitSaved();
+        assertThat(StudioReader.read(file)).as("saved without a question").isEqualTo(next);
     }
 
     @Test

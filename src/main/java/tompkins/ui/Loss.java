@@ -1,0 +1,35 @@
+package tompkins.ui;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import tompkins.io.SceneFileException;
+import tompkins.io.StudioReader;
+import tompkins.io.StudioWriter;
+import tompkins.studio.Studio;
+
+/** What is lost when a scene is saved over its file. */
+enum Loss {
+    NOTHING,
+
+    /** The comments and the layout of someone who wrote the file by hand. */
+    HANDWRITING,
+
+    /** Another scene, which another program put there. */
+    OTHER_SCENE;
+
+    /** What is lost of a file that held a studio when it was opened or saved last. Reads the file. */
+    static Loss of(Path file, Studio held) {
+        if (!Files.exists(file)) {
+            return NOTHING;
+        }
+        try {
+            if (Files.readString(file).equals(StudioWriter.write(held, file))) {
+                return NOTHING;
+            }
+            return StudioReader.read(file).equals(held) ? HANDWRITING : OTHER_SCENE;
+        } catch (IOException | SceneFileException noScene) {
+            return OTHER_SCENE;
+        }
+    }
+}
