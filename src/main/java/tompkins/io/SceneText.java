@@ -48,7 +48,7 @@ final class SceneText {
             throw problems.wholeFile("is not a file");
         }
         try {
-            return isPicture() ? fromPhotograph() : decoded(content());
+            return isPicture(file) ? fromPhotograph() : decoded(content());
         } catch (PictureException unusable) {
             String start = file + ": ";
             String message = unusable.getMessage();
@@ -58,7 +58,8 @@ final class SceneText {
         }
     }
 
-    private boolean isPicture() throws IOException {
+    /** Whether a file is a picture, by its name or by how it begins. */
+    static boolean isPicture(Path file) throws IOException {
         String name = file.toString().toLowerCase(Locale.ROOT);
         if (name.matches(".*\\.(png|tif|tiff|hdr|pic|jpg|jpeg|gif|bmp)")) {
             return true;

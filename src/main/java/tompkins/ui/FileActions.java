@@ -112,9 +112,7 @@ final class FileActions {
         Studio[] loaded = new Studio[1];
         BackgroundTask.start(
                 frame, Texts.get("file.opening", file), progress -> loaded[0] = StudioReader.read(file), () -> {
-                    // a photograph holds a scene, but is no file to save a scene in
-                    boolean isScene = file.toString().endsWith(".json");
-                    model.open(loaded[0], isScene ? file : null);
+                    model.open(loaded[0], file);
                     held.put(file, loaded[0]);
                     settings.addRecentFile(file);
                 });
@@ -143,23 +141,27 @@ final class FileActions {
         Studio before = held.get(file);
         Loss[] loss = new Loss[1];
         BackgroundTask.start(frame, Texts.get("file.saving", file), task -> loss[0] = Loss.of(file, before), () -> {
-            int answer = loss[0] == Loss.NOTHING ? 0 : askAboutLoss(loss[0], file);
-            switch (answer) {
-                case 0 -> saveScene(file, next);
-                case 1 -> saveSceneAs(next);
-                default -> {}
+            switch (loss[0]) {
+                case NOTHING -> saveScene(file, next);
+                case PHOTOGRAPH -> saveSceneAs(next);
+                case HANDWRITING, OTHER_SCENE -> askAboutLoss(loss[0], file, next);
             }
         });
     }
 
-    private int askAboutLoss(Loss loss, Path file) {
-        return Messages.choose(
+    private void askAboutLoss(Loss loss, Path file, Runnable next) {
+        int answer = Messages.choose(
                 frame,
                 Texts.get("file.overwriteTitle"),
                 Texts.get("loss." + loss, file.getFileName()),
                 Texts.get("file.saveAnyway"),
                 Texts.get("menu.saveSceneAs"),
                 Texts.get("task.cancel"));
+        switch (answer) {
+            case 0 -> saveScene(file, next);
+            case 1 -> saveSceneAs(next);
+            default -> {}
+        }
     }
 
     /** Asks where to save the scene. */
@@ -170,8 +172,7 @@ final class FileActions {
     private void saveSceneAs(Runnable next) {
         JFileChooser chooser = chooser();
         chooser.setFileFilter(new FileNameExtensionFilter(Texts.get("file.sceneFiles"), "json"));
-        chooser.setSelectedFile(
-                model.file() == null ? new File("scene.json") : model.file().toFile());
+        chooser.setSelectedFile(new File(model.file() == null ? "scene.json" : fileName() + ".json"));
         if (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION) {
             Path file = withEnding(chooser.getSelectedFile().toPath(), List.of(".json"));
             if (mayWrite(file)) {
@@ -219,8 +220,13 @@ final class FileActions {
     private String photographName() {
         String name = model.file() == null
                 ? model.studio().title().replaceAll("[^\\p{L}\\p{N}]+", "-").replaceAll("^-|-$", "")
-                : model.file().getFileName().toString().replaceAll("\\.json$", "");
+                : fileName();
         return (name.isEmpty() ? "photograph" : name) + ".png";
+    }
+
+    /** The name of the file without its ending. */
+    private String fileName() {
+        return model.file().getFileName().toString().replaceAll("(?<=.)\\.[^.]*$", "");
     }
 
     /** Saves the photograph of the studio as it is, complete, with the scene inside. */

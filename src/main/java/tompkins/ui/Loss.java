@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import tompkins.io.SceneFileException;
 import tompkins.io.StudioReader;
@@ -15,19 +16,24 @@ enum Loss {
     /** The comments and the layout of someone who wrote the file by hand. */
     HANDWRITING,
 
+    /** The photograph that held the scene. */
+    PHOTOGRAPH,
+
     /** Another scene, which another program put there. */
     OTHER_SCENE;
 
     /** What is lost of a file that held a studio when it was opened or saved last. Reads the file. */
     static Loss of(Path file, Studio held) {
-        if (!Files.exists(file)) {
-            return NOTHING;
-        }
         try {
+            if (StudioReader.isPhotograph(file)) {
+                return PHOTOGRAPH;
+            }
             if (Files.readString(file).equals(StudioWriter.write(held, file))) {
                 return NOTHING;
             }
             return StudioReader.read(file).equals(held) ? HANDWRITING : OTHER_SCENE;
+        } catch (NoSuchFileException gone) {
+            return NOTHING;
         } catch (IOException | SceneFileException noScene) {
             return OTHER_SCENE;
         }

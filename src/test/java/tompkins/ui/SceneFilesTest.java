@@ -16,6 +16,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.image.LinearImage;
+import tompkins.image.PhotographFile;
+import tompkins.image.PictureFormat;
+import tompkins.io.SelfDescription;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.sceneobject.Box;
@@ -153,6 +159,46 @@ class SceneFilesTest {
                 .filter(part -> "message".equals(part.getName()) && part.isShowing())
                 .map(part -> ((JTextArea) part).getText())
                 .findFirst();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"sphere.JSON", "sphere", "sphere.v2"})
+    void aSceneIsSavedToItsFileWhateverItsEnding(String name) throws IOException {
+        Path other = folder.resolve(name);
+        StudioWriter.save(BOX, other);
+        openFile(other);
+        Studio mine = change("0.5");
+        save();
+        awaitSaved();
+        assertThat(StudioReader.read(other)).isEqualTo(mine);
+    }
+
+    @Test
+    void aSceneIsNotSavedOverThePhotographThatHoldsIt() throws IOException {
+        Path photograph = folder.resolve("photograph");
+        Files.copy(photograph(BOX), photograph);
+        byte[] before = Files.readAllBytes(photograph);
+        openFile(photograph);
+        Studio mine = change("0.5");
+        save();
+        driver.choose(folder.resolve("box"));
+        awaitSaved();
+        assertThat(StudioReader.read(folder.resolve("box.json"))).isEqualTo(mine);
+        assertThat(photograph).hasBinaryContent(before);
+    }
+
+    private void openFile(Path other) {
+        driver.menu("menu.open");
+        driver.choose(other);
+        awaitStudio(BOX);
+    }
+
+    private Path photograph(Studio studio) throws IOException {
+        Path photograph = folder.resolve("photograph.png");
+        LinearImage black = new LinearImage(1, 1, new float[3]);
+        PhotographFile.write(
+                photograph, black, PictureFormat.PNG, studio.settings().toneCurve(), SelfDescription.of(studio));
+        return photograph;
     }
 
     @Test
