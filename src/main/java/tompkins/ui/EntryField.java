@@ -6,7 +6,6 @@ import java.awt.event.FocusEvent;
 import java.util.function.Consumer;
 import javax.swing.AbstractAction;
 import javax.swing.JTextField;
-import javax.swing.KeyStroke;
 import tompkins.property.InvalidPropertyException;
 
 /**
@@ -48,11 +47,16 @@ final class EntryField {
                 }
             }
         });
-        field.getInputMap().put(KeyStroke.getKeyStroke("ESCAPE"), "revert");
+        field.getInputMap().put(Keys.ESCAPE, "revert");
         field.getActionMap().put("revert", new AbstractAction() {
             @Override
             public void actionPerformed(ActionEvent event) {
                 revert();
+            }
+
+            @Override
+            public boolean isEnabled() {
+                return isPending();
             }
         });
     }
@@ -67,6 +71,11 @@ final class EntryField {
             shown = text;
             revert();
         }
+    }
+
+    /** Whether something was typed that is not taken, because it was refused or is not finished. */
+    private boolean isPending() {
+        return isWrong() || !field.getText().equals(displayed);
     }
 
     private boolean isWrong() {

@@ -1,6 +1,6 @@
 package tompkins.ui;
 
-import java.awt.event.KeyEvent;
+import java.awt.Component;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -10,7 +10,9 @@ import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
+import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
+import javax.swing.MenuElement;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 import tompkins.spacetime.SpeedScale;
@@ -68,6 +70,17 @@ final class Menus {
 
     JMenuBar bar() {
         return bar;
+    }
+
+    /** Lets the keys of the menus work in another window, too. */
+    void bindKeys(JRootPane window) {
+        for (MenuElement menu : bar.getSubElements()) {
+            for (Component part : ((JMenu) menu).getMenuComponents()) {
+                if (part instanceof JMenuItem item && item.getAccelerator() != null) {
+                    Keys.bind(window, item.getAccelerator(), () -> item.doClick(0));
+                }
+            }
+        }
     }
 
     private static JMenu menu(String key) {
@@ -178,8 +191,7 @@ final class Menus {
         }
         menu.addSeparator();
         add(menu, "menu.panel", "F11", commands::togglePanel);
-        JMenuItem stop = add(menu, "menu.stop", null, commands::stop);
-        stop.setAccelerator(KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0));
+        add(menu, "menu.stop", "ESCAPE", commands::stop);
         return menu;
     }
 

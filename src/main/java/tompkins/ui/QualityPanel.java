@@ -106,6 +106,7 @@ final class QualityPanel {
             state.setName("state");
             chart.setName("chart");
             dialog.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
+            Keys.bind(dialog.getRootPane(), Keys.ESCAPE, dialog::dispose);
             dialog.addWindowListener(new WindowAdapter() {
                 @Override
                 public void windowClosed(WindowEvent event) {

@@ -5,18 +5,17 @@ import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
 import java.awt.Image;
 import java.awt.Rectangle;
-import java.awt.event.ActionEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
-import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
+import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
@@ -147,18 +146,10 @@ public final class TompkinsWindow {
     }
 
     private void bindPeekKey() {
-        bind("F8", () -> view.canvas().setOtherAlone(true));
-        bind("released F8", () -> view.canvas().setOtherAlone(false));
-    }
-
-    private void bind(String key, Runnable action) {
-        frame.getRootPane().getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke(key), key);
-        frame.getRootPane().getActionMap().put(key, new AbstractAction() {
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                action.run();
-            }
-        });
+        JRootPane pane = frame.getRootPane();
+        Keys.bind(pane, KeyStroke.getKeyStroke("F8"), () -> view.canvas().setOtherAlone(true));
+        Keys.bind(
+                pane, KeyStroke.getKeyStroke("released F8"), () -> view.canvas().setOtherAlone(false));
     }
 
     private void showTitle() {
@@ -241,6 +232,8 @@ public final class TompkinsWindow {
                 editor = new JDialog(frame, Texts.get("tree.title"));
                 editor.setName("editor");
                 editor.setContentPane(content.component());
+                menus.bindKeys(editor.getRootPane());
+                Keys.bind(editor.getRootPane(), Keys.ESCAPE, () -> editor.setVisible(false));
                 editor.pack();
                 editor.setLocationRelativeTo(frame);
             }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Window;
+import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
@@ -49,7 +50,7 @@ class QualityWindowTest {
     void close() {
         if (driver != null) {
             WindowDriver.onEventThread(() -> {
-                dialog().dispose();
+                dialogs().forEach(JDialog::dispose);
                 return null;
             });
             driver.close();
@@ -73,6 +74,13 @@ class QualityWindowTest {
                 () -> driver.picture().complete() && driver.picture().error() <= 0.001);
     }
 
+    @Test
+    void escapeClosesTheChart() {
+        WindowDriver.await("the focus", () -> dialog().isFocused());
+        driver.key(KeyEvent.VK_ESCAPE);
+        WindowDriver.await("the end of the chart", () -> dialogs().findAny().isEmpty());
+    }
+
     /** Clicks on a point, and again if the chart was just drawn anew between press and release and took no click. */
     private void choose(String curve, int point, String chosen) {
         for (int click = 0; click < MOST_CLICKS && !isChosen(chosen); click++) {
@@ -87,12 +95,14 @@ class QualityWindowTest {
         return WindowDriver.onEventThread(() -> state().endsWith(chosen));
     }
 
-    private static JDialog dialog() {
+    private static Stream<JDialog> dialogs() {
         return Stream.of(Window.getWindows())
                 .filter(window -> "quality".equals(window.getName()) && window.isVisible())
-                .map(JDialog.class::cast)
-                .findFirst()
-                .orElseThrow();
+                .map(JDialog.class::cast);
+    }
+
+    private static JDialog dialog() {
+        return dialogs().findFirst().orElseThrow();
     }
 
     private static ChartPanel chart() {

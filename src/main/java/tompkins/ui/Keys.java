@@ -1,0 +1,26 @@
+package tompkins.ui;
+
+import java.awt.event.ActionEvent;
+import javax.swing.AbstractAction;
+import javax.swing.JComponent;
+import javax.swing.JRootPane;
+import javax.swing.KeyStroke;
+
+/** Keys of a whole window. */
+final class Keys {
+
+    static final KeyStroke ESCAPE = KeyStroke.getKeyStroke("ESCAPE");
+
+    private Keys() {}
+
+    /** Does something when a key is pressed in a window, unless what has the focus there uses that key itself. */
+    static void bind(JRootPane window, KeyStroke key, Runnable action) {
+        window.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(key, key);
+        window.getActionMap().put(key, new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                action.run();
+            }
+        });
+    }
+}

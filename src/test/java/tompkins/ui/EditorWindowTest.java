@@ -1,0 +1,89 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.event.KeyEvent;
+import java.nio.file.Path;
+import java.util.List;
+import javax.swing.JDialog;
+import javax.swing.JTextField;
+import javax.swing.JTree;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import tompkins.io.StudioReader;
+import tompkins.sceneobject.Sphere;
+
+/** The keys of the window with the tree of the scene. */
+@Timeout(600)
+class EditorWindowTest {
+
+    @TempDir
+    private Path folder;
+
+    private Path file;
+    private WindowDriver driver;
+
+    @BeforeEach
+    void open() {
+        WindowDriver.requireDisplay();
+        System.setProperty("tompkins.settings", folder.resolve("settings").toString());
+        file = folder.resolve("sphere.json");
+        driver = new WindowDriver(Studios.sphere(), file, List.of());
+        driver.menu("menu.editScene");
+        WindowDriver.await("the editor", this::isOpen);
+        JTree tree = driver.find(JTree.class, "tree");
+        WindowDriver.onEventThread(() -> {
+            // the scene, and in it the sphere
+            tree.expandRow(1);
+            tree.setSelectionRow(2);
+            return null;
+        });
+    }
+
+    @AfterEach
+    void close() {
+        if (driver != null) {
+            driver.close();
+        }
+    }
+
+    private boolean isOpen() {
+        return Components.all(driver.window().frame())
+                .anyMatch(part -> part instanceof JDialog && "editor".equals(part.getName()) && part.isShowing());
+    }
+
+    private JTextField radius() {
+        return driver.find(JTextField.class, "Radius");
+    }
+
+    private double radiusOfTheSphere() {
+        return ((Sphere) driver.studio().scene().get(0)).radius();
+    }
+
+    @Test
+    void whatWasTypedIsUndoneRedoneAndSavedWithTheKeysOfTheMenus() {
+        driver.type(radius(), "0.25");
+        assertThat(radiusOfTheSphere()).isEqualTo(0.25);
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(driver.studio()).isEqualTo(Studios.sphere());
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
+        assertThat(radiusOfTheSphere()).isEqualTo(0.25);
+        driver.key(KeyEvent.VK_S, KeyEvent.VK_CONTROL);
+        WindowDriver.await("the saved scene", () -> !driver.window().model().isModified());
+        assertThat(StudioReader.read(file)).isEqualTo(driver.studio());
+    }
+
+    @Test
+    void escapeTakesBackWhatIsTypedAndThenClosesTheEditor() {
+        driver.type(radius(), "-1");
+        assertThat(Components.isMarked(radius())).isTrue();
+        driver.key(KeyEvent.VK_ESCAPE);
+        assertThat(Components.isMarked(radius())).isFalse();
+        assertThat(isOpen()).isTrue();
+        driver.key(KeyEvent.VK_ESCAPE);
+        WindowDriver.await("the end of the editor", () -> !isOpen());
+    }
+}
