@@ -1,9 +1,13 @@
 package tompkins.ui;
 
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Window;
 import java.awt.event.ActionEvent;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import javax.swing.AbstractAction;
 import javax.swing.JTextField;
 import tompkins.property.InvalidPropertyException;
@@ -34,6 +38,7 @@ final class EntryField {
         this.note = note;
         this.commit = commit;
         field = new JTextField();
+        field.putClientProperty(EntryField.class, this);
         field.setName(name);
         field.setToolTipText(tip.isEmpty() ? null : Tips.html(tip));
         field.getAccessibleContext().setAccessibleName(name);
@@ -65,6 +70,22 @@ final class EntryField {
         return field;
     }
 
+    /** The fields that are seen in a container, and in the windows that it owns. */
+    static Stream<EntryField> in(Container container) {
+        Stream<Component> inside = Stream.of(container.getComponents());
+        Stream<Component> owned =
+                container instanceof Window window ? Stream.of(window.getOwnedWindows()) : Stream.of();
+        return Stream.concat(inside, owned).filter(Component::isVisible).flatMap(EntryField::of);
+    }
+
+    private static Stream<EntryField> of(Component component) {
+        if (component instanceof JTextField text
+                && text.getClientProperty(EntryField.class) instanceof EntryField field) {
+            return Stream.of(field);
+        }
+        return component instanceof Container container ? in(container) : Stream.of();
+    }
+
     /** Shows the text of a value; keeps a wrong entry as long as the value has not changed. */
     void show(String text) {
         if (!text.equals(shown) || !isWrong()) {
@@ -74,7 +95,7 @@ final class EntryField {
     }
 
     /** Whether something was typed that is not taken, because it was refused or is not finished. */
-    private boolean isPending() {
+    boolean isPending() {
         return isWrong() || !field.getText().equals(displayed);
     }
 
@@ -100,7 +121,8 @@ final class EntryField {
         }
     }
 
-    private void revert() {
+    /** Shows the value again that was there before something was typed. */
+    void revert() {
         if (!field.getText().equals(shown)) {
             field.setText(shown);
             field.setCaretPosition(0);

@@ -50,13 +50,13 @@ final class Menus {
     private final JMenuBar bar = new JMenuBar();
     private final JMenu examples = menu("menu.examples");
     private final FileActions files;
-    private final StudioModel model;
+    private final History history;
     private final Settings settings;
     private final Commands commands;
 
-    Menus(FileActions files, StudioModel model, Settings settings, Commands commands) {
+    Menus(FileActions files, History history, Settings settings, Commands commands) {
         this.files = files;
-        this.model = model;
+        this.history = history;
         this.settings = settings;
         this.commands = commands;
         bar.add(fileMenu());
@@ -153,15 +153,15 @@ final class Menus {
 
     private JMenu editMenu() {
         JMenu menu = menu("menu.edit");
-        JMenuItem undo = add(menu, "menu.undo", "ctrl Z", model::undo);
-        JMenuItem redo = add(menu, "menu.redo", "ctrl shift Z", model::redo);
-        JMenuItem reset = add(menu, "menu.reset", "ctrl R", model::reset);
+        JMenuItem undo = add(menu, "menu.undo", "ctrl Z", history::undo);
+        JMenuItem redo = add(menu, "menu.redo", "ctrl shift Z", history::redo);
+        JMenuItem reset = add(menu, "menu.reset", "ctrl R", history::reset);
         menu.addSeparator();
         add(menu, "menu.editScene", "ctrl E", commands::editScene);
         Runnable update = () -> {
-            undo.setEnabled(model.canUndo());
-            redo.setEnabled(model.canRedo());
-            reset.setEnabled(model.isModified());
+            undo.setEnabled(history.canUndo());
+            redo.setEnabled(history.canRedo());
+            reset.setEnabled(history.canReset());
         };
         beforeShowing(menu, update);
         // the keys work while the menu is closed: what there is nothing for does nothing

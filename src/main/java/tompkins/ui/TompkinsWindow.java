@@ -52,7 +52,7 @@ public final class TompkinsWindow {
         files = new FileActions(frame, model, view, status, settings, commandLine);
         play = new PlayPanel(model, new AnimationExport(frame, status, view::quality)::ask);
         frame.setContentPane(content());
-        menus = new Menus(files, model, settings, new WindowCommands());
+        menus = new Menus(files, new History(model, frame), settings, new WindowCommands());
         frame.setJMenuBar(menus.bar());
         frame.getRootPane().setTransferHandler(files.drop());
         bindPeekKey();

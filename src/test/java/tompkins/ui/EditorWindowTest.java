@@ -77,6 +77,15 @@ class EditorWindowTest {
     }
 
     @Test
+    void undoTakesBackWhatWasRefused() {
+        driver.type(radius(), "0.25");
+        driver.type(radius(), "-1");
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(Components.isMarked(radius())).isFalse();
+        assertThat(radiusOfTheSphere()).isEqualTo(0.25);
+    }
+
+    @Test
     void escapeTakesBackWhatIsTypedAndThenClosesTheEditor() {
         driver.type(radius(), "-1");
         assertThat(Components.isMarked(radius())).isTrue();

@@ -1,0 +1,54 @@
+package tompkins.ui;
+
+import java.awt.Window;
+import java.util.List;
+
+/**
+ * Undo and redo as a person sees them: what stands in a field of the window without having been taken is the last thing that
+ * was done, though the model knows nothing of it.
+ */
+final class History {
+
+    private final StudioModel model;
+    private final Window window;
+
+    History(StudioModel model, Window window) {
+        this.model = model;
+        this.window = window;
+    }
+
+    boolean canUndo() {
+        return model.canUndo() || !pending().isEmpty();
+    }
+
+    boolean canRedo() {
+        return model.canRedo();
+    }
+
+    boolean canReset() {
+        return model.isModified() || !pending().isEmpty();
+    }
+
+    /** Takes back what was not taken; if there is nothing of that, the last step. */
+    void undo() {
+        List<EntryField> entries = pending();
+        if (entries.isEmpty()) {
+            model.undo();
+        }
+        entries.forEach(EntryField::revert);
+    }
+
+    void redo() {
+        model.redo();
+    }
+
+    /** Takes back what was not taken, and all that was since the studio was opened or saved. */
+    void reset() {
+        pending().forEach(EntryField::revert);
+        model.reset();
+    }
+
+    private List<EntryField> pending() {
+        return EntryField.in(window).filter(EntryField::isPending).toList();
+    }
+}

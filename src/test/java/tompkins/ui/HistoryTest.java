@@ -1,0 +1,84 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.event.KeyEvent;
+import java.nio.file.Path;
+import java.util.List;
+import javax.swing.JTextField;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import tompkins.studio.Studio;
+
+/** What undo and reset do to values that were typed and not taken. */
+@Timeout(600)
+class HistoryTest {
+
+    @TempDir
+    private Path folder;
+
+    private WindowDriver driver;
+
+    @BeforeEach
+    void open() {
+        WindowDriver.requireDisplay();
+        System.setProperty("tompkins.settings", folder.toString());
+        driver = new WindowDriver(Studios.sphere(), null, List.of());
+    }
+
+    @AfterEach
+    void close() {
+        if (driver != null) {
+            driver.close();
+        }
+    }
+
+    private JTextField field(String name) {
+        return driver.find(JTextField.class, name);
+    }
+
+    private void undo() {
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+    }
+
+    @Test
+    void aRefusedValueIsTakenBackAndNothingElse() {
+        driver.type(field("Speed"), "0.5");
+        Studio fast = driver.studio();
+        driver.type(field("Direction x"), "1e400");
+        assertThat(Components.isMarked(field("Direction x"))).isTrue();
+        driver.click(field("Focus"));
+        undo();
+        assertThat(Components.isMarked(field("Direction x"))).isFalse();
+        assertThat(field("Direction x").getText()).isEqualTo("0");
+        assertThat(driver.studio()).isSameAs(fast);
+        undo();
+        assertThat(driver.studio()).isEqualTo(Studios.sphere());
+    }
+
+    @Test
+    void anUnfinishedValueIsTakenBackAndNothingElse() {
+        driver.type(field("Speed"), "0.5");
+        Studio fast = driver.studio();
+        driver.key(KeyEvent.VK_7);
+        assertThat(field("Speed").getText()).contains("7");
+        undo();
+        assertThat(field("Speed").getText()).isEqualTo("0.5");
+        assertThat(driver.studio()).isSameAs(fast);
+    }
+
+    @Test
+    void resettingTakesBackRefusedValuesToo() {
+        driver.type(field("Speed"), "0.5");
+        driver.type(field("Focus"), "0");
+        driver.type(field("Field of view (\u00b0)"), "1000");
+        assertThat(Components.isMarked(field("Focus"))).isTrue();
+        driver.key(KeyEvent.VK_R, KeyEvent.VK_CONTROL);
+        assertThat(Components.isMarked(field("Focus"))).isFalse();
+        assertThat(Components.isMarked(field("Field of view (\u00b0)"))).isFalse();
+        assertThat(driver.studio()).isEqualTo(Studios.sphere());
+    }
+}
