@@ -14,7 +14,7 @@ import tompkins.property.InvalidPropertyException;
 
 /**
  * A field for a value that is written as text. It is taken when Enter is pressed or the focus leaves. A wrong value is marked
- * with the message of the model, and stays until it is put right or the value changes elsewhere.
+ * with what is allowed, and stays until it is put right or the value changes elsewhere.
  */
 final class EntryField {
 
@@ -116,8 +116,9 @@ final class EntryField {
             displayed = field.getText();
         } catch (InvalidPropertyException wrong) {
             field.putClientProperty("JComponent.outline", "error");
-            field.getAccessibleContext().setAccessibleDescription(wrong.getMessage());
-            note.setError(wrong.getMessage());
+            String message = Wording.message(wrong);
+            field.getAccessibleContext().setAccessibleDescription(message);
+            note.setError(message);
         }
     }
 

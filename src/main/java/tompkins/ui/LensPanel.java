@@ -31,7 +31,6 @@ final class LensPanel {
         focus = new NumberRow(
                 model,
                 "focusDistance",
-                Texts.get("lens.focus"),
                 Texts.get("lens.focusTip"),
                 distances(),
                 value -> model.studio()
@@ -49,7 +48,6 @@ final class LensPanel {
         samples = new NumberRow(
                 model,
                 "samples",
-                Texts.get("lens.samples"),
                 Texts.get("lens.samplesTip"),
                 new Range(1, 256, 4),
                 value -> model.studio().withSettings(model.studio().settings().withSamples((int) Math.rint(value))));
@@ -67,7 +65,7 @@ final class LensPanel {
     }
 
     private NumberRow row(String property, Range range, String tip, DoubleFunction<Studio> change) {
-        return new NumberRow(model, property, Texts.get("lens." + property), tip, range, change);
+        return new NumberRow(model, property, tip, range, change);
     }
 
     private Studio camera(String property, double value) {

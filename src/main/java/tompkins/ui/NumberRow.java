@@ -16,12 +16,11 @@ final class NumberRow {
     /**
      * A row.
      *
-     * @param property the name of the property, for messages
-     * @param title what the user calls it
+     * @param property the name of the property
      * @param change makes the studio that has the number, or throws
      */
-    NumberRow(
-            StudioModel model, String property, String title, String tip, Range range, DoubleFunction<Studio> change) {
+    NumberRow(StudioModel model, String property, String tip, Range range, DoubleFunction<Studio> change) {
+        String title = Wording.label(property);
         label = new JLabel(title);
         label.setToolTipText(Tips.html(tip));
         slider = new ValueSlider(

@@ -232,7 +232,7 @@ final class PlayPanel {
             note.setText("");
         } catch (InvalidPropertyException wrong) {
             setPlaying(false);
-            note.setError(wrong.getMessage());
+            note.setError(Wording.message(wrong));
         } catch (IndexOutOfBoundsException | IllegalArgumentException gone) {
             setPlaying(false);
             note.setError(Texts.get("play.gone"));

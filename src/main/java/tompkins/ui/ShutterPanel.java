@@ -46,7 +46,6 @@ final class ShutterPanel {
         time = new NumberRow(
                 model,
                 "openingTime",
-                Texts.get("shutter.time"),
                 Texts.get("shutter.timeTip"),
                 SceneSize.times(model.studio()),
                 value -> withShutter(shutter().openedAt(requireFinite(value))));

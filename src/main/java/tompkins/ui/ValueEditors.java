@@ -167,7 +167,7 @@ final class ValueEditors {
             note.setText("");
             return true;
         } catch (InvalidPropertyException wrong) {
-            note.setError(wrong.getMessage());
+            note.setError(Wording.message(wrong));
             return false;
         }
     }

@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import java.lang.reflect.RecordComponent;
 import java.util.Locale;
+import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 
 /** What the window calls types and properties: their names in words, and their meanings as tooltips. */
@@ -43,6 +44,11 @@ final class Wording {
     /** The meaning of a component, found by its name. */
     static String meaning(Class<?> type, String component) {
         return meaning(Records.component(type, component));
+    }
+
+    /** What is wrong with a value: the name of the property as the window calls it, what is allowed, and the value. */
+    static String message(InvalidPropertyException wrong) {
+        return label(wrong.property()) + " " + wrong.problem();
     }
 
     private static String unit(String unit) {

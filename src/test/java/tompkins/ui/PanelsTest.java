@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
+import javax.swing.JPanel;
 import javax.swing.JRadioButton;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
@@ -248,6 +249,24 @@ class PanelsTest {
                 .isTrue();
         assertThat(Components.isMarked(Components.enter(panel, "Field of view (\u00b0)", "180")))
                 .isTrue();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "Aperture, -1",
+        "Focus, 0",
+        "Field of view (\u00b0), 1000",
+        "Exposure (stops), 1e400",
+        "Samples, 0",
+        "Opens at, 1e400",
+        "Opens at, soon"
+    })
+    void aRefusalSpeaksOfTheFieldByItsLabel(String label, String wrong) {
+        JPanel panel = new JPanel();
+        panel.add(new LensPanel(model, picking -> {}).component());
+        panel.add(new ShutterPanel(model).component());
+        assertThat(Components.isMarked(Components.enter(panel, label, wrong))).isTrue();
+        assertThat(Components.notes(panel)).anyMatch(text -> text.startsWith("\u26a0 " + label + " must be "));
     }
 
     @Test

@@ -94,14 +94,14 @@ class RecordFormTest {
     }
 
     @Test
-    void aWrongValueIsMarkedWithTheMessageOfTheModel() {
+    void aWrongValueIsMarkedWithWhatIsAllowed() {
         List<Object> committed = new ArrayList<>();
         RecordForm form = new RecordForm(Sphere.class, component -> true, committed::add);
         form.show(Sphere.DEFAULT);
         JTextField radius = Components.enter((Container) form.component(), "Radius", "-1");
         assertThat(committed).isEmpty();
         assertThat(Components.isMarked(radius)).isTrue();
-        assertThat(Components.notes((Container) form.component())).anyMatch(text -> text.contains("radius must be"));
+        assertThat(Components.notes((Container) form.component())).anyMatch(text -> text.contains("Radius must be"));
         Components.enter((Container) form.component(), "Radius", "3");
         assertThat(Components.isMarked(radius)).isFalse();
         assertThat(committed).hasSize(1);
@@ -137,12 +137,12 @@ class RecordFormTest {
         surface.setSelectedItem(LuminousSurface.class);
         assertThat(surface.getSelectedItem()).isEqualTo(before);
         assertThat(Components.notes((Container) form.component()))
-                .anyMatch(text -> text.contains("surface must be another one"));
+                .anyMatch(text -> text.contains("Surface must be another one"));
     }
 
     @Test
     void namesBecomeWords() {
-        assertThat(Wording.label("apertureRadius")).isEqualTo("Aperture radius");
+        assertThat(Wording.label("maximumDepth")).isEqualTo("Maximum depth");
         assertThat(Wording.label("surfaceAlongX")).isEqualTo("Surface along X");
         assertThat(Wording.label(Sphere.class)).isEqualTo("Sphere");
     }

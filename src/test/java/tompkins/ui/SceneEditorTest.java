@@ -106,7 +106,7 @@ class SceneEditorTest {
     @Test
     void theCameraIsATypeToChoose() {
         choose("Camera");
-        Components.enter(panel, "Aperture radius", "0.25");
+        Components.enter(panel, "Aperture", "0.25");
         assertThat(((ThinLensCamera) model.studio().camera()).apertureRadius()).isEqualTo(0.25);
     }
 }
