@@ -1,10 +1,9 @@
 package tompkins.ui;
 
-import java.io.File;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
+import java.util.List;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import tompkins.image.AnimationFormat;
@@ -33,38 +32,11 @@ final class AnimationExport {
         JFileChooser chooser = new JFileChooser();
         chooser.setName("chooser");
         chooser.setDialogTitle(Texts.get("play.export"));
-        chooser.setAcceptAllFileFilterUsed(false);
-        for (AnimationFormat format : AnimationFormat.values()) {
-            if (format.isAvailable()) {
-                chooser.addChoosableFileFilter(
-                        new FormatFilter<>(format, Texts.get("format." + format), format.endings()));
-            }
-        }
-        chooser.setFileFilter(chooser.getChoosableFileFilters()[0]);
-        chooser.setSelectedFile(new File("animation.png"));
-        if (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION
-                && chooser.getFileFilter() instanceof FormatFilter<?> filter) {
-            AnimationFormat format = (AnimationFormat) filter.format();
-            Path file = named(chooser.getSelectedFile().toPath(), format);
-            boolean overwrites = !format.endings().isEmpty() && Files.exists(file);
-            if (!overwrites
-                    || Messages.confirm(
-                            frame, Texts.get("file.overwriteTitle"), Texts.get("file.overwrite", file.getFileName()))) {
-                save(studio, animation, file, format);
-            }
-        }
-    }
-
-    /** The file with an ending of the format in the place of any other that a picture has. */
-    private static Path named(Path file, AnimationFormat format) {
-        String name = file.getFileName().toString();
-        boolean fits = format.endings().stream().anyMatch(name.toLowerCase(Locale.ROOT)::endsWith);
-        if (fits) {
-            return file;
-        }
-        String bare = name.replaceAll("(?i)\\.(a?png|gif|mp4)$", "");
-        return file.resolveSibling(
-                format.endings().isEmpty() ? bare : bare + format.endings().get(0));
+        List<FormatFilter<AnimationFormat>> formats = Stream.of(AnimationFormat.values())
+                .filter(AnimationFormat::isAvailable)
+                .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
+                .toList();
+        SaveDialog.ask(frame, chooser, "animation", formats, (file, format) -> save(studio, animation, file, format));
     }
 
     /** Saves an animation, with progress and cancel. */

@@ -2,14 +2,12 @@ package tompkins.ui;
 
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
-import java.io.File;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
@@ -170,15 +168,9 @@ final class FileActions {
     }
 
     private void saveSceneAs(Runnable next) {
-        JFileChooser chooser = chooser();
-        chooser.setFileFilter(new FileNameExtensionFilter(Texts.get("file.sceneFiles"), "json"));
-        chooser.setSelectedFile(new File(model.file() == null ? "scene.json" : fileName() + ".json"));
-        if (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION) {
-            Path file = withEnding(chooser.getSelectedFile().toPath(), List.of(".json"));
-            if (mayWrite(file)) {
-                saveScene(file, next);
-            }
-        }
+        String name = model.file() == null ? "scene" : fileName();
+        FormatFilter<String> json = new FormatFilter<>("json", Texts.get("file.sceneFiles"), List.of(".json"));
+        SaveDialog.ask(frame, chooser(), name, List.of(json), (file, format) -> saveScene(file, next));
     }
 
     private void saveScene(Path file, Runnable next) {
@@ -200,28 +192,17 @@ final class FileActions {
 
     /** Asks where to save the photograph. */
     void savePhotograph() {
-        JFileChooser chooser = chooser();
-        chooser.setAcceptAllFileFilterUsed(false);
-        for (PictureFormat format : PictureFormat.values()) {
-            chooser.addChoosableFileFilter(new FormatFilter<>(format, Texts.get("format." + format), format.endings()));
-        }
-        chooser.setFileFilter(chooser.getChoosableFileFilters()[0]);
-        chooser.setSelectedFile(new File(photographName()));
-        if (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION
-                && chooser.getFileFilter() instanceof FormatFilter<?> filter) {
-            PictureFormat format = (PictureFormat) filter.format();
-            Path file = withEnding(chooser.getSelectedFile().toPath(), format.endings());
-            if (mayWrite(file)) {
-                savePhotograph(file, format);
-            }
-        }
+        List<FormatFilter<PictureFormat>> formats = Stream.of(PictureFormat.values())
+                .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
+                .toList();
+        SaveDialog.ask(frame, chooser(), photographName(), formats, this::savePhotograph);
     }
 
     private String photographName() {
         String name = model.file() == null
                 ? model.studio().title().replaceAll("[^\\p{L}\\p{N}]+", "-").replaceAll("^-|-$", "")
                 : fileName();
-        return (name.isEmpty() ? "photograph" : name) + ".png";
+        return name.isEmpty() ? "photograph" : name;
     }
 
     /** The name of the file without its ending. */
@@ -256,18 +237,6 @@ final class FileActions {
                         status.say(Texts.get("file.savedNaming", file, String.join(", ", named)));
                     }
                 });
-    }
-
-    private static Path withEnding(Path file, List<String> endings) {
-        String name = file.getFileName().toString();
-        boolean has = endings.stream().anyMatch(name.toLowerCase(Locale.ROOT)::endsWith);
-        return has ? file : file.resolveSibling(name + endings.get(0));
-    }
-
-    private boolean mayWrite(Path file) {
-        return !Files.exists(file)
-                || Messages.confirm(
-                        frame, Texts.get("file.overwriteTitle"), Texts.get("file.overwrite", file.getFileName()));
     }
 
     /** Puts the picture on the screen on the clipboard, in its own size. */

@@ -1,6 +1,7 @@
 package tompkins.ui;
 
 import java.io.File;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.filechooser.FileFilter;
@@ -23,10 +24,24 @@ final class FormatFilter<T> extends FileFilter {
         return format;
     }
 
+    boolean isFolder() {
+        return endings.isEmpty();
+    }
+
+    /** Whether a name has an ending of the format. */
+    boolean fits(Path file) {
+        String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
+        return endings.stream().anyMatch(name::endsWith);
+    }
+
+    /** The file with an ending of the format. */
+    Path named(Path file) {
+        return isFolder() || fits(file) ? file : file.resolveSibling(file.getFileName() + endings.get(0));
+    }
+
     @Override
     public boolean accept(File file) {
-        String name = file.getName().toLowerCase(Locale.ROOT);
-        return file.isDirectory() || endings.stream().anyMatch(name::endsWith);
+        return file.isDirectory() || fits(file.toPath());
     }
 
     @Override

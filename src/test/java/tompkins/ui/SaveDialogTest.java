@@ -1,0 +1,107 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import javax.swing.JFileChooser;
+import javax.swing.JLabel;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The format in which a file is saved: the one whose ending is typed, else the chosen one. */
+@Timeout(600)
+class SaveDialogTest {
+
+    /** Where a PNG file says how many bits a channel has. */
+    private static final int PNG_DEPTH = 24;
+
+    @TempDir
+    private Path folder;
+
+    private WindowDriver driver;
+
+    @BeforeEach
+    void open() {
+        WindowDriver.requireDisplay();
+        System.setProperty("tompkins.settings", folder.resolve("settings").toString());
+        driver = new WindowDriver(Studios.sphere(), folder.resolve("sphere.json"), List.of());
+        driver.completePicture();
+    }
+
+    @AfterEach
+    void close() {
+        if (driver != null) {
+            driver.close();
+        }
+    }
+
+    private void awaitSaved(Path file) {
+        JLabel what = driver.find(JLabel.class, "status.what");
+        WindowDriver.await(file.toString(), () -> what.getText().equals("Saved " + file));
+    }
+
+    private JFileChooser chooser() {
+        WindowDriver.await(
+                "the file chooser",
+                () -> Components.all(driver.window().frame())
+                        .anyMatch(part -> part instanceof JFileChooser && part.isShowing()));
+        return driver.find(JFileChooser.class, "chooser");
+    }
+
+    private void chooseFormat(String description) {
+        JFileChooser chooser = chooser();
+        WindowDriver.onEventThread(() -> {
+            List.of(chooser.getChoosableFileFilters()).stream()
+                    .filter(filter -> description.equals(filter.getDescription()))
+                    .forEach(chooser::setFileFilter);
+            return null;
+        });
+    }
+
+    @Test
+    void aTypedEndingStandsForItsFormat() throws IOException {
+        driver.menu("menu.savePhotograph");
+        Path tiff = folder.resolve("typed.tif");
+        driver.choose(tiff);
+        awaitSaved(tiff);
+        assertThat(start(tiff)).isIn("II*\0", "MM\0*");
+
+        driver.menu("menu.playPanel");
+        driver.answer(Texts.get("play.export"));
+        Path gif = folder.resolve("typed.gif");
+        driver.choose(gif);
+        awaitSaved(gif);
+        assertThat(start(gif)).isEqualTo("GIF8");
+    }
+
+    private static String start(Path file) throws IOException {
+        return new String(Files.readAllBytes(file), 0, 4, StandardCharsets.ISO_8859_1);
+    }
+
+    @Test
+    void ofFormatsWithTheSameEndingTheChosenOneIsMeant() throws IOException {
+        driver.menu("menu.savePhotograph");
+        chooseFormat("PNG, 16 bits a channel");
+        Path png = folder.resolve("typed.png");
+        driver.choose(png);
+        awaitSaved(png);
+        assertThat(Files.readAllBytes(png)[PNG_DEPTH]).isEqualTo((byte) 16);
+    }
+
+    @Test
+    void theProposedNameGetsTheEndingOfTheChosenFormat() throws IOException {
+        driver.menu("menu.savePhotograph");
+        chooseFormat("Radiance HDR");
+        driver.answer("Save");
+        Path hdr = folder.resolve("sphere.hdr");
+        awaitSaved(hdr);
+        assertThat(start(hdr)).startsWith("#?");
+    }
+}
