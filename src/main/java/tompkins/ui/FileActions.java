@@ -110,15 +110,22 @@ final class FileActions {
         Studio[] loaded = new Studio[1];
         BackgroundTask.start(
                 frame, Texts.get("file.opening", file), progress -> loaded[0] = StudioReader.read(file), () -> {
-                    model.open(loaded[0], file);
-                    held.put(file, loaded[0]);
+                    show(loaded[0], file);
                     settings.addRecentFile(file);
                 });
     }
 
     /** Shows an example. */
     void open(Studio example) {
-        leaveScene(() -> model.open(example, null));
+        leaveScene(() -> show(example, null));
+    }
+
+    /** Shows a scene; messages and refused values of the one before it go. */
+    private void show(Studio studio, Path file) {
+        model.open(studio, file);
+        held.put(file, studio);
+        EntryField.in(frame).forEach(EntryField::revert);
+        status.say(Texts.get("status.idle"));
     }
 
     /** Saves the scene where it came from; asks for a place if it has none. */

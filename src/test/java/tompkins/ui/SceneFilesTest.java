@@ -174,6 +174,22 @@ class SceneFilesTest {
     }
 
     @Test
+    void anotherSceneClearsWhatWasSaidOfTheOneBefore() throws IOException {
+        change("0.5");
+        save();
+        JLabel what = driver.find(JLabel.class, "status.what");
+        WindowDriver.await("the message", () -> what.getText().equals("Saved " + file));
+        JTextField focus = driver.find(JTextField.class, "Focus");
+        driver.type(focus, "0");
+        assertThat(Components.isMarked(focus)).isTrue();
+        Path other = folder.resolve("box.json");
+        StudioWriter.save(BOX, other);
+        openFile(other);
+        assertThat(what.getText()).doesNotContain("Saved");
+        assertThat(Components.isMarked(focus)).isFalse();
+    }
+
+    @Test
     void aSceneIsNotSavedOverThePhotographThatHoldsIt() throws IOException {
         Path photograph = folder.resolve("photograph");
         Files.copy(photograph(BOX), photograph);
