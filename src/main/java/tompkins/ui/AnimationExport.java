@@ -18,19 +18,20 @@ final class AnimationExport {
 
     private final JFrame frame;
     private final StatusBar status;
+    private final Supplier<JFileChooser> choosers;
     private final Supplier<Quality> quality;
 
     /** An export that takes photographs of the quality that is wanted then. */
-    AnimationExport(JFrame frame, StatusBar status, Supplier<Quality> quality) {
+    AnimationExport(JFrame frame, StatusBar status, Supplier<JFileChooser> choosers, Supplier<Quality> quality) {
         this.frame = frame;
         this.status = status;
+        this.choosers = choosers;
         this.quality = quality;
     }
 
     /** Asks where to save an animation of a studio. */
     void ask(Studio studio, Animation animation) {
-        JFileChooser chooser = new JFileChooser();
-        chooser.setName("chooser");
+        JFileChooser chooser = choosers.get();
         chooser.setDialogTitle(Texts.get("play.export"));
         List<FormatFilter<AnimationFormat>> formats = Stream.of(AnimationFormat.values())
                 .filter(AnimationFormat::isAvailable)

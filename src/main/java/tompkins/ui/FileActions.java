@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
+import java.io.File;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
@@ -83,10 +84,13 @@ final class FileActions {
         }
     }
 
-    private JFileChooser chooser() {
-        Path folder =
-                model.file() == null ? null : model.file().toAbsolutePath().getParent();
-        JFileChooser chooser = new JFileChooser(folder == null ? null : folder.toFile());
+    /** A file chooser in the folder of the scene; without one, where a file was opened or saved last. */
+    JFileChooser chooser() {
+        File folder = Stream.concat(Stream.ofNullable(model.file()), settings.recentFiles().stream())
+                .map(file -> file.toAbsolutePath().getParent().toFile())
+                .findFirst()
+                .orElse(null);
+        JFileChooser chooser = new JFileChooser(folder);
         chooser.setName("chooser");
         return chooser;
     }
@@ -175,9 +179,8 @@ final class FileActions {
     }
 
     private void saveSceneAs(Runnable next) {
-        String name = model.file() == null ? "scene" : fileName();
         FormatFilter<String> json = new FormatFilter<>("json", Texts.get("file.sceneFiles"), List.of(".json"));
-        SaveDialog.ask(frame, chooser(), name, List.of(json), (file, format) -> saveScene(file, next));
+        SaveDialog.ask(frame, chooser(), fileName(), List.of(json), (file, format) -> saveScene(file, next));
     }
 
     private void saveScene(Path file, Runnable next) {
@@ -202,19 +205,19 @@ final class FileActions {
         List<FormatFilter<PictureFormat>> formats = Stream.of(PictureFormat.values())
                 .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
                 .toList();
-        SaveDialog.ask(frame, chooser(), photographName(), formats, this::savePhotograph);
+        SaveDialog.ask(frame, chooser(), fileName(), formats, this::savePhotograph);
     }
 
-    private String photographName() {
-        String name = model.file() == null
-                ? model.studio().title().replaceAll("[^\\p{L}\\p{N}]+", "-").replaceAll("^-|-$", "")
-                : fileName();
-        return name.isEmpty() ? "photograph" : name;
-    }
-
-    /** The name of the file without its ending. */
+    /** What files of the scene are called, without an ending: like its own, or like its title up to a colon. */
     private String fileName() {
-        return model.file().getFileName().toString().replaceAll("(?<=.)\\.[^.]*$", "");
+        String name = model.file() == null
+                ? model.studio()
+                        .title()
+                        .replaceFirst("(?s):.*", "")
+                        .replaceAll("[^\\p{L}\\p{N}]+", "-")
+                        .replaceAll("^-|-$", "")
+                : model.file().getFileName().toString().replaceAll("(?<=.)\\.[^.]*$", "");
+        return name.isEmpty() ? "scene" : name;
     }
 
     /** Saves the photograph of the studio as it is, complete, with the scene inside. */

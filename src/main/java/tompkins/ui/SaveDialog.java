@@ -28,7 +28,7 @@ final class SaveDialog {
         chooser.setAcceptAllFileFilterUsed(false);
         formats.forEach(chooser::addChoosableFileFilter);
         chooser.setFileFilter(formats.get(0));
-        chooser.setSelectedFile(new File(name));
+        chooser.setSelectedFile(new File(chooser.getCurrentDirectory(), name));
         if (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION) {
             Path typed = chooser.getSelectedFile().toPath();
             FormatFilter<T> format = meant(typed, chooser.getFileFilter(), formats);

@@ -50,7 +50,7 @@ public final class TompkinsWindow {
         side = new SidePanel(model, view);
         status = new StatusBar(view.controller());
         files = new FileActions(frame, model, view, status, settings, commandLine);
-        play = new PlayPanel(model, new AnimationExport(frame, status, view::quality)::ask);
+        play = new PlayPanel(model, new AnimationExport(frame, status, files::chooser, view::quality)::ask);
         frame.setContentPane(content());
         menus = new Menus(files, new History(model, frame), settings, new WindowCommands());
         frame.setJMenuBar(menus.bar());

@@ -48,11 +48,13 @@ class SaveDialogTest {
     }
 
     private JFileChooser chooser() {
-        WindowDriver.await(
-                "the file chooser",
-                () -> Components.all(driver.window().frame())
-                        .anyMatch(part -> part instanceof JFileChooser && part.isShowing()));
+        WindowDriver.await("the file chooser", this::isChooserOpen);
         return driver.find(JFileChooser.class, "chooser");
+    }
+
+    private boolean isChooserOpen() {
+        return Components.all(driver.window().frame())
+                .anyMatch(part -> part instanceof JFileChooser && part.isShowing());
     }
 
     private void chooseFormat(String description) {
@@ -103,5 +105,25 @@ class SaveDialogTest {
         Path hdr = folder.resolve("sphere.hdr");
         awaitSaved(hdr);
         assertThat(start(hdr)).startsWith("#?");
+    }
+
+    @Test
+    void aSceneWithoutAFileIsSavedUnderItsTitleWhereTheLastFileWas() {
+        String title = "Fig. 1(b): camera at 99.5 % of the speed of light";
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().open(Records.with(Studios.sphere(), "title", title), null);
+            return null;
+        });
+        for (String item : List.of("menu.saveScene", "menu.savePhotograph")) {
+            driver.menu(item);
+            assertThat(chooser().getSelectedFile())
+                    .isEqualTo(folder.resolve("Fig-1-b").toFile());
+            driver.answer("Cancel");
+            WindowDriver.await("the end of the file chooser", () -> !isChooserOpen());
+        }
+        driver.menu("menu.playPanel");
+        driver.answer(Texts.get("play.export"));
+        assertThat(chooser().getCurrentDirectory()).isEqualTo(folder.toFile());
+        driver.answer("Cancel");
     }
 }
