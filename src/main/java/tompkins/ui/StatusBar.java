@@ -126,7 +126,7 @@ final class StatusBar {
 
     /** Shows one line of text, until the mouse moves. */
     void say(String message) {
-        showIdle();
+        what.setForeground(UIManager.getColor("Label.foreground"));
         what.setText(message);
         where.setText(" ");
     }

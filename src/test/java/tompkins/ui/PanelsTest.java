@@ -256,7 +256,7 @@ class PanelsTest {
         "Aperture, -1",
         "Focus, 0",
         "Field of view (\u00b0), 1000",
-        "Exposure (stops), 1e400",
+        "Exposure, 1e400",
         "Samples, 0",
         "Opens at, 1e400",
         "Opens at, soon"
