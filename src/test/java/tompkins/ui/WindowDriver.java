@@ -7,6 +7,7 @@ import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
+import java.awt.Toolkit;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.lang.reflect.InvocationTargetException;
@@ -29,6 +30,9 @@ import tompkins.studio.Studio;
 final class WindowDriver implements AutoCloseable {
 
     private static final long LONGEST_WAIT_SECONDS = 60;
+
+    /** How long an event may be on its way from the display to the event queue. */
+    private static final int HANDLED_MILLISECONDS = 30;
 
     private final Robot robot;
     private final TompkinsWindow window;
@@ -85,6 +89,18 @@ final class WindowDriver implements AutoCloseable {
         }
     }
 
+    /**
+     * Waits until what the robot did has been handled. Not {@link Robot#waitForIdle}: some displays let that wait for ten seconds
+     * now and then, although nothing is going on.
+     */
+    private void settle() {
+        Toolkit.getDefaultToolkit().sync();
+        robot.delay(HANDLED_MILLISECONDS);
+        for (int round = 0; round < 2; round++) {
+            onEventThread(() -> null);
+        }
+    }
+
     TompkinsWindow window() {
         return window;
     }
@@ -117,7 +133,7 @@ final class WindowDriver implements AutoCloseable {
             component.scrollRectToVisible(new Rectangle(component.getSize()));
             return null;
         });
-        robot.waitForIdle();
+        settle();
         return onEventThread(() -> {
             Point corner = component.getLocationOnScreen();
             Dimension size = component.getSize();
@@ -137,13 +153,13 @@ final class WindowDriver implements AutoCloseable {
     private void press(int button) {
         robot.mousePress(button);
         robot.mouseRelease(button);
-        robot.waitForIdle();
+        settle();
     }
 
     void move(Point point) {
         robot.mouseMove(point.x - 1, point.y);
         robot.mouseMove(point.x, point.y);
-        robot.waitForIdle();
+        settle();
     }
 
     /** Drags in steps. */
@@ -154,7 +170,7 @@ final class WindowDriver implements AutoCloseable {
             robot.mouseMove(from.x + (to.x - from.x) * i / steps, from.y + (to.y - from.y) * i / steps);
         }
         robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-        robot.waitForIdle();
+        settle();
     }
 
     /** Chooses an item of a menu. */
@@ -210,17 +226,17 @@ final class WindowDriver implements AutoCloseable {
         for (int modifier : modifiers) {
             robot.keyRelease(modifier);
         }
-        robot.waitForIdle();
+        settle();
     }
 
     void hold(int code) {
         robot.keyPress(code);
-        robot.waitForIdle();
+        settle();
     }
 
     void release(int code) {
         robot.keyRelease(code);
-        robot.waitForIdle();
+        settle();
     }
 
     /** Clicks into a field, replaces its text by digits, points and minus signs, and presses Enter. */
