@@ -1,17 +1,14 @@
 package tompkins.ui;
 
 import java.awt.Window;
-import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import javax.swing.JButton;
-import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
-import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
@@ -49,11 +46,7 @@ final class BackgroundTask implements Progress {
         JButton cancel = new JButton(Texts.get("task.cancel"));
         cancel.setName(Texts.get("task.cancel"));
         cancel.addActionListener(event -> cancelled = true);
-        dialog.getRootPane()
-                .registerKeyboardAction(
-                        event -> cancel.doClick(),
-                        KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
-                        JComponent.WHEN_IN_FOCUSED_WINDOW);
+        Keys.bind(dialog.getRootPane(), Keys.ESCAPE, cancel::doClick);
         bar.getAccessibleContext().setAccessibleName(title);
         panel.add(cancel, "growx 0, alignx right");
         dialog.setContentPane(panel);
