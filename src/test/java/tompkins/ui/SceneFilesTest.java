@@ -69,6 +69,13 @@ class SceneFilesTest {
         WindowDriver.await("the saved scene", () -> !driver.window().model().isModified());
     }
 
+    private void assertSavesWithoutAQuestion(String speed) {
+        Studio next = change(speed);
+        save();
+        awaitSaved();
+        assertThat(StudioReader.read(file)).isEqualTo(next);
+    }
+
     private void awaitStudio(Studio studio) {
         WindowDriver.await("the scene", () -> driver.window().model().studio().equals(studio));
     }
@@ -84,10 +91,7 @@ class SceneFilesTest {
         driver.answer("Save anyway");
         awaitSaved();
         assertThat(StudioReader.read(file)).isEqualTo(mine);
-        Studio next = change("0.6");
-        save();
-        awaitSaved();
-        assertThat(StudioReader.read(file)).as("saved without a question").isEqualTo(next);
+        assertSavesWithoutAQuestion("0.6");
     }
 
     @Test
@@ -115,10 +119,7 @@ class SceneFilesTest {
         driver.answer("Save anyway");
         awaitSaved();
         assertThat(StudioReader.read(file)).isEqualTo(mine);
-        Studio next = change("0.6");
-        save();
-        awaitSaved();
-        assertThat(StudioReader.read(file)).as("saved without a question").isEqualTo(next);
+        assertSavesWithoutAQuestion("0.6");
     }
 
     @Test
@@ -126,10 +127,7 @@ class SceneFilesTest {
         StudioWriter.save(BOX, file);
         driver.key(KeyEvent.VK_F5);
         awaitStudio(BOX);
-        Studio next = change("0.5");
-        save();
-        awaitSaved();
-        assertThat(StudioReader.read(file)).as("saved without a question").isEqualTo(next);
+        assertSavesWithoutAQuestion("0.5");
     }
 
     @Test
