@@ -1,5 +1,6 @@
 package tompkins.ui;
 
+import java.awt.AWTEvent;
 import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Dimension;
@@ -8,8 +9,10 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.Toolkit;
+import java.awt.event.AWTEventListener;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.lang.reflect.InvocationTargetException;
 import java.nio.file.Path;
 import java.util.List;
@@ -17,6 +20,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -34,6 +38,11 @@ final class WindowDriver implements AutoCloseable {
     /** How long an event may be on its way from the display to the event queue. */
     private static final int HANDLED_MILLISECONDS = 30;
 
+    /** How long to wait for an event that may have gone to no component. */
+    private static final long LONGEST_WAY_NANOSECONDS = 1_000_000_000;
+
+    private final AtomicLong released = new AtomicLong();
+    private final AWTEventListener listener = this::note;
     private final Robot robot;
     private final TompkinsWindow window;
 
@@ -44,9 +53,16 @@ final class WindowDriver implements AutoCloseable {
             throw new IllegalStateException(e);
         }
         robot.setAutoDelay(8);
+        Toolkit.getDefaultToolkit().addAWTEventListener(listener, AWTEvent.KEY_EVENT_MASK | AWTEvent.MOUSE_EVENT_MASK);
         window = onEventThread(() -> TompkinsWindow.opened(
                 studio, file, () -> examples, (now, quality, opened, from) -> Optional.of("tompkins render " + from)));
         await("a picture on the screen", () -> picture() != null);
+    }
+
+    private void note(AWTEvent event) {
+        if (event.getID() == KeyEvent.KEY_RELEASED || event.getID() == MouseEvent.MOUSE_RELEASED) {
+            released.incrementAndGet();
+        }
     }
 
     /** Skips a test that needs a display where there is none; fails it where one is required. */
@@ -90,9 +106,18 @@ final class WindowDriver implements AutoCloseable {
     }
 
     /**
-     * Waits until what the robot did has been handled. Not {@link Robot#waitForIdle}: some displays let that wait for ten seconds
-     * now and then, although nothing is going on.
+     * Waits until what the robot did has been handled, first for keys and buttons that it let go. Not {@link Robot#waitForIdle}:
+     * some displays let that wait for ten seconds now and then, although nothing is going on.
      */
+    private void settle(long releasesBefore, int releases) {
+        Toolkit.getDefaultToolkit().sync();
+        long end = System.nanoTime() + LONGEST_WAY_NANOSECONDS;
+        while (released.get() < releasesBefore + releases && System.nanoTime() < end) {
+            robot.delay(2);
+        }
+        settle();
+    }
+
     private void settle() {
         Toolkit.getDefaultToolkit().sync();
         robot.delay(HANDLED_MILLISECONDS);
@@ -151,9 +176,10 @@ final class WindowDriver implements AutoCloseable {
     }
 
     private void press(int button) {
+        long before = released.get();
         robot.mousePress(button);
         robot.mouseRelease(button);
-        settle();
+        settle(before, 1);
     }
 
     void move(Point point) {
@@ -164,13 +190,14 @@ final class WindowDriver implements AutoCloseable {
 
     /** Drags in steps. */
     void drag(Point from, Point to, int steps) {
+        long before = released.get();
         robot.mouseMove(from.x, from.y);
         robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
         for (int i = 1; i <= steps; i++) {
             robot.mouseMove(from.x + (to.x - from.x) * i / steps, from.y + (to.y - from.y) * i / steps);
         }
         robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-        settle();
+        settle(before, 1);
     }
 
     /** Chooses an item of a menu. */
@@ -218,6 +245,7 @@ final class WindowDriver implements AutoCloseable {
 
     /** Presses a key with modifiers. */
     void key(int code, int... modifiers) {
+        long before = released.get();
         for (int modifier : modifiers) {
             robot.keyPress(modifier);
         }
@@ -226,7 +254,7 @@ final class WindowDriver implements AutoCloseable {
         for (int modifier : modifiers) {
             robot.keyRelease(modifier);
         }
-        settle();
+        settle(before, 1 + modifiers.length);
     }
 
     void hold(int code) {
@@ -235,8 +263,9 @@ final class WindowDriver implements AutoCloseable {
     }
 
     void release(int code) {
+        long before = released.get();
         robot.keyRelease(code);
-        settle();
+        settle(before, 1);
     }
 
     /** Clicks into a field, replaces its text by digits, points and minus signs, and presses Enter. */
@@ -252,6 +281,7 @@ final class WindowDriver implements AutoCloseable {
 
     @Override
     public void close() {
+        Toolkit.getDefaultToolkit().removeAWTEventListener(listener);
         onEventThread(() -> {
             window.frame().dispose();
             return null;
