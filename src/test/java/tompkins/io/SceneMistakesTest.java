@@ -220,12 +220,16 @@ class SceneMistakesTest {
 
     @Test
     void severalMistakesOfOneObjectAreReported() {
-        assertThat(messageOf("{\"scene\": [{\"type\": \"Placed\", \"scale\": 0, \"rotationAxis\": [0, 0, 0]}],\n"
-                        + "\"camera\": {\"horizontalAngleDegrees\": 180, \"viewDirection\": [0, 0, 0]}}"))
-                .isEqualTo("f:1:40: scene[0].scale: must be a finite number above 0, was 0\n"
-                        + "f:1:59: scene[0].rotationAxis: must be a direction, not the zero vector, was [0, 0, 0]\n"
-                        + "f:2:38: camera.horizontalAngleDegrees: must be above 0 and below 180, was 180\n"
-                        + "f:2:60: camera.viewDirection: must be a direction, not the zero vector, was [0, 0, 0]");
+        String text = """
+                {"scene": [{"type": "Placed", "scale": 0, "rotationAxis": [0, 0, 0]}],
+                "camera": {"horizontalAngleDegrees": 180, "viewDirection": [0, 0, 0]}}
+                """;
+        assertThat(messageOf(text).lines())
+                .containsExactly(
+                        "f:1:40: scene[0].scale: must be a finite number above 0, was 0",
+                        "f:1:59: scene[0].rotationAxis: must be a direction, not the zero vector, was [0, 0, 0]",
+                        "f:2:38: camera.horizontalAngleDegrees: must be above 0 and below 180, was 180",
+                        "f:2:60: camera.viewDirection: must be a direction, not the zero vector, was [0, 0, 0]");
     }
 
     /** Wrong corners are replaced by those of the default, beside which the other one must not look wrong. */
