@@ -269,27 +269,26 @@ public final class RenderJob {
     /** What was done; complete once the job has ended. Works out the error of the picture, which takes a moment. */
     public RenderReport report() {
         long until = end.getCount() == 0 ? endTime : System.nanoTime();
-        double error = estimatedError();
+        int sampledPixels = film.sampledPixels();
+        double error = estimatedError(sampledPixels);
         synchronized (counts) {
             return RenderReport.of(
                     counts,
                     nodes,
                     tests,
                     (long) plan.width() * plan.height(),
-                    film.sampledPixels(),
+                    sampledPixels,
                     error,
                     Duration.ofNanos(until - startTime));
         }
     }
 
-    private double estimatedError() {
+    private double estimatedError(int sampledPixels) {
         boolean blurUnknown = plan.studio().camera().hasWideLens() && film.samples(0) == 1;
         boolean varianceUnknown = film.samples(0) > 1 && !film.comparesHalves();
-        if (blurUnknown || varianceUnknown) {
-            return Double.NaN;
-        }
-        Roughness roughness = new Roughness(film);
-        boolean pixelsMissing = roughness.sampled() < film.width() * film.height();
-        return pixelsMissing ? Double.NaN : plan.exposure() * roughness.rootMeanSquare();
+        boolean pixelsMissing = sampledPixels < film.width() * film.height();
+        return blurUnknown || varianceUnknown || pixelsMissing
+                ? Double.NaN
+                : plan.exposure() * new Roughness(film).rootMeanSquare();
     }
 }

@@ -31,14 +31,12 @@ final class Roughness {
         width = film.width();
         height = film.height();
         float[] own = new float[width * height];
-        int count = 0;
         for (int row = 0; row < height; row++) {
             for (int column = 0; column < width; column++) {
                 own[row * width + column] = (float) own(column, row);
-                count += film.samples(row * width + column) > 0 ? 1 : 0;
             }
         }
-        sampled = count;
+        sampled = film.sampledPixels();
         shared = withNeighbours(own);
     }
 
