@@ -61,12 +61,8 @@ public record CostForecast(double samplesPerPixel, double seconds) {
     private static int take(List<Tile> blocks, RenderPlan plan, Quality quality, Renderer renderer, PartCosts costs)
             throws InterruptedException {
         long start = System.nanoTime();
-        RenderListener notes = new RenderListener() {
-            @Override
-            public void passDone(RenderJob job) {
-                costs.note(job.samples(), secondsSince(start) - job.planningSeconds());
-            }
-        };
+        RenderListener notes = RenderListener.afterEachPass(
+                part -> costs.note(part.samples(), secondsSince(start) - part.planningSeconds()));
         RenderJob job = renderer.start(plan, quality, false, blocks, notes);
         double progress = job.await(LONGEST_PART) ? 1 : job.progress();
         job.cancel();

@@ -1,10 +1,22 @@
 package tompkins.render;
 
+import java.util.function.Consumer;
+
 /** Somebody who wants to know how a render goes on. Called by the threads of the renderer; must return quickly. */
 public interface RenderListener {
 
     /** Nobody. */
     RenderListener NONE = new RenderListener() {};
+
+    /** Somebody who looks at the job after each pass. */
+    static RenderListener afterEachPass(Consumer<RenderJob> look) {
+        return new RenderListener() {
+            @Override
+            public void passDone(RenderJob job) {
+                look.accept(job);
+            }
+        };
+    }
 
     /** A tile of a pass is done; {@link RenderJob#progress()} has grown. */
     default void tileDone(RenderJob job, Tile tile) {}

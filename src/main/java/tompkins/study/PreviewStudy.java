@@ -9,7 +9,6 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import tompkins.image.LinearImage;
 import tompkins.render.Quality;
-import tompkins.render.RenderJob;
 import tompkins.render.RenderListener;
 import tompkins.render.Renderer;
 import tompkins.studio.Studio;
@@ -92,14 +91,11 @@ final class PreviewStudy implements Study {
     private static Passes passes(RenderPlan plan) {
         Passes passes = new Passes(new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
         long start = System.nanoTime();
-        RenderListener listener = new RenderListener() {
-            @Override
-            public void passDone(RenderJob job) {
-                passes.secondsBefore.add((System.nanoTime() - start) / 1e9);
-                passes.images.add(job.image());
-                passes.seconds.add((System.nanoTime() - start) / 1e9);
-            }
-        };
+        RenderListener listener = RenderListener.afterEachPass(job -> {
+            passes.secondsBefore.add((System.nanoTime() - start) / 1e9);
+            passes.images.add(job.image());
+            passes.seconds.add((System.nanoTime() - start) / 1e9);
+        });
         try (Renderer renderer = new Renderer(1)) {
             renderer.startCoarse(plan, new Quality.Samples(1), listener).await();
         } catch (InterruptedException interrupted) {

@@ -52,12 +52,7 @@ class AdaptiveRenderTest {
     /** Of 64 x 48 pixels the first pass takes every 8th in both directions: 8 x 6. */
     @Test
     void pixelsWithoutSamplesAreToldOf() throws InterruptedException {
-        RenderListener impatient = new RenderListener() {
-            @Override
-            public void passDone(RenderJob job) {
-                job.cancel();
-            }
-        };
+        RenderListener impatient = RenderListener.afterEachPass(RenderJob::cancel);
         RenderJob job = RENDERER.start(RenderPlan.of(studio(spheres(), 0)), new Quality.TimeLimit(100), impatient);
         job.await();
 

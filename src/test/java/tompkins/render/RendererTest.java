@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.Consumer;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Test;
@@ -54,20 +53,12 @@ class RendererTest {
         return VariedStudios.all().toList();
     }
 
-    private static RenderListener afterEachPass(Consumer<RenderJob> look) {
-        return new RenderListener() {
-            @Override
-            public void passDone(RenderJob job) {
-                look.accept(job);
-            }
-        };
-    }
-
     @Test
     void errorOfAPictureIsToldWhenAllPixelsAreThere() throws InterruptedException {
         RenderPlan plan = RenderPlan.of(size(PaperStudios.fig1b(), 203, 149, 1));
         List<Boolean> told = Collections.synchronizedList(new ArrayList<>());
-        RenderListener listener = afterEachPass(job -> told.add(job.report().error() > 0));
+        RenderListener listener =
+                RenderListener.afterEachPass(job -> told.add(job.report().error() > 0));
 
         try (Renderer renderer = new Renderer(2)) {
             renderer.startCoarse(plan, listener).await();
@@ -81,7 +72,7 @@ class RendererTest {
     void coarsePassesEndInTheSamePicture() throws InterruptedException {
         RenderPlan plan = RenderPlan.of(size(PaperStudios.fig3a(), 203, 149, 3));
         List<Integer> progress = Collections.synchronizedList(new ArrayList<>());
-        RenderListener listener = afterEachPass(job -> progress.add((int) (100 * job.progress())));
+        RenderListener listener = RenderListener.afterEachPass(job -> progress.add((int) (100 * job.progress())));
 
         try (Renderer renderer = new Renderer(2)) {
             RenderJob coarse = renderer.startCoarse(plan, listener);
