@@ -140,23 +140,14 @@ final class PreviewStudy implements Study {
     public String answer(List<Measurement> all) {
         double slowest = 0;
         double left = 0;
-        for (String name : studios.keySet()) {
-            Measurement blocks = point(name, BLOCKS, STRIDES[0], all);
-            Measurement first = point(name, PROGRAM, STRIDES[0], all);
-            slowest = Math.max(slowest, first.seconds().middle());
-            left = Math.max(left, first.error().middle() / blocks.error().middle());
-        }
-        StringBuilder text = new StringBuilder(String.format(
-                Locale.ROOT,
-                "A first picture is there after %.0f ms at most (the eye notices a delay from about 100 ms on), and each finer one"
-                        + " is better. The window interpolates between its pixels, which leaves at most %.0f %% of the error of blocks.",
-                1e3 * slowest,
-                100 * left));
+        StringBuilder each = new StringBuilder();
         for (String name : studios.keySet()) {
             Measurement blocks = point(name, BLOCKS, STRIDES[0], all);
             Measurement first = point(name, PROGRAM, STRIDES[0], all);
             Measurement last = point(name, PROGRAM, STRIDES[STRIDES.length - 1], all);
-            text.append(String.format(
+            slowest = Math.max(slowest, first.seconds().middle());
+            left = Math.max(left, first.error().middle() / blocks.error().middle());
+            each.append(String.format(
                     Locale.ROOT,
                     " The first preview of %s comes after %.0f ms (in blocks %.0f ms), that of every second pixel after %.0f ms.",
                     name,
@@ -164,7 +155,14 @@ final class PreviewStudy implements Study {
                     1e3 * blocks.seconds().middle(),
                     1e3 * last.seconds().middle()));
         }
-        return text.toString();
+        return String.format(
+                        Locale.ROOT,
+                        "A first picture is there after %.0f ms at most (the eye notices a delay from about 100 ms on), and each finer"
+                                + " one is better. The window interpolates between its pixels, which leaves at most %.0f %% of the error"
+                                + " of blocks.",
+                        1e3 * slowest,
+                        100 * left)
+                + each;
     }
 
     @Override
