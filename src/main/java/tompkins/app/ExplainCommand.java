@@ -62,11 +62,11 @@ final class ExplainCommand implements Callable<Integer> {
             return String.format(
                     Locale.ROOT,
                     "On this machine it will take about %s s with %s samples, %s for each pixel.",
-                    NumberText.rounded(forecast.seconds(), 2),
+                    NumberText.plain(forecast.seconds(), 2),
                     samples < MILLION
-                            ? NumberText.rounded(samples, quality instanceof Quality.Samples ? 6 : 3)
-                            : NumberText.rounded(samples / MILLION, 3) + " million",
-                    NumberText.rounded(forecast.samplesPerPixel(), 3));
+                            ? NumberText.plain(samples, quality instanceof Quality.Samples ? 6 : 3)
+                            : NumberText.plain(samples / MILLION, 3) + " million",
+                    NumberText.plain(forecast.samplesPerPixel(), 3));
         }
     }
 }

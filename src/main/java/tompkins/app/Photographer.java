@@ -146,13 +146,14 @@ final class Photographer {
 
     private void report(Path target, RenderReport report) {
         double seconds = report.time().toNanos() / 1e9;
+        String samples = NumberText.plain(report.samplesPerPixel(), 3);
         out.println(String.format(
                 Locale.ROOT,
-                "%s  (%.2f s, %.2f million rays/s, %s samples a pixel%s)",
+                "%s  (%.2f s, %.2f million rays/s, %s a pixel%s)",
                 target.toAbsolutePath(),
                 seconds,
                 (report.rays() + report.shadowRays()) / seconds / 1e6,
-                NumberText.rounded(report.samplesPerPixel(), 3),
+                samples.equals("1") ? "1 sample" : samples + " samples",
                 Double.isNaN(report.error())
                         ? ""
                         : String.format(Locale.ROOT, ", estimated error %.2g", report.error())));

@@ -23,9 +23,17 @@ public final class NumberText {
         return Double.toString(value).replace(".0E", "e").replace('E', 'e');
     }
 
-    /** The first digits of a number, without a power of ten. */
-    public static String rounded(double value, int digits) {
-        BigDecimal rounded = new BigDecimal(value).round(new MathContext(digits));
-        return rounded.stripTrailingZeros().toPlainString();
+    /** The number with at most the given digits, never the negative zero; what is not finite stays as it is. */
+    public static double rounded(double value, int digits) {
+        return Double.isFinite(value)
+                ? new BigDecimal(value).round(new MathContext(digits)).doubleValue() + 0.0
+                : value;
+    }
+
+    /** The first digits of a finite number, without a power of ten. */
+    public static String plain(double value, int digits) {
+        return new BigDecimal(Double.toString(rounded(value, digits)))
+                .stripTrailingZeros()
+                .toPlainString();
     }
 }

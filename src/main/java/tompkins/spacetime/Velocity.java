@@ -1,7 +1,5 @@
 package tompkins.spacetime;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
@@ -30,8 +28,6 @@ public final class Velocity {
 
     /** Beyond this Lorentz factor a picture would consist of rounding errors. */
     public static final double LARGEST_GAMMA = 1e8;
-
-    private static final MathContext DIGITS_SHOWN = new MathContext(10);
 
     private final SpeedScale scale;
     private final double value;
@@ -128,9 +124,10 @@ public final class Velocity {
     public static Velocity required(String property, Velocity velocity) {
         Require.present(property, velocity);
         if (velocity.gamma > LARGEST_GAMMA) {
-            double shown = new BigDecimal(velocity.gamma).round(DIGITS_SHOWN).doubleValue();
             throw new InvalidPropertyException(
-                    property, "at most that of gamma 1e8", "that of gamma " + NumberText.of(shown));
+                    property,
+                    "at most that of gamma 1e8",
+                    "that of gamma " + NumberText.of(NumberText.rounded(velocity.gamma, 10)));
         }
         return velocity;
     }

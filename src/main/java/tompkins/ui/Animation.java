@@ -1,5 +1,6 @@
 package tompkins.ui;
 
+import tompkins.property.NumberText;
 import tompkins.studio.Studio;
 
 /**
@@ -30,7 +31,7 @@ record Animation(NumberProperty property, double from, double to, double seconds
             case BACKWARDS -> 1 - time;
             case THERE_AND_BACK -> 1 - Math.abs(1 - 2 * time);
         };
-        return Numbers.rounded(from + share * (to - from), 9);
+        return NumberText.rounded(from + share * (to - from), 9);
     }
 
     /** The studio at a time, from 0 to 1. */

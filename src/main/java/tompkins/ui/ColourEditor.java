@@ -12,6 +12,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
 import tompkins.image.ToneCurve;
+import tompkins.property.NumberText;
 import tompkins.ray.Colour;
 
 /** Controls for a colour: three numbers, which may be above 1, and a patch that opens a colour chooser. */
@@ -54,7 +55,7 @@ final class ColourEditor implements ValueEditor {
     }
 
     private static double share(int level) {
-        return Numbers.rounded((double) level / LEVELS, 4);
+        return NumberText.rounded((double) level / LEVELS, 4);
     }
 
     private Color screenColour() {

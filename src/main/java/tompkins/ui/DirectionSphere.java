@@ -24,6 +24,7 @@ import javax.swing.KeyStroke;
 import javax.swing.UIManager;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.property.NumberText;
 
 /**
  * A small sphere with an arrow for a direction, seen from behind and above the camera: x to the right, y up, z away. The arrow
@@ -105,9 +106,9 @@ final class DirectionSphere extends JPanel {
 
     private void tell(Vector3d exact) {
         Vector3d rounded = new Vector3d(
-                Numbers.rounded(Math.rint(exact.x * 1e3) / 1e3, 6),
-                Numbers.rounded(Math.rint(exact.y * 1e3) / 1e3, 6),
-                Numbers.rounded(Math.rint(exact.z * 1e3) / 1e3, 6));
+                NumberText.rounded(Math.rint(exact.x * 1e3) / 1e3, 6),
+                NumberText.rounded(Math.rint(exact.y * 1e3) / 1e3, 6),
+                NumberText.rounded(Math.rint(exact.z * 1e3) / 1e3, 6));
         turned.accept(rounded, gesture);
     }
 

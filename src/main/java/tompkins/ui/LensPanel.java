@@ -7,6 +7,7 @@ import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.property.NumberText;
 import tompkins.studio.Studio;
 
 /** Aperture, focus, field of view, exposure, and how many samples the blur gets. */
@@ -105,7 +106,7 @@ final class LensPanel {
             aperture.show(0);
         }
         focus.setRange(distances());
-        focus.show(Numbers.rounded(Cameras.focusDistance(camera), 9));
+        focus.show(NumberText.rounded(Cameras.focusDistance(camera), 9));
         field.show((double) Records.get(camera, Records.component(camera.getClass(), "horizontalAngleDegrees")));
         exposure.show(camera.exposureStops());
         samples.show(studio.settings().samples());

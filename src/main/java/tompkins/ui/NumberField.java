@@ -5,6 +5,7 @@ import java.util.function.DoubleConsumer;
 import javax.swing.AbstractAction;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
+import tompkins.property.NumberText;
 
 /** A field for a number; the up and down keys change it by a step of its last digits, with Shift by ten of them. */
 final class NumberField {
@@ -31,7 +32,7 @@ final class NumberField {
             @Override
             public void actionPerformed(ActionEvent event) {
                 double size = value == 0 ? 1 : Math.pow(10, Math.floor(Math.log10(Math.abs(value))));
-                entry.field().setText(Numbers.text(Numbers.rounded(value + steps * size * STEP, 6)));
+                entry.field().setText(Numbers.text(NumberText.rounded(value + steps * size * STEP, 6)));
                 entry.commit();
             }
         });
@@ -44,6 +45,6 @@ final class NumberField {
     /** Shows a number; the digits that do not fit stay in the model. */
     void show(double number) {
         value = number;
-        entry.show(Numbers.text(Numbers.rounded(number, DIGITS)));
+        entry.show(Numbers.text(NumberText.rounded(number, DIGITS)));
     }
 }

@@ -1,7 +1,5 @@
 package tompkins.ui;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.Locale;
 import org.joml.Vector3dc;
 import tompkins.property.InvalidPropertyException;
@@ -43,7 +41,7 @@ final class Numbers {
     static String fitting(double value, int characters) {
         String text = text(value);
         for (int digits = characters; digits > 1 && text.length() > characters; digits--) {
-            text = text(rounded(value, digits));
+            text = text(NumberText.rounded(value, digits));
         }
         return text;
     }
@@ -58,19 +56,12 @@ final class Numbers {
         if (!Double.isFinite(value)) {
             return value > 0 ? "\u221e" : value < 0 ? "\u2212\u221e" : Texts.get("number.none");
         }
-        double rounded = rounded(value, digits);
+        double rounded = NumberText.rounded(value, digits);
         double size = Math.abs(rounded);
         if (size == 0 || size >= 1e-4 && size < 1e7) {
-            return new BigDecimal(Double.toString(rounded)).stripTrailingZeros().toPlainString();
+            return NumberText.plain(rounded, digits);
         }
         return String.format(Locale.ROOT, "%." + (digits - 1) + "e", rounded).replaceAll("\\.?0*e([+-])0?", "e$1");
-    }
-
-    /** The number with at most the given digits. */
-    static double rounded(double value, int digits) {
-        return Double.isFinite(value)
-                ? new BigDecimal(value).round(new MathContext(digits)).doubleValue() + 0.0
-                : value;
     }
 
     /** The first digits of three numbers. */
@@ -89,9 +80,9 @@ final class Numbers {
         double power = Math.pow(10, Math.floor(Math.log10(value)));
         for (double step : new double[] {1, 2, 5}) {
             if (step * power >= value) {
-                return rounded(step * power, 1);
+                return NumberText.rounded(step * power, 1);
             }
         }
-        return rounded(10 * power, 1);
+        return NumberText.rounded(10 * power, 1);
     }
 }

@@ -1,5 +1,7 @@
 package tompkins.ui;
 
+import tompkins.property.NumberText;
+
 /**
  * The values that a slider gives: from 0 at its left end to 1 at its right end.
  *
@@ -23,7 +25,7 @@ record Range(double minimum, double maximum, double power) {
         }
         double value = minimum + (maximum - minimum) * Math.pow(place, power);
         double step = Math.pow(10, Math.floor(Math.log10(maximum - minimum)) - (power == 1 ? 3 : 4));
-        return Numbers.rounded(Math.rint(value / step) * step, 12);
+        return NumberText.rounded(Math.rint(value / step) * step, 12);
     }
 
     /** The place of a value, inside the slider even if the value is not. */

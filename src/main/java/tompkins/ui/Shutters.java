@@ -3,6 +3,7 @@ package tompkins.ui;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.Camera;
+import tompkins.property.NumberText;
 import tompkins.shutter.LensRay;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpaceTimeTransformation;
@@ -24,7 +25,7 @@ final class Shutters {
         SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
         double before = camera.shutter().transmissionTime(axis, sceneFromCamera);
         double opening = shutter.openingTime() + before - shutter.transmissionTime(axis, sceneFromCamera);
-        Shutter opened = Double.isFinite(opening) ? shutter.openedAt(Numbers.rounded(opening, 9)) : shutter;
+        Shutter opened = Double.isFinite(opening) ? shutter.openedAt(NumberText.rounded(opening, 9)) : shutter;
         return studio.withCamera(camera.withShutter(opened));
     }
 

@@ -5,6 +5,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
+import tompkins.property.NumberText;
 import tompkins.trace.RenderPlan;
 
 /** The narrow panel beside the photograph: all that a teacher turns, one part under the other. */
@@ -75,7 +76,7 @@ final class SidePanel {
     private static void focus(StudioModel model, double distance) {
         if (distance > 0) {
             model.set(model.studio()
-                    .withCamera(Cameras.focusedAt(model.studio().camera(), Numbers.rounded(distance, 6))));
+                    .withCamera(Cameras.focusedAt(model.studio().camera(), NumberText.rounded(distance, 6))));
         }
     }
 

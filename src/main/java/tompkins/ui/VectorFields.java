@@ -8,6 +8,7 @@ import javax.swing.JPanel;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
+import tompkins.property.NumberText;
 
 /** Fields for the two or three components of a vector. */
 final class VectorFields {
@@ -68,9 +69,9 @@ final class VectorFields {
     private static Vector3dc roundedUnit(Vector3dc direction) {
         Vector3d unit = Vectors.unit(direction);
         return new Vector3d(
-                Numbers.rounded(unit.x, DIRECTION_DIGITS),
-                Numbers.rounded(unit.y, DIRECTION_DIGITS),
-                Numbers.rounded(unit.z, DIRECTION_DIGITS));
+                NumberText.rounded(unit.x, DIRECTION_DIGITS),
+                NumberText.rounded(unit.y, DIRECTION_DIGITS),
+                NumberText.rounded(unit.z, DIRECTION_DIGITS));
     }
 
     void show(Vector3dc vector) {

@@ -10,6 +10,7 @@ import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.property.NumberText;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
@@ -134,9 +135,9 @@ final class VelocityPanel {
     /** A speed with no more digits than the hand can give it, on the scale that is shown. */
     private Velocity rounded(Velocity velocity) {
         double value = scale == SpeedScale.BETA
-                ? 1 - Numbers.rounded(velocity.oneMinusSpeed(), velocity.speed() < 0.9 ? 3 : 2)
-                : Numbers.rounded(scale.valueOf(velocity), 4);
-        return Velocity.of(scale, Numbers.rounded(value, 12), velocity.given());
+                ? 1 - NumberText.rounded(velocity.oneMinusSpeed(), velocity.speed() < 0.9 ? 3 : 2)
+                : NumberText.rounded(scale.valueOf(velocity), 4);
+        return Velocity.of(scale, NumberText.rounded(value, 12), velocity.given());
     }
 
     private void enterSpeed(String text) {

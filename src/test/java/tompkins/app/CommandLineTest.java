@@ -41,7 +41,7 @@ class CommandLineTest {
             ProgramRun run = ProgramRun.of(
                     "render", FIG1B, "-o", first, "--size", "64x48", "--samples", 3, "--beta", "0,0.3,0.5");
             assertThat(run.code()).as(run.err()).isZero();
-            assertThat(run.out()).contains(first.toString());
+            assertThat(run.out()).contains(first.toString(), ", 3 samples a pixel");
 
             assertThat(ProgramRun.of("render", first, "-o", second).code()).isZero();
 
@@ -61,7 +61,8 @@ class CommandLineTest {
     void aPhotographThatIsTakenAgainKeepsItsFormatWhereItsNameAllows(
             String format, String first, String again, String expected) throws IOException {
         Path before = folder.resolve(first);
-        ProgramRun.of("render", FIG1B, "-o", before, "--size", "32x24", "--format", format);
+        ProgramRun one = ProgramRun.of("render", FIG1B, "-o", before, "--size", "32x24", "--format", format);
+        assertThat(one.out()).contains(", 1 sample a pixel");
 
         ProgramRun run = ProgramRun.of("render", before, "-o", folder.resolve(again));
 

@@ -32,6 +32,26 @@ class NumberTextTest {
         assertThat(Double.valueOf(text)).isEqualTo(Double.valueOf(value));
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "3.14159265, 3, 3.14",
+        "2.5e-9, 1, 0.000000003",
+        "123456789, 2, 120000000",
+        "0.9999, 2, 1",
+        "-0.0, 3, 0",
+        "1e12, 3, 1000000000000"
+    })
+    void numbersAreRoundedToTheirFirstDigits(double value, int digits, String text) {
+        assertThat(NumberText.plain(value, digits)).isEqualTo(text);
+        assertThat(NumberText.rounded(value, digits)).isEqualTo(Double.valueOf(text));
+    }
+
+    @Test
+    void whatIsNotFiniteIsNotRounded() {
+        assertThat(NumberText.rounded(Double.NaN, 3)).isNaN();
+        assertThat(NumberText.rounded(Double.NEGATIVE_INFINITY, 3)).isEqualTo(Double.NEGATIVE_INFINITY);
+    }
+
     @Test
     void refusedNumbersAreWrittenSoToo() {
         assertThatThrownBy(() -> Require.within("error", 2, 1e-6, 1))
