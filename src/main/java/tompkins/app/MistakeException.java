@@ -14,10 +14,15 @@ final class MistakeException extends RuntimeException {
 
     /** Makes something of an option's value; a refused value is the mistake of the option of this name. */
     static <T> T inOption(String option, Supplier<T> maker) {
+        return inOption(option, "", maker);
+    }
+
+    /** As {@link #inOption(String, Supplier)}; the message ends in a hint. */
+    static <T> T inOption(String option, String hint, Supplier<T> maker) {
         try {
             return maker.get();
         } catch (InvalidPropertyException invalid) {
-            throw new MistakeException(option + " " + invalid.problem());
+            throw new MistakeException(option + " " + invalid.problem() + hint);
         }
     }
 }

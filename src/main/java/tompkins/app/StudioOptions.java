@@ -39,13 +39,10 @@ final class StudioOptions {
             changed = changed.withSettings(sized(studio.settings()));
         }
         if (beta != null) {
+            Studio still = changed;
             Vector3d components = new Vector3d(numbers("--beta", beta, "0,0,0.9"));
-            try {
-                changed = changed.withVelocity(Velocity.of(components));
-            } catch (InvalidPropertyException invalid) {
-                throw new MistakeException(
-                        "--beta " + invalid.problem() + SpeedScale.roundingHint(Stream.of(beta.split(","))));
-            }
+            String hint = SpeedScale.roundingHint(Stream.of(beta.split(",")));
+            changed = MistakeException.inOption("--beta", hint, () -> still.withVelocity(Velocity.of(components)));
         }
         Shutter model = changed.camera().shutter();
         if (shutter != null) {
