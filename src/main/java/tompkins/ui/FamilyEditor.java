@@ -33,6 +33,11 @@ final class FamilyEditor implements ValueEditor {
         return panel;
     }
 
+    @Override
+    public boolean isTall() {
+        return true;
+    }
+
     private void choose() {
         Class<?> chosen = (Class<?>) types.getSelectedItem();
         if (chosen != shownType && !ValueEditors.attempt(note, () -> commit.accept(Records.defaultOf(chosen)))) {

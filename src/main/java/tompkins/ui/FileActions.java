@@ -126,10 +126,10 @@ final class FileActions {
 
     /** Shows a scene; messages and refused values of the one before it go. */
     private void show(Studio studio, Path file) {
+        status.clear();
         model.open(studio, file);
         held.put(file, studio);
         EntryField.in(frame).forEach(EntryField::revert);
-        status.say(Texts.get("status.idle"));
     }
 
     /** Saves the scene where it came from; asks for a place if it has none. */

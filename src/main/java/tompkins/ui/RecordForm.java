@@ -44,9 +44,7 @@ final class RecordForm {
         JLabel label = new JLabel(Wording.label(component.getName()));
         label.setToolTipText(Tips.html(Wording.meaning(component)));
         label.setLabelFor(editor.component());
-        panel.add(
-                label,
-                editor instanceof FamilyEditor || editor instanceof VelocityEditor ? "aligny top, gaptop 3" : "");
+        panel.add(label, editor.isTall() ? "aligny top, gaptop 3" : "");
         panel.add(editor.component(), "growx, wmin 0");
         panel.add(note.component(), "span, growx, wmin 0");
     }

@@ -68,9 +68,14 @@ final class StatusBar {
     /** There is a picture of the scene. */
     void endFailure() {
         if (failure != null) {
-            failure = null;
-            showIdle();
+            clear();
         }
+    }
+
+    /** Forgets all that was said of a scene, for another one. */
+    void clear() {
+        failure = null;
+        showIdle();
     }
 
     /** Shows what lies under the mouse, or a hint if that is nothing. */

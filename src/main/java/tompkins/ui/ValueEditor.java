@@ -8,6 +8,11 @@ interface ValueEditor {
     /** The controls. */
     JComponent component();
 
+    /** Whether the controls take several lines, so that their label stands beside the first. */
+    default boolean isTall() {
+        return false;
+    }
+
     /** Shows a value. */
     void show(Object value);
 }

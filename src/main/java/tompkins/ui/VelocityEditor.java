@@ -48,6 +48,11 @@ final class VelocityEditor implements ValueEditor {
     }
 
     @Override
+    public boolean isTall() {
+        return true;
+    }
+
+    @Override
     public void show(Object value) {
         velocity = (Velocity) value;
         speed.show(
