@@ -72,7 +72,7 @@ public final class PhotographFile {
      */
     public static Optional<String> readScene(Path file) throws PictureException {
         try {
-            return scene(file, encoding(file));
+            return scene(file, encoding(file).orElseThrow(() -> notAPhotograph(file, "not a picture")));
         } catch (IOException e) {
             throw PictureException.cannotRead(file, e);
         } catch (RuntimeException e) {
@@ -105,14 +105,15 @@ public final class PhotographFile {
 
     /**
      * Tries whether the picture of a saved photograph is whole, by reading its last row; its scene, which comes first, may be
-     * found in spite of damage. Does nothing for a file of another kind, such as a scene file.
+     * found in spite of damage. Does nothing for a file that is no picture, such as a scene file.
      *
      * @throws PictureException if the picture is damaged
      */
     public static void requireWhole(Path file) throws PictureException {
         try {
-            if (format(file).isPresent()) {
-                readLastRow(encoding(file), file);
+            Optional<PictureEncoding> encoding = encoding(file);
+            if (encoding.isPresent()) {
+                readLastRow(encoding.get(), file);
             }
         } catch (IOException | RuntimeException e) {
             throw new PictureException(file + ": the picture is damaged: " + PictureException.reason(e), e);
@@ -135,10 +136,9 @@ public final class PhotographFile {
         }
     }
 
-    private static PictureEncoding encoding(Path file) throws IOException {
+    private static Optional<PictureEncoding> encoding(Path file) throws IOException {
         try (InputStream in = Files.newInputStream(file)) {
-            return PictureEncoding.of(in.readNBytes(PictureEncoding.LONGEST_START))
-                    .orElseThrow(() -> notAPhotograph(file, "not a picture"));
+            return PictureEncoding.of(in.readNBytes(PictureEncoding.LONGEST_START));
         }
     }
 
