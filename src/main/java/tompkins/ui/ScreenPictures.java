@@ -61,12 +61,12 @@ final class ScreenPictures implements AutoCloseable {
         boolean sameUse =
                 doneFor != null && doneFor.canvas.equals(order.canvas) && doneFor.difference == order.difference;
         BufferedImage now = sameUse && order.now == done.now() ? done.nowImage() : image(order.now, order);
-        Picture comparable = sameProportions(order.now, order.other) ? order.other : null;
-        boolean sameOther = sameUse && order.other == done.other() && done.otherImage() != null;
-        BufferedImage other = sameOther && comparable != null ? done.otherImage() : image(comparable, order);
-        BufferedImage difference = order.difference && other != null && sameShape(now, other)
-                ? ScreenPicture.difference(now, other)
-                : null;
+        BufferedImage other = null;
+        if (order.other != null && size(order.now, order).equals(size(order.other, order))) {
+            boolean sameOther = sameUse && order.other == done.other() && done.otherImage() != null;
+            other = sameOther ? done.otherImage() : image(order.other, order);
+        }
+        BufferedImage difference = order.difference && other != null ? ScreenPicture.difference(now, other) : null;
         done = new ScreenPicture(order.now, now, order.other, other, difference);
         doneFor = order;
         if (ready.getAndSet(done) == null) {
@@ -75,30 +75,16 @@ final class ScreenPictures implements AutoCloseable {
     }
 
     private static BufferedImage image(Picture picture, Wanted order) {
-        if (picture == null) {
-            return null;
-        }
         BufferedImage levels = ScreenPicture.levels(picture);
-        Dimension fitted = Fit.size(levels.getWidth(), levels.getHeight(), order.canvas.width, order.canvas.height);
+        Dimension fitted = size(picture, order);
         // The display enlarges a picture itself, in a fifth of the time; two that are subtracted need the same size.
         boolean enlarged = fitted.width >= levels.getWidth();
         return enlarged && !order.difference ? levels : ScreenPicture.scaled(levels, fitted);
     }
 
-    /** Whether two pictures fill the same place on the screen, but for less than a pixel of theirs; false if one is null. */
-    private static boolean sameProportions(Picture first, Picture second) {
-        if (first == null || second == null) {
-            return false;
-        }
-        long width = first.image().width();
-        long height = first.image().height();
-        long difference =
-                width * second.image().height() - height * second.image().width();
-        return Math.abs(difference) < Math.max(width, second.image().width());
-    }
-
-    private static boolean sameShape(BufferedImage first, BufferedImage second) {
-        return first.getWidth() == second.getWidth() && first.getHeight() == second.getHeight();
+    /** The size of a picture on the canvas. Only pictures of the same size there can be compared. */
+    private static Dimension size(Picture picture, Wanted order) {
+        return Fit.size(picture.image().width(), picture.image().height(), order.canvas.width, order.canvas.height);
     }
 
     @Override
