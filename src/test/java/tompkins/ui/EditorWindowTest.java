@@ -8,7 +8,7 @@ import java.util.List;
 import javax.swing.JDialog;
 import javax.swing.JTextField;
 import javax.swing.JTree;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -24,14 +24,14 @@ class EditorWindowTest {
     private Path folder;
 
     private Path file;
+
+    @AutoClose
     private WindowDriver driver;
 
     @BeforeEach
     void open() {
-        WindowDriver.requireDisplay();
-        System.setProperty("tompkins.settings", folder.resolve("settings").toString());
         file = folder.resolve("sphere.json");
-        driver = new WindowDriver(Studios.sphere(), file, List.of());
+        driver = new WindowDriver(folder.resolve("settings"), Studios.sphere(), file, List.of());
         driver.menu("menu.editScene");
         WindowDriver.await("the editor", this::isOpen);
         JTree tree = driver.find(JTree.class, "tree");
@@ -41,13 +41,6 @@ class EditorWindowTest {
             tree.setSelectionRow(2);
             return null;
         });
-    }
-
-    @AfterEach
-    void close() {
-        if (driver != null) {
-            driver.close();
-        }
     }
 
     private boolean isOpen() {

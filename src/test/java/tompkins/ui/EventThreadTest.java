@@ -58,13 +58,12 @@ class EventThreadTest {
     @Test
     void theEventThreadStaysFreeWhileSlidersAreDragged(@TempDir Path folder) {
         WindowDriver.requireDisplay();
-        System.setProperty("tompkins.settings", folder.toString());
         WatchedQueue queue = new WatchedQueue();
         WindowDriver.onEventThread(() -> {
             Toolkit.getDefaultToolkit().getSystemEventQueue().push(queue);
             return null;
         });
-        try (WindowDriver driver = new WindowDriver(Studios.lattice(), null, List.of())) {
+        try (WindowDriver driver = new WindowDriver(folder, Studios.lattice(), null, List.of())) {
             drag(driver, driver.find(JSlider.class, "Speed, slider"));
             queue.forget();
             long end = System.nanoTime() + DRAG_NANOSECONDS;

@@ -6,7 +6,7 @@ import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
 import javax.swing.JTextField;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -20,20 +20,12 @@ class HistoryTest {
     @TempDir
     private Path folder;
 
+    @AutoClose
     private WindowDriver driver;
 
     @BeforeEach
     void open() {
-        WindowDriver.requireDisplay();
-        System.setProperty("tompkins.settings", folder.toString());
-        driver = new WindowDriver(Studios.sphere(), null, List.of());
-    }
-
-    @AfterEach
-    void close() {
-        if (driver != null) {
-            driver.close();
-        }
+        driver = new WindowDriver(folder, Studios.sphere(), null, List.of());
     }
 
     private JTextField field(String name) {

@@ -15,6 +15,7 @@ import javax.swing.JLabel;
 import org.jfree.chart.ChartPanel;
 import org.jfree.chart.entity.XYItemEntity;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -31,14 +32,13 @@ class QualityWindowTest {
     @TempDir
     private Path folder;
 
+    @AutoClose
     private WindowDriver driver;
 
     @BeforeEach
     void open() {
-        WindowDriver.requireDisplay();
-        System.setProperty("tompkins.settings", folder.toString());
         Studio studio = Studios.lattice().withSettings(Studio.DEFAULT.settings().withSize(160, 120));
-        driver = new WindowDriver(studio, folder.resolve("lattice.json"), List.of(studio));
+        driver = new WindowDriver(folder, studio, folder.resolve("lattice.json"), List.of(studio));
         JButton measure = driver.find(JButton.class, "Chart this picture");
         WindowDriver.onEventThread(() -> {
             measure.doClick();
@@ -47,14 +47,11 @@ class QualityWindowTest {
     }
 
     @AfterEach
-    void close() {
-        if (driver != null) {
-            WindowDriver.onEventThread(() -> {
-                dialogs().forEach(JDialog::dispose);
-                return null;
-            });
-            driver.close();
-        }
+    void closeDialogs() {
+        WindowDriver.onEventThread(() -> {
+            dialogs().forEach(JDialog::dispose);
+            return null;
+        });
     }
 
     @Test

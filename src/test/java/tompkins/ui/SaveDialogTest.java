@@ -9,7 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -25,21 +25,14 @@ class SaveDialogTest {
     @TempDir
     private Path folder;
 
+    @AutoClose
     private WindowDriver driver;
 
     @BeforeEach
     void open() {
-        WindowDriver.requireDisplay();
-        System.setProperty("tompkins.settings", folder.resolve("settings").toString());
-        driver = new WindowDriver(Studios.sphere(), folder.resolve("sphere.json"), List.of());
+        driver = new WindowDriver(
+                folder.resolve("settings"), Studios.sphere(), folder.resolve("sphere.json"), List.of());
         driver.completePicture();
-    }
-
-    @AfterEach
-    void close() {
-        if (driver != null) {
-            driver.close();
-        }
     }
 
     private void awaitSaved(Path file) {

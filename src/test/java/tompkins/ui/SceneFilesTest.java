@@ -11,7 +11,7 @@ import java.util.Optional;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -37,22 +37,15 @@ class SceneFilesTest {
     private Path folder;
 
     private Path file;
+
+    @AutoClose
     private WindowDriver driver;
 
     @BeforeEach
     void open() throws IOException {
-        WindowDriver.requireDisplay();
-        System.setProperty("tompkins.settings", folder.resolve("settings").toString());
         file = folder.resolve("sphere.json");
         StudioWriter.save(Studios.sphere(), file);
-        driver = new WindowDriver(Studios.sphere(), file, List.of());
-    }
-
-    @AfterEach
-    void close() {
-        if (driver != null) {
-            driver.close();
-        }
+        driver = new WindowDriver(folder.resolve("settings"), Studios.sphere(), file, List.of());
     }
 
     /** Changes the speed in the window. */
@@ -76,6 +69,19 @@ class SceneFilesTest {
         assertThat(StudioReader.read(file)).isEqualTo(next);
     }
 
+    /** Asserts that the file stays as it is until the user agrees; from then on no save asks. */
+    private void assertSavesOnlyAnyway(Studio mine) throws IOException {
+        byte[] before = Files.readAllBytes(file);
+        save();
+        driver.answer("Cancel");
+        assertThat(file).hasBinaryContent(before);
+        save();
+        driver.answer("Save anyway");
+        awaitSaved();
+        assertThat(StudioReader.read(file)).isEqualTo(mine);
+        assertSavesWithoutAQuestion("0.6");
+    }
+
     private void awaitStudio(Studio studio) {
         WindowDriver.await("the scene", () -> driver.window().model().studio().equals(studio));
     }
@@ -84,14 +90,7 @@ class SceneFilesTest {
     void whatAnotherProgramChangedIsWrittenOverOnlyWhenTheUserAgrees() throws IOException {
         Studio mine = change("0.5");
         StudioWriter.save(BOX, file);
-        save();
-        driver.answer("Cancel");
-        assertThat(StudioReader.read(file)).isEqualTo(BOX);
-        save();
-        driver.answer("Save anyway");
-        awaitSaved();
-        assertThat(StudioReader.read(file)).isEqualTo(mine);
-        assertSavesWithoutAQuestion("0.6");
+        assertSavesOnlyAnyway(mine);
     }
 
     @Test
@@ -109,17 +108,8 @@ class SceneFilesTest {
 
     @Test
     void commentsAreWrittenOverOnlyWhenTheUserAgrees() throws IOException {
-        String text = "// mine\n" + Files.readString(file);
-        Files.writeString(file, text);
-        Studio mine = change("0.5");
-        save();
-        driver.answer("Cancel");
-        assertThat(file).hasContent(text);
-        save();
-        driver.answer("Save anyway");
-        awaitSaved();
-        assertThat(StudioReader.read(file)).isEqualTo(mine);
-        assertSavesWithoutAQuestion("0.6");
+        Files.writeString(file, "// mine\n" + Files.readString(file));
+        assertSavesOnlyAnyway(change("0.5"));
     }
 
     @Test

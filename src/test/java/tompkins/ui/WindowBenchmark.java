@@ -41,11 +41,9 @@ public final class WindowBenchmark {
 
     /** Measures a scene file. */
     public static void main(String[] arguments) throws Exception {
-        System.setProperty(
-                "tompkins.settings",
-                Files.createTempDirectory("tompkins-benchmark").toString());
+        Path settings = Files.createTempDirectory("tompkins-benchmark");
         Studio studio = StudioReader.read(Path.of(arguments[0]));
-        try (WindowDriver driver = new WindowDriver(studio, null, List.of())) {
+        try (WindowDriver driver = new WindowDriver(settings, studio, null, List.of())) {
             WindowBenchmark benchmark = new WindowBenchmark(studio, driver, System.out);
             benchmark.print(
                     "start to first picture",

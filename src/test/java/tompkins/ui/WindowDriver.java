@@ -46,7 +46,14 @@ final class WindowDriver implements AutoCloseable {
     private final Robot robot;
     private final TompkinsWindow window;
 
-    WindowDriver(Studio studio, Path file, List<Studio> examples) {
+    /**
+     * Opens a window, as {@link TompkinsWindow#opened} does; without a display see {@link #requireDisplay}.
+     *
+     * @param settings the folder of the settings
+     */
+    WindowDriver(Path settings, Studio studio, Path file, List<Studio> examples) {
+        requireDisplay();
+        System.setProperty("tompkins.settings", settings.toString());
         try {
             robot = new Robot();
         } catch (AWTException e) {

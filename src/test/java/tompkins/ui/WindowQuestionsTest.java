@@ -30,7 +30,7 @@ import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -58,27 +58,20 @@ class WindowQuestionsTest {
     private Path folder;
 
     private Path file;
+
+    @AutoClose
     private WindowDriver driver;
 
     @BeforeEach
     void open() throws IOException {
-        WindowDriver.requireDisplay();
-        System.setProperty("tompkins.settings", folder.resolve("settings").toString());
         file = folder.resolve("wall.json");
         StudioWriter.save(WALL, file);
-        driver = new WindowDriver(WALL, file, List.of(Studios.sphere()));
+        driver = new WindowDriver(folder.resolve("settings"), WALL, file, List.of(Studios.sphere()));
         WindowDriver.await(
                 "the examples",
                 () -> Components.all(driver.window().frame())
                         .anyMatch(item -> Studios.sphere().title().equals(item.getName())));
         driver.completePicture();
-    }
-
-    @AfterEach
-    void close() {
-        if (driver != null) {
-            driver.close();
-        }
     }
 
     private String title() {
@@ -255,7 +248,7 @@ class WindowQuestionsTest {
         Files.writeString(
                 Files.createDirectories(folder.resolve("settings")).resolve("window.properties"),
                 "width=9000\nheight=8000\n");
-        driver = new WindowDriver(WALL, file, List.of());
+        driver = new WindowDriver(folder.resolve("settings"), WALL, file, List.of());
         Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
         assertThat(driver.window().frame().getSize()).isEqualTo(screen);
     }

@@ -22,7 +22,7 @@ import javax.swing.JSlider;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -44,23 +44,15 @@ class WindowTest {
     @TempDir
     private Path folder;
 
+    @AutoClose
     private WindowDriver driver;
 
     @BeforeEach
     void open() throws IOException {
-        WindowDriver.requireDisplay();
-        System.setProperty("tompkins.settings", folder.toString());
         Path file = folder.resolve("lattice.json");
         Studio studio = Studios.lattice().withSettings(Studio.DEFAULT.settings().withSize(320, 240));
         StudioWriter.save(studio, file);
-        driver = new WindowDriver(studio, file, examples());
-    }
-
-    @AfterEach
-    void close() {
-        if (driver != null) {
-            driver.close();
-        }
+        driver = new WindowDriver(folder, studio, file, examples());
     }
 
     /** The scenes of the project, small, so that they are quick. */
