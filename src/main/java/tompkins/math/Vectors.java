@@ -6,6 +6,9 @@ import org.joml.Vector3dc;
 /** Unit vectors and bases, safe for vectors of any length. */
 public final class Vectors {
 
+    /** The component of a unit vector from which on it counts as lying along that axis. */
+    private static final double NEARLY_ALONG = 0.9;
+
     private Vectors() {}
 
     /**
@@ -34,7 +37,36 @@ public final class Vectors {
      * @param normal unit vector
      */
     public static Vector3d firstAxis(Vector3dc normal) {
-        Vector3d axis = Math.abs(normal.x()) < 0.9 ? new Vector3d(1, 0, 0) : new Vector3d(0, 0, 1);
+        return laidInto(normal, Math.abs(normal.x()) < NEARLY_ALONG ? new Vector3d(1, 0, 0) : new Vector3d(0, 0, 1));
+    }
+
+    /**
+     * The direction on a face that is up for one who looks at it from outside: the y axis laid into the face, or, where the
+     * face is level, z if it is seen from above and -z if it is seen from below. To the right is then normal x up, for x
+     * points to the right, y up and z away from the one who looks.
+     *
+     * @param normal unit vector out of the face
+     */
+    public static Vector3d upOnFace(Vector3dc normal) {
+        return laidInto(
+                normal,
+                Math.abs(normal.y()) < NEARLY_ALONG
+                        ? new Vector3d(0, 1, 0)
+                        : new Vector3d(0, 0, Math.signum(normal.y())));
+    }
+
+    /**
+     * The side of an object around an axis on which to show the middle of a picture: that of -z, where a camera at the origin
+     * stands, or that of y where the axis itself runs along z.
+     *
+     * @param axis unit vector
+     * @return a unit vector perpendicular to the axis
+     */
+    public static Vector3d middleAround(Vector3dc axis) {
+        return laidInto(axis, Math.abs(axis.z()) < NEARLY_ALONG ? new Vector3d(0, 0, -1) : new Vector3d(0, 1, 0));
+    }
+
+    private static Vector3d laidInto(Vector3dc normal, Vector3d axis) {
         double along = axis.dot(normal);
         return unit(axis.sub(normal.x() * along, normal.y() * along, normal.z() * along));
     }

@@ -8,8 +8,8 @@ import tompkins.property.Require;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.Surface;
 
-/** A box along the axes. Coordinates: from 0 to 1 across each face, along the next two axes in the order x, y, z, x. */
-@Meaning("A box along the axes; u and v run from 0 to 1 across each face")
+/** A box along the axes. Coordinates: from 0 to 1 across each face, to the right and up seen from outside. */
+@Meaning("A box along the axes; u and v run from 0 to 1 across each face, to the right and up seen from outside")
 public record Box(
         @Meaning("Name of the object") String description,
 

@@ -88,23 +88,20 @@ final class BoxPrimitive extends Primitive {
                 side * normal.z,
                 this,
                 face,
-                surface().usesCoordinates() ? coordinates(face / 2, x, y, z) : null);
+                surface().usesCoordinates() ? coordinates(face, x, y, z) : null);
     }
 
-    private SurfaceCoordinates coordinates(int axis, double x, double y, double z) {
-        int first = (axis + 1) % 3;
-        int second = (axis + 2) % 3;
-        double scaleU = 1 / (2 * half[first]);
-        double scaleV = 1 / (2 * half[second]);
+    private SurfaceCoordinates coordinates(int face, double x, double y, double z) {
+        int axis = face / 2;
+        int upAxis = axis == 1 ? 2 : 1;
+        int rightAxis = 3 - axis - upAxis;
+        double side = face % 2 == 0 ? -1 : 1;
+        // as Vectors.upOnFace says of the faces before the box is placed
+        Vector3d up = new Vector3d(axes[upAxis]).mul(axis == 1 ? side : 1);
+        Vector3d right = new Vector3d(axes[axis]).mul(side).cross(up).div(2 * half[rightAxis]);
+        up.div(2 * half[upAxis]);
         return new SurfaceCoordinates(
-                along(first, x, y, z) * scaleU + 0.5,
-                along(second, x, y, z) * scaleV + 0.5,
-                axes[first].x * scaleU,
-                axes[first].y * scaleU,
-                axes[first].z * scaleU,
-                axes[second].x * scaleV,
-                axes[second].y * scaleV,
-                axes[second].z * scaleV);
+                right.dot(x, y, z) + 0.5, up.dot(x, y, z) + 0.5, right.x, right.y, right.z, up.x, up.y, up.z);
     }
 
     @Override

@@ -8,10 +8,11 @@ import tompkins.surface.ColouredSurface;
 import tompkins.surface.Surface;
 
 /**
- * A circular cone. Coordinates on the mantle: u once around, v from the tip (0) to the base (1); on the base as on a
+ * A circular cone. Coordinates on the mantle: u once around, v from the base (0) to the tip (1); on the base as on a
  * {@link Disc}.
  */
-@Meaning("A circular cone; u runs once around, v from the tip (0) to the base (1)")
+@Meaning(
+        "A circular cone; u runs once around, to the right seen from outside with the tip above, v from the base (0) to the tip (1)")
 public record Cone(
         @Meaning("Name of the object") String description,
         @Meaning(value = "The tip", unit = "length") Vector3dc tip,

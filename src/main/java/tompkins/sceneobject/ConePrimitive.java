@@ -4,16 +4,21 @@ import org.joml.Vector3d;
 import tompkins.math.Vectors;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
-import tompkins.ray.SurfaceCoordinates;
 
 /** The mantle of a cone in space. */
 final class ConePrimitive extends Primitive {
+
+    /** The radius at the tip, where u changes without end, as a share of that of the base. */
+    private static final double SMALLEST = 1e-12;
 
     private final Vector3d tip;
     private final Vector3d axis;
     private final double height;
     private final double baseRadius;
     private final double slope;
+
+    /** Null if the surface asks for no coordinates. */
+    private final RoundCoordinates round;
 
     ConePrimitive(Cone cone, Placement placement) {
         super(cone.description(), cone.surface());
@@ -23,6 +28,9 @@ final class ConePrimitive extends Primitive {
         axis = Vectors.unit(toBase);
         baseRadius = cone.baseRadius() * placement.scale();
         slope = baseRadius / height;
+        round = surface().usesCoordinates()
+                ? RoundCoordinates.around(cone.tip().sub(cone.baseCentre(), new Vector3d()), placement)
+                : null;
     }
 
     /** The points whose distance from the axis is {@code slope} times their height below the tip: a quadratic equation. */
@@ -87,18 +95,9 @@ final class ConePrimitive extends Primitive {
                 normal.z,
                 this,
                 0,
-                surface().usesCoordinates() ? coordinates(radial, radius, along) : null);
-    }
-
-    private SurfaceCoordinates coordinates(Vector3d radial, double radius, double along) {
-        Vector3d first = Vectors.firstAxis(axis);
-        Vector3d second = axis.cross(first, new Vector3d());
-        double angle = Math.atan2(radial.dot(second), radial.dot(first));
-        double smallest = baseRadius * 1e-12;
-        Vector3d around = axis.cross(radial, new Vector3d()).div(2 * Math.PI * Math.max(radius, smallest));
-        Vector3d down = axis.div(height, new Vector3d());
-        return new SurfaceCoordinates(
-                angle / (2 * Math.PI) + 0.5, along / height, around.x, around.y, around.z, down.x, down.y, down.z);
+                round == null
+                        ? null
+                        : round.at(radial, Math.max(radius, baseRadius * SMALLEST), 1 - along / height, height));
     }
 
     @Override

@@ -1,6 +1,7 @@
 package tompkins.sceneobject;
 
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import tompkins.math.Precise;
 import tompkins.math.Vectors;
 import tompkins.ray.Hit;
@@ -29,10 +30,16 @@ final class CylinderPrimitive extends Primitive {
     private final double radius;
     private final boolean caps;
 
+    // null if the surface asks for no coordinates
+    private final RoundCoordinates round;
+    private final Vector3dc upOnStart;
+    private final Vector3dc upOnEnd;
+
     CylinderPrimitive(Cylinder cylinder, Placement placement) {
         super(cylinder.description(), cylinder.surface());
+        Vector3d toEnd = cylinder.end().sub(cylinder.start(), new Vector3d());
         Vector3d start = placement.point(cylinder.start());
-        Vector3d axis = placement.vector(cylinder.end().sub(cylinder.start(), new Vector3d()));
+        Vector3d axis = placement.vector(toEnd);
         startX = start.x;
         startY = start.y;
         startZ = start.z;
@@ -43,6 +50,11 @@ final class CylinderPrimitive extends Primitive {
         length = axis.length();
         radius = cylinder.radius() * placement.scale();
         caps = cylinder.caps();
+        boolean usesCoordinates = surface().usesCoordinates();
+        round = usesCoordinates ? RoundCoordinates.around(toEnd, placement) : null;
+        Vector3d unit = Vectors.unit(toEnd);
+        upOnEnd = usesCoordinates ? placement.direction(Vectors.upOnFace(unit)) : null;
+        upOnStart = usesCoordinates ? placement.direction(Vectors.upOnFace(unit.negate())) : null;
     }
 
     @Override
@@ -205,49 +217,27 @@ final class CylinderPrimitive extends Primitive {
                 normal.z,
                 this,
                 MANTLE,
-                surface().usesCoordinates() ? mantleCoordinates(normal, along) : null);
+                round == null ? null : round.at(normal, radius, along, length));
     }
 
     private Hit capHit(Ray ray, double distance, int part, double scale, Hit memory) {
-        return memory.set(
-                ray,
-                distance,
-                axisX * scale,
-                axisY * scale,
-                axisZ * scale,
-                this,
-                part,
-                surface().usesCoordinates() ? capCoordinates(ray, distance) : null);
+        SurfaceCoordinates coordinates = null;
+        if (round != null) {
+            Vector3d outwards = new Vector3d(axisX, axisY, axisZ).mul(scale);
+            coordinates = capCoordinates(ray, distance, outwards, part == START_CAP ? upOnStart : upOnEnd);
+        }
+        return memory.set(ray, distance, axisX * scale, axisY * scale, axisZ * scale, this, part, coordinates);
     }
 
-    private SurfaceCoordinates mantleCoordinates(Vector3d normal, double along) {
-        Vector3d unit = new Vector3d(axisX, axisY, axisZ).div(length);
-        Vector3d first = Vectors.firstAxis(unit);
-        Vector3d second = unit.cross(first, new Vector3d());
-        double angle = Math.atan2(normal.dot(second), normal.dot(first));
-        Vector3d around = unit.cross(normal, new Vector3d()).div(2 * Math.PI * radius);
-        Vector3d up = unit.div(length, new Vector3d());
-        return new SurfaceCoordinates(
-                angle / (2 * Math.PI) + 0.5, along, around.x, around.y, around.z, up.x, up.y, up.z);
-    }
-
-    private SurfaceCoordinates capCoordinates(Ray ray, double distance) {
-        Vector3d unit = new Vector3d(axisX, axisY, axisZ).div(length);
-        Vector3d first = Vectors.firstAxis(unit).div(2 * radius);
-        Vector3d second = Vectors.secondAxis(unit, Vectors.firstAxis(unit)).div(2 * radius);
+    private SurfaceCoordinates capCoordinates(Ray ray, double distance, Vector3dc outwards, Vector3dc upOnCap) {
+        Vector3d right = outwards.cross(upOnCap, new Vector3d()).div(2 * radius);
+        Vector3d up = upOnCap.div(2 * radius, new Vector3d());
         Vector3d offset = new Vector3d(
                 ray.x + distance * ray.dx - startX,
                 ray.y + distance * ray.dy - startY,
                 ray.z + distance * ray.dz - startZ);
         return new SurfaceCoordinates(
-                offset.dot(first) + 0.5,
-                offset.dot(second) + 0.5,
-                first.x,
-                first.y,
-                first.z,
-                second.x,
-                second.y,
-                second.z);
+                offset.dot(right) + 0.5, offset.dot(up) + 0.5, right.x, right.y, right.z, up.x, up.y, up.z);
     }
 
     @Override

@@ -8,8 +8,9 @@ import tompkins.property.Require;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.Surface;
 
-/** A flat disc. Coordinates: from 0 to 1 across the square around it. */
-@Meaning("A flat disc; u and v run from 0 to 1 across the square around it")
+/** A flat disc. Coordinates: from 0 to 1 across the square around it, to the right and up seen from the side of its normal. */
+@Meaning(
+        "A flat disc; u and v run from 0 to 1 across the square around it, to the right and up seen from the side of its normal")
 public record Disc(
         @Meaning("Name of the object") String description,
         @Meaning(value = "Centre", unit = "length") Vector3dc centre,
@@ -34,20 +35,16 @@ public record Disc(
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
         Vector3d unit = Vectors.unit(normal);
-        Vector3d first = Vectors.firstAxis(unit);
-        Vector3d second = Vectors.secondAxis(unit, first);
-        Vector3d corner =
-                new Vector3d(centre).sub(new Vector3d(first).mul(radius)).sub(new Vector3d(second).mul(radius));
-        Vector3d spanU = first.mul(2 * radius);
-        Vector3d spanV = second.mul(2 * radius);
-        // the front is the side of the normal, whatever the sense of the axes
-        boolean turned = Vectors.cross(spanU, spanV).dot(unit) < 0;
+        Vector3d up = Vectors.upOnFace(unit).mul(radius);
+        Vector3d right = unit.cross(up, new Vector3d());
+        Vector3d corner = centre.sub(right, new Vector3d()).sub(up);
         collector.add(new FlatPrimitive(
                 description,
                 surface,
                 FlatPrimitive.Outline.ELLIPSE,
-                placement.point(turned ? corner.add(spanU) : corner),
-                placement.vector(turned ? spanU.negate() : spanU),
-                placement.vector(spanV)));
+                placement.point(corner),
+                placement.vector(right.mul(2)),
+                placement.vector(up.mul(2)),
+                placement.direction(unit)));
     }
 }

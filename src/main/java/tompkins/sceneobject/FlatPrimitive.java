@@ -45,9 +45,20 @@ final class FlatPrimitive extends Primitive {
     /** The piece of the plane at {@code corner} that the vectors U and V span; its front is the side of U x V. */
     FlatPrimitive(
             String description, Surface surface, Outline outline, Vector3dc corner, Vector3dc spanU, Vector3dc spanV) {
+        this(description, surface, outline, corner, spanU, spanV, Vectors.cross(spanU, spanV));
+    }
+
+    /** A piece of which the perpendicular vector {@code normal}, of any length, says where its front is. */
+    FlatPrimitive(
+            String description,
+            Surface surface,
+            Outline outline,
+            Vector3dc corner,
+            Vector3dc spanU,
+            Vector3dc spanV,
+            Vector3dc normal) {
         super(description, surface);
         this.outline = outline;
-        Vector3d normal = Vectors.cross(spanU, spanV);
         Vector3d gradientU = Vectors.cross(spanV, normal);
         Vector3d gradientV = Vectors.cross(normal, spanU);
         gradientU.div(gradientU.dot(spanU));

@@ -108,20 +108,67 @@ class ShapeGeometryTest {
         assertCoordinates(
                 ball, new Vector3d(1, 2, -9), new Vector3d(0, Math.sqrt(2), 10 + 2 - Math.sqrt(2)), 0.5, 0.75);
         Box box = new Box("", new Vector3d(1, 2, 3), new Vector3d(3, 6, 11), TILED);
-        assertCoordinates(box, new Vector3d(-5, 3, 5), new Vector3d(1, 0, 0), 0.25, 0.25);
+        assertCoordinates(box, new Vector3d(-5, 3, 5), new Vector3d(1, 0, 0), 0.75, 0.25);
         assertCoordinates(box, new Vector3d(1.5, 9, 5), new Vector3d(0, -1, 0), 0.25, 0.25);
         assertCoordinates(box, new Vector3d(2.5, 5, -9), new Vector3d(0, 0, 1), 0.75, 0.75);
         Cylinder rod = new Cylinder("", new Vector3d(1, 0, 0), new Vector3d(1, 4, 0), 2, true, TILED);
-        assertCoordinates(rod, new Vector3d(9, 1, 0), new Vector3d(-1, 0, 0), 0.5, 0.25);
+        assertCoordinates(rod, new Vector3d(1, 1, -9), new Vector3d(0, 0, 1), 0.5, 0.25);
+        assertCoordinates(rod, new Vector3d(9, 1, 0), new Vector3d(-1, 0, 0), 0.75, 0.25);
         assertCoordinates(rod, new Vector3d(2, 9, 1), new Vector3d(0, -1, 0), 0.75, 0.75);
-        assertCoordinates(rod, new Vector3d(0, -9, 0.5), new Vector3d(0, 1, 0), 0.25, 0.625);
+        assertCoordinates(rod, new Vector3d(0, -9, 0.5), new Vector3d(0, 1, 0), 0.25, 0.375);
         Cone cone = new Cone("", new Vector3d(1, 4, 0), new Vector3d(1, 0, 0), 2, false, TILED);
-        assertCoordinates(cone, new Vector3d(9, 1, 0), new Vector3d(-1, 0, 0), 0.5, 0.75);
+        assertCoordinates(cone, new Vector3d(9, 1, 0), new Vector3d(-1, 0, 0), 0.75, 0.25);
         Disc disc = new Disc("", new Vector3d(1, 2, 3), new Vector3d(0, 0, 1), 2, TILED);
-        assertCoordinates(disc, new Vector3d(2, 2.5, 0), new Vector3d(0, 0, 1), 0.75, 0.625);
+        assertCoordinates(disc, new Vector3d(2, 2.5, 0), new Vector3d(0, 0, 1), 0.25, 0.625);
         Triangle triangle =
                 new Triangle("", new Vector3d(0, 0, 5), new Vector3d(4, 0, 5), new Vector3d(0, 2, 5), TILED);
         assertCoordinates(triangle, new Vector3d(1, 0.5, 0), new Vector3d(0, 0, 1), 0.25, 0.25);
+    }
+
+    @Test
+    void patternsTurnWithACylinderAboutItsAxis() {
+        Cylinder rod = new Cylinder("", new Vector3d(0, -1, 0), new Vector3d(0, 1, 0), 1, true, TILED);
+        // an eighth of a turn, which takes the front (-z) towards the left (-x)
+        SceneObject turned = new Placed("", rod, 1, new Vector3d(0, 1, 0), 45, new Vector3d());
+        assertCoordinates(turned, new Vector3d(0, 0.5, -9), new Vector3d(0, 0, 1), 0.625, 0.75);
+    }
+
+    /** x points to the right, y up and z away from the camera: there, right x up points away from who looks. */
+    @ParameterizedTest
+    @MethodSource("closedShapes")
+    void picturesAreNotMirroredSeenFromOutside(SceneObject object) {
+        for (SceneObject seen :
+                List.of(object, new Placed("", object, 2, new Vector3d(3, -1, 2), 77, new Vector3d()))) {
+            int hits = 0;
+            for (int i = 0; i < 300; i++) {
+                Ray ray = ray(aims.vector(30).add(0, 0, -60), aims.vector(2));
+                for (Primitive primitive : PrimitiveCollector.primitivesOf(seen)) {
+                    double distance = primitive.distance(ray, Primitive.NO_HIT);
+                    if (distance == Primitive.NO_HIT) {
+                        continue;
+                    }
+                    Hit hit = primitive.hit(ray, distance);
+                    Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
+                    SurfaceCoordinates at = hit.coordinates;
+                    Vector3d right = new Vector3d(at.uX(), at.uY(), at.uZ());
+                    Vector3d up = new Vector3d(at.vX(), at.vY(), at.vZ());
+                    up.sub(new Vector3d(normal).mul(up.dot(normal)));
+                    assertThat(right.cross(up).normalize().dot(normal)).isCloseTo(-1, within(1e-9));
+                    hits++;
+                }
+            }
+            assertThat(hits).isPositive();
+        }
+    }
+
+    static Stream<SceneObject> closedShapes() {
+        return Stream.of(
+                new Sphere("", new Vector3d(), 2, TILED),
+                new Box("", new Vector3d(-1, -2, -1), new Vector3d(1, 1, 2), TILED),
+                new Cylinder("", new Vector3d(0.3, -1, 0), new Vector3d(0, 2, 1), 1.5, true, TILED),
+                new Cylinder("", new Vector3d(0, 0, 2), new Vector3d(0, 0.1, -2), 1.5, true, TILED),
+                new Cone("", new Vector3d(0, 1, -2), new Vector3d(1, -1, 1), 1.5, true, TILED),
+                new Disc("", new Vector3d(), new Vector3d(0.5, 1, -1), 2, TILED));
     }
 
     private static void assertCoordinates(SceneObject object, Vector3dc origin, Vector3dc d, double u, double v) {
