@@ -7,6 +7,7 @@ import java.util.function.Function;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JFileChooser;
+import javax.swing.SwingUtilities;
 import tompkins.image.PictureFile;
 import tompkins.io.MeshFile;
 import tompkins.ray.MeshData;
@@ -14,6 +15,14 @@ import tompkins.ray.PixelPicture;
 
 /** A button that shows what a file held, such as a picture or a mesh, and chooses another file. */
 final class FileContentEditor implements ValueEditor {
+
+    /** Client property of a window's root pane: the {@link Choosers} for the editors in it. */
+    static final String CHOOSERS = "tompkins.choosers";
+
+    /** Makes choosers that start in the right folder. */
+    interface Choosers {
+        JFileChooser make();
+    }
 
     private final JButton button = new JButton();
     private final Function<Object, String> text;
@@ -38,16 +47,40 @@ final class FileContentEditor implements ValueEditor {
         button.setName(name);
         button.setToolTipText(Tips.html(tip));
         button.addActionListener(event -> {
-            JFileChooser chooser = new JFileChooser();
+            JFileChooser chooser = chooser();
             if (chooser.showOpenDialog(button) == JFileChooser.APPROVE_OPTION) {
-                try {
-                    Object content = reader.read(chooser.getSelectedFile().toPath());
-                    ValueEditors.attempt(note, () -> commit.accept(content));
-                } catch (IOException e) {
-                    note.setError(e.getMessage());
-                }
+                read(chooser.getSelectedFile().toPath(), reader, note, commit);
             }
         });
+    }
+
+    private JFileChooser chooser() {
+        return SwingUtilities.getRootPane(button).getClientProperty(CHOOSERS) instanceof Choosers choosers
+                ? choosers.make()
+                : new JFileChooser();
+    }
+
+    /** Reads in the background: a mesh may be large. What is read for a form that is gone by then is dropped. */
+    private void read(Path file, Reader reader, Note note, Consumer<Object> commit) {
+        Object[] content = new Object[1];
+        String[] problem = new String[1];
+        BackgroundTask.start(
+                SwingUtilities.getWindowAncestor(button),
+                Texts.get("file.opening", file),
+                task -> {
+                    try {
+                        content[0] = reader.read(file);
+                    } catch (IOException e) {
+                        problem[0] = e.getMessage();
+                    }
+                },
+                () -> {
+                    if (problem[0] != null) {
+                        note.setError(problem[0]);
+                    } else if (button.isShowing()) {
+                        ValueEditors.attempt(note, () -> commit.accept(content[0]));
+                    }
+                });
     }
 
     private static String pictureText(Object value) {

@@ -232,6 +232,8 @@ public final class TompkinsWindow {
                 editor = new JDialog(frame, Texts.get("tree.title"));
                 editor.setName("editor");
                 editor.setContentPane(content.component());
+                FileContentEditor.Choosers choosers = files::chooser;
+                editor.getRootPane().putClientProperty(FileContentEditor.CHOOSERS, choosers);
                 menus.bindKeys(editor.getRootPane());
                 Keys.bind(editor.getRootPane(), Keys.ESCAPE, () -> editor.setVisible(false));
                 editor.pack();

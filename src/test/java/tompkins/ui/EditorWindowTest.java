@@ -3,9 +3,17 @@ package tompkins.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import javax.swing.JButton;
 import javax.swing.JDialog;
+import javax.swing.JFileChooser;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTree;
 import org.junit.jupiter.api.AutoClose;
@@ -14,7 +22,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.io.StudioReader;
+import tompkins.ray.PixelPicture;
 import tompkins.sceneobject.Sphere;
+import tompkins.surface.PictureSurface;
+import tompkins.surface.Surface;
 
 /** The keys of the window with the tree of the scene. */
 @Timeout(600)
@@ -67,6 +78,50 @@ class EditorWindowTest {
         driver.key(KeyEvent.VK_S, KeyEvent.VK_CONTROL);
         WindowDriver.await("the saved scene", () -> !driver.window().model().isModified());
         assertThat(StudioReader.read(file)).isEqualTo(driver.studio());
+    }
+
+    @Test
+    void picturesAreChosenFromTheFolderOfTheSceneAndMayBeWrong() throws IOException {
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().set(Studios.sphere().withScene(List.of(pictured(PictureSurface.DEFAULT))));
+            return null;
+        });
+        Path wrong = Files.writeString(folder.resolve("wrong.png"), "no picture");
+        choosePicture(wrong);
+        WindowDriver.await(
+                "the refusal",
+                () -> Components.all(driver.window().frame())
+                        .anyMatch(part ->
+                                part instanceof JTextArea text && text.getText().contains(wrong + ": not a picture")));
+        assertThat(driver.studio().scene()).containsExactly(pictured(PictureSurface.DEFAULT));
+
+        Path right = folder.resolve("right.png");
+        ImageIO.write(new BufferedImage(7, 5, BufferedImage.TYPE_INT_RGB), "png", right.toFile());
+        choosePicture(right);
+        WindowDriver.await("the picture", () -> picture().width() == 7);
+        assertThat(picture().height()).isEqualTo(5);
+    }
+
+    private static Sphere pictured(Surface surface) {
+        return Records.with(Sphere.DEFAULT, "surface", surface);
+    }
+
+    private PixelPicture picture() {
+        Sphere sphere = (Sphere) driver.window().model().studio().scene().get(0);
+        return ((PictureSurface) sphere.surface()).picture();
+    }
+
+    private void choosePicture(Path picture) {
+        WindowDriver.later(driver.find(JButton.class, "Picture")::doClick);
+        WindowDriver.await("the file chooser", () -> chooser().findAny().isPresent());
+        assertThat(chooser().findAny().orElseThrow().getCurrentDirectory()).isEqualTo(folder.toFile());
+        driver.choose(picture);
+    }
+
+    private Stream<JFileChooser> chooser() {
+        return Components.all(driver.window().frame())
+                .filter(part -> part instanceof JFileChooser && part.isShowing())
+                .map(JFileChooser.class::cast);
     }
 
     @Test
