@@ -106,10 +106,15 @@ final class Photographer {
     static void requirePossible(Studio studio, Path target, boolean replace) {
         refuseToReplace(target, replace);
         requireMemory(studio.settings());
+        requireWritable(target);
+    }
+
+    /** Refuses a place where nothing can be saved. */
+    static void requireWritable(Path target) {
         try {
             PhotographFile.requireWritable(target);
         } catch (PictureException wrongPlace) {
-            // no disk has failed yet: the user named a place where nothing can be saved
+            // no disk has failed yet: the user named the place
             throw new MistakeException(wrongPlace.getMessage());
         }
     }

@@ -82,6 +82,7 @@ final class StudyCommand implements Callable<Integer> {
         StudyPage page = kinds.size() == 1
                 ? new StudyPage(output, kinds.get(0).toString(), "# Study: " + kinds.get(0))
                 : new StudyPage(output, PAGE_OF_ALL, StudyPage.introduction(SelfDescription.program()));
+        Photographer.requireWritable(page.file());
         boolean holds = true;
         for (StudyKind kind : kinds) {
             holds &= make(kind.study(setup), page);

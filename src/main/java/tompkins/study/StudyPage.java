@@ -116,9 +116,13 @@ public final class StudyPage {
 
     /** Writes the page and says where it is. */
     public Path write() throws IOException {
-        Path file = folder.resolve(name + ".md");
-        StudyData.replace(file, text.toString().getBytes(StandardCharsets.UTF_8));
-        return file;
+        StudyData.replace(file(), text.toString().getBytes(StandardCharsets.UTF_8));
+        return file();
+    }
+
+    /** The page itself, whether it is written yet or not. */
+    public Path file() {
+        return folder.resolve(name + ".md");
     }
 
     private static String heading(String name) {

@@ -60,6 +60,17 @@ class StudyCommandTest {
     }
 
     @Test
+    void aPageThatCannotBeWrittenIsAMistakeBeforeAnythingIsMeasured() throws IOException {
+        Path page = Files.createDirectory(folder.resolve("stability.md"));
+
+        ProgramRun run = ProgramRun.of("study", "stability", "-o", folder);
+
+        assertThat(run.code()).isEqualTo(Failures.MISTAKE);
+        assertThat(run.err().strip()).startsWith(page + ": cannot be written: ");
+        assertThat(folder.resolve("stability")).doesNotExist();
+    }
+
+    @Test
     void aFolderThatDoesNotExistIsAMistake() throws IOException {
         Path file = Files.writeString(folder.resolve("mine.txt"), "mine");
         for (Path none : List.of(file, file.resolve("x"), folder.resolve("none"))) {
