@@ -163,12 +163,12 @@ final class FileActions {
                 frame,
                 Texts.get("file.overwriteTitle"),
                 Texts.get("loss." + loss, file.getFileName()),
-                Texts.get("file.saveAnyway"),
                 Texts.get("menu.saveSceneAs"),
+                Texts.get("file.saveAnyway"),
                 Texts.get("task.cancel"));
         switch (answer) {
-            case 0 -> saveScene(file, next);
-            case 1 -> saveSceneAs(next);
+            case 0 -> saveSceneAs(next);
+            case 1 -> saveScene(file, next);
             default -> {}
         }
     }

@@ -28,7 +28,9 @@ enum Loss {
             if (StudioReader.isPhotograph(file)) {
                 return PHOTOGRAPH;
             }
-            if (Files.readString(file).equals(StudioWriter.write(held, file))) {
+            // programs that keep versions may change the ends of lines
+            String text = Files.readString(file).replace("\r\n", "\n");
+            if (text.equals(StudioWriter.write(held, file))) {
                 return NOTHING;
             }
             return StudioReader.read(file).equals(held) ? HANDWRITING : OTHER_SCENE;

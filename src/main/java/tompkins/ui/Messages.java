@@ -86,7 +86,7 @@ final class Messages {
         return Unsaved.values()[chosen];
     }
 
-    /** Asks which of some answers is meant: its number; closing the question gives the last one. */
+    /** Asks which of some answers is meant: its number; Enter gives the first, closing the question the last one. */
     static int choose(Component parent, String title, String question, String... answers) {
         int chosen = JOptionPane.showOptionDialog(
                 parent,

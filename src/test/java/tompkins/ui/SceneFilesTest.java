@@ -113,6 +113,27 @@ class SceneFilesTest {
     }
 
     @Test
+    void otherEndsOfLinesAreNoHandwriting() throws IOException {
+        Files.writeString(file, Files.readString(file).replace("\n", "\r\n"));
+        assertSavesWithoutAQuestion("0.5");
+    }
+
+    /** Enter alone loses nothing. */
+    @Test
+    void theFirstAnswerSavesElsewhere() throws IOException {
+        Files.writeString(file, "// mine\n" + Files.readString(file));
+        byte[] before = Files.readAllBytes(file);
+        Studio mine = change("0.5");
+        save();
+        driver.answerWithEnter("Save scene as\u2026");
+        Path other = folder.resolve("other.json");
+        driver.choose(other);
+        awaitSaved();
+        assertThat(file).hasBinaryContent(before);
+        assertThat(StudioReader.read(other)).isEqualTo(mine);
+    }
+
+    @Test
     void reloadingShowsWhatAnotherProgramWrote() throws IOException {
         StudioWriter.save(BOX, file);
         driver.key(KeyEvent.VK_F5);

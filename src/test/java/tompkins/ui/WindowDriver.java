@@ -223,6 +223,15 @@ final class WindowDriver implements AutoCloseable {
         later(onEventThread(() -> showing(text).orElseThrow())::doClick);
     }
 
+    /** Waits until a button with a text has the focus, such as the first answer of a question, and presses Enter. */
+    void answerWithEnter(String text) {
+        await(
+                "the focus on " + text,
+                () -> KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner() instanceof JButton button
+                        && text.equals(button.getText()));
+        key(KeyEvent.VK_ENTER);
+    }
+
     private Optional<JButton> showing(String text) {
         return Components.all(window.frame())
                 .filter(JButton.class::isInstance)
