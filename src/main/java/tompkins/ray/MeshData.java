@@ -71,6 +71,15 @@ public final class MeshData implements FileContent {
         return coordinates[3 * corners[3 * triangle + corner] + axis];
     }
 
+    /** The largest size of a coordinate of a vertex; 0 without vertices. */
+    public double largestCoordinate() {
+        double largest = 0;
+        for (double coordinate : coordinates) {
+            largest = Math.max(largest, Math.abs(coordinate));
+        }
+        return largest;
+    }
+
     @Override
     public boolean equals(Object other) {
         return other instanceof MeshData mesh

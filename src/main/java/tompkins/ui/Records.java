@@ -10,7 +10,20 @@ import java.util.stream.Stream;
 /** Reads and rebuilds descriptions without knowing them: they are records and sealed families of records. */
 final class Records {
 
+    /** Asking a class for its components takes microseconds, and scenes have many objects. */
+    private static final ClassValue<List<RecordComponent>> COMPONENTS = new ClassValue<>() {
+        @Override
+        protected List<RecordComponent> computeValue(Class<?> type) {
+            return List.of(type.getRecordComponents());
+        }
+    };
+
     private Records() {}
+
+    /** The components of a record type, in their order. */
+    static List<RecordComponent> components(Class<?> type) {
+        return COMPONENTS.get(type);
+    }
 
     /** The value of a component. */
     static Object get(Object holder, RecordComponent component) {
@@ -23,7 +36,7 @@ final class Records {
 
     /** The component of a record that has the given name. */
     static RecordComponent component(Class<?> type, String name) {
-        return Arrays.stream(type.getRecordComponents())
+        return components(type).stream()
                 .filter(component -> component.getName().equals(name))
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException(type.getName() + " has no component " + name));
@@ -37,7 +50,7 @@ final class Records {
     static <R> R with(R holder, String name, Object value) {
         @SuppressWarnings("unchecked")
         Class<R> type = (Class<R>) holder.getClass();
-        Object[] values = Arrays.stream(type.getRecordComponents())
+        Object[] values = components(type).stream()
                 .map(component -> component.getName().equals(name) ? value : get(holder, component))
                 .toArray();
         return build(type, values);
@@ -49,9 +62,8 @@ final class Records {
      * @throws tompkins.property.InvalidPropertyException if the record does not accept them
      */
     static <R> R build(Class<R> type, Object... values) {
-        Class<?>[] types = Arrays.stream(type.getRecordComponents())
-                .map(RecordComponent::getType)
-                .toArray(Class<?>[]::new);
+        Class<?>[] types =
+                components(type).stream().map(RecordComponent::getType).toArray(Class<?>[]::new);
         try {
             Constructor<R> constructor = type.getDeclaredConstructor(types);
             return constructor.newInstance(values);

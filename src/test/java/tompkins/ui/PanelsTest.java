@@ -8,6 +8,7 @@ import java.awt.Point;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.JButton;
@@ -26,7 +27,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.ray.MeshData;
 import tompkins.render.Quality;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.sceneobject.TriangleMesh;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.FixedPointSurfaceShutter;
@@ -35,6 +40,7 @@ import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
 import tompkins.surface.GalileoWindow;
 import tompkins.surface.LorentzWindow;
 
@@ -229,6 +235,32 @@ class PanelsTest {
     @Test
     void timesReachThroughTheScene() {
         assertThat(SceneSize.times(model.studio())).isEqualTo(Range.even(-20, 20));
+        double[] coordinates = {0, 0, 10, 30, -45, 10, 0, 40, 10};
+        MeshData triangle = new MeshData("", coordinates, new int[] {0, 1, 2}, new byte[0]);
+        Studio large = model.studio()
+                .withScene(List.of(new TriangleMesh("", triangle, ColouredSurface.DEFAULT), Sphere.DEFAULT));
+        // 1.2 times 45, upwards
+        assertThat(SceneSize.times(large)).isEqualTo(Range.even(-100, 100));
+    }
+
+    /** What the panels do for each change belongs to the 16 ms between two pictures of a screen. */
+    @Test
+    void scenesWithManyObjectsDoNotSlowTheSlidersDown() {
+        List<SceneObject> many = new ArrayList<>();
+        for (int i = 0; i < 20_000; i++) {
+            many.add(new Sphere("", new Vector3d(i, 0, 10), 0.1, ColouredSurface.DEFAULT));
+        }
+        new LensPanel(model, picking -> {});
+        new ShutterPanel(model);
+        model.open(model.studio().withScene(many), null);
+        List<Long> times = new ArrayList<>();
+        for (int i = 1; i <= 11; i++) {
+            long start = System.nanoTime();
+            model.adjust(model.studio().withVelocity(Velocity.of(0, 0, i / 20.0)), "drag");
+            times.add(System.nanoTime() - start);
+        }
+        Collections.sort(times);
+        assertThat(times.get(5)).isLessThan(16_000_000);
     }
 
     @Test
