@@ -47,7 +47,7 @@ public final class PictureFile {
                 throw new PictureException(
                         file + ": has " + Files.size(file) + " bytes; a picture may have at most " + MOST_BYTES);
             }
-            return read(Files.readAllBytes(file), file.toString());
+            return read(Files.readAllBytes(file), file.getFileName().toString());
         } catch (IOException e) {
             throw PictureException.cannotRead(file, e);
         }

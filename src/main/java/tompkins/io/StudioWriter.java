@@ -1,6 +1,7 @@
 package tompkins.io;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -51,14 +52,35 @@ public final class StudioWriter {
      * Saves a scene file. It names the pictures and meshes that lie under its folder, and holds the others. The file appears complete
      * or not at all; what was there before stays until then.
      *
-     * @throws IOException with a message for the user, if the file cannot be written
+     * @throws IOException with a message for the user, if the file cannot be written, or could not be read again: what is too
+     *     large to be held does not lie under its folder, or the text is too long for a scene file
      */
     public static void save(Studio studio, Path file) throws IOException {
+        byte[] text = write(studio, file).getBytes(StandardCharsets.UTF_8);
+        if (text.length > SceneText.LARGEST) {
+            throw new IOException(file + ": not saved: a scene file may have at most " + SceneText.LARGEST
+                    + " bytes, with its pictures it would have " + text.length + "; put them into its folder first");
+        }
+        requireNamedFiles(studio, file);
         try (PendingFile pending = PendingFile.file(file)) {
-            Files.writeString(pending.path(), write(studio, file));
+            Files.write(pending.path(), text);
             pending.commit();
         } catch (IOException failure) {
             throw PictureException.cannotWrite(file, failure);
+        }
+    }
+
+    private static void requireNamedFiles(Studio studio, Path file) throws IOException {
+        Path folder = file.toAbsolutePath().getParent();
+        for (String name : filesOnlyNamed(studio)) {
+            try {
+                new SceneFolder(folder).bytes(name, "a file");
+            } catch (IOException missing) {
+                throw new IOException(
+                        file + ": not saved: " + name + " is too large to be held by a scene file, and does not lie in "
+                                + folder + "; copy it there first",
+                        missing);
+            }
         }
     }
 

@@ -110,6 +110,25 @@ class MeshFileTest {
     }
 
     @Test
+    void aSceneIsSavedOnlyWhereItsLargeMeshIsFound(@TempDir Path folder) throws IOException {
+        String comments = "# nothing to see here\n".repeat(60_000);
+        Files.writeString(folder.resolve("large.obj"), comments + SQUARE + "f 1 2 3 4\n");
+        Studio studio = StudioReader.read(
+                "{\"scene\": [{\"type\": \"TriangleMesh\", \"mesh\": \"large.obj\"}]}", "scene.json", folder);
+
+        Path beside = folder.resolve("beside.json");
+        StudioWriter.save(studio, beside);
+        assertThat(StudioReader.read(beside)).isEqualTo(studio);
+
+        Path elsewhere = Files.createDirectory(folder.resolve("elsewhere")).resolve("scene.json");
+        assertThatThrownBy(() -> StudioWriter.save(studio, elsewhere))
+                .isInstanceOf(IOException.class)
+                .hasMessage(elsewhere + ": not saved: large.obj is too large to be held by a scene file, and does not"
+                        + " lie in " + elsewhere.getParent() + "; copy it there first");
+        assertThat(elsewhere.getParent()).isEmptyDirectory();
+    }
+
+    @Test
     void aMistakeInAMeshNamesTheSceneFileTheMeshAndBothLines(@TempDir Path folder) throws IOException {
         Files.writeString(folder.resolve("bad.obj"), SQUARE + "f 1 2 9\n");
 

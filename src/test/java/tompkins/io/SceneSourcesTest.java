@@ -9,12 +9,19 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Pattern;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.ray.PixelPicture;
+import tompkins.sceneobject.Sphere;
+import tompkins.studio.Studio;
+import tompkins.surface.PictureSurface;
 
 /** Files that are no scenes, and pictures that a scene must not or cannot use, give a message. */
 class SceneSourcesTest {
@@ -47,6 +54,23 @@ class SceneSourcesTest {
         Arrays.fill(spaces, (byte) ' ');
         Path file = Files.write(folder.resolve("large.json"), spaces);
         assertFileRefused(file, "a scene file may have at most 67108864 bytes, has more");
+    }
+
+    /** Three bytes of a picture are four letters of the text. */
+    @Test
+    void aSceneThatWouldBeTooLargeToBeReadIsNotSaved() {
+        byte[] content = new byte[3 * (SceneText.LARGEST / 4)];
+        PixelPicture picture = new PixelPicture("wall.png", 1, 1, new float[4], content);
+        Sphere sphere = new Sphere("", new Vector3d(), 1, new PictureSurface(picture, false));
+        Path file = folder.resolve("large.json");
+
+        assertThatExceptionOfType(IOException.class)
+                .isThrownBy(() -> StudioWriter.save(Studio.DEFAULT.withScene(List.of(sphere)), file))
+                .withMessageMatching(
+                        Pattern.quote(file + ": not saved: a scene file may have at most 67108864 bytes, with"
+                                        + " its pictures it would have ")
+                                + "671\\d{5}; put them into its folder first");
+        assertThat(folder).isEmptyDirectory();
     }
 
     @Test

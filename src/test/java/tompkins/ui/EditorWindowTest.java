@@ -92,7 +92,7 @@ class EditorWindowTest {
                 "the refusal",
                 () -> Components.all(driver.window().frame())
                         .anyMatch(part ->
-                                part instanceof JTextArea text && text.getText().contains(wrong + ": not a picture")));
+                                part instanceof JTextArea text && text.getText().contains("wrong.png: not a picture")));
         assertThat(driver.studio().scene()).containsExactly(pictured(PictureSurface.DEFAULT));
 
         Path right = folder.resolve("right.png");
