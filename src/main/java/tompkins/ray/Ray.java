@@ -23,7 +23,7 @@ public final class Ray {
     /** When the light is at the start. */
     public double time;
 
-    /** Time that passes per unit length: 1 for light in vacuum; other values only in a Galilean world. */
+    /** Time that passes per unit length: 1 for light in vacuum, the index in glass; any value in a Galilean world. */
     public double slowness;
 
     /** Frequency of the light in the frame of this ray, divided by its frequency in the camera frame. */

@@ -9,9 +9,12 @@ import tompkins.ray.Ray;
 
 /**
  * The boundary of a transparent medium such as glass: light is bent by Snell's law and partly reflected by Fresnel's
- * equations; nothing is lost. Light sources shine through it unbent, so that glass throws no shadow.
+ * equations, and needs more time inside; nothing is lost. Light sources shine through it unbent, so that glass throws no
+ * shadow.
  */
-@Meaning("The boundary of a transparent medium such as glass: bends light, reflects part of it, loses nothing")
+@Meaning(
+        "The boundary of a transparent medium such as glass: bends light and slows it down inside, reflects part of it,"
+                + " loses nothing")
 public record Refractive(
         @Meaning("Refractive index inside the object divided by that outside (glass in air: 1.5)")
         double indexRatio) implements Surface {
@@ -36,6 +39,7 @@ public record Refractive(
         boolean entering = along < 0;
         double before = entering ? 1 : indexRatio;
         double behind = entering ? indexRatio : 1;
+        double slowness = ray.slowness * behind / before;
         Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz);
         Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
         double cosineBehind = Refraction.bend(direction, normal, before, behind, direction);
@@ -46,12 +50,12 @@ public record Refractive(
             // all to the stronger part, so that the least light goes the wrong way
             return Response.goesOn(
                     caught || reflected < transmitted
-                            ? ray.bent(hit, direction.x, direction.y, direction.z, 1)
+                            ? ray.bent(hit, direction.x, direction.y, direction.z, slowness, 1)
                             : Mirror.reflected(ray, hit, 1),
                     Colour.WHITE);
         }
         Ray mirrored = Mirror.reflected(ray, hit, reflected);
-        Ray bent = ray.bent(hit, direction.x, direction.y, direction.z, transmitted);
+        Ray bent = ray.bent(hit, direction.x, direction.y, direction.z, slowness, transmitted);
         // the tracer loops over the stronger part, so that each level of recursion halves the light at least
         return reflected < transmitted
                 ? split(tracer, mirrored, reflected, bent, transmitted)
