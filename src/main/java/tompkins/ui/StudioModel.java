@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.UnaryOperator;
 import tompkins.studio.Studio;
 
 /**
@@ -14,22 +15,36 @@ import tompkins.studio.Studio;
  */
 final class StudioModel {
 
-    /** What one step of the history holds: a studio and where it was read from. */
-    record Document(Studio studio, Path file) {}
+    /**
+     * What one step of the history holds.
+     *
+     * @param studio the studio
+     * @param file where it was read from or saved to, or null
+     * @param opened the studio as it was then
+     */
+    private record Step(Studio studio, Path file, Studio opened) {
+
+        Step with(Studio other) {
+            return new Step(other, file, opened);
+        }
+
+        /** Whether another step changed the same opened studio. */
+        boolean isOfSameFile(Step other) {
+            return Objects.equals(file, other.file) && opened == other.opened;
+        }
+    }
 
     private static final int LONGEST_HISTORY = 1000;
 
     private final List<Runnable> listeners = new ArrayList<>();
-    private final Deque<Document> past = new ArrayDeque<>();
-    private final Deque<Document> future = new ArrayDeque<>();
-    private Document current;
-    private Document opened;
+    private final Deque<Step> past = new ArrayDeque<>();
+    private final Deque<Step> future = new ArrayDeque<>();
+    private Step current;
     private Object gesture;
 
     /** A model of a studio; the file may be null. */
     StudioModel(Studio studio, Path file) {
-        current = new Document(studio, file);
-        opened = current;
+        current = new Step(studio, file, studio);
     }
 
     /** Calls the listener after every change. */
@@ -49,17 +64,17 @@ final class StudioModel {
 
     /** The studio as it was opened or last saved. */
     Studio opened() {
-        return opened.studio();
+        return current.opened();
     }
 
     /** Whether the studio differs from what was opened or saved. */
     boolean isModified() {
-        return !current.studio().equals(opened.studio());
+        return !current.studio().equals(current.opened());
     }
 
     /** Takes another studio, as a step that can be undone. */
     void set(Studio studio) {
-        change(new Document(studio, current.file()), null);
+        change(current.with(studio), null);
     }
 
     /**
@@ -67,7 +82,7 @@ final class StudioModel {
      * are undone in one step.
      */
     void adjust(Studio studio, Object duringGesture) {
-        change(new Document(studio, current.file()), duringGesture);
+        change(current.with(studio), duringGesture);
     }
 
     /** The next change begins a step of its own. */
@@ -77,21 +92,29 @@ final class StudioModel {
 
     /** Takes a studio that was read from a file, as a step that can be undone. */
     void open(Studio studio, Path file) {
-        Document document = new Document(studio, file);
-        opened = document;
-        change(document, null);
+        change(new Step(studio, file, studio), null);
     }
 
-    /** The studio was saved to a file as it is. */
+    /** The studio was saved to a file as it is. The steps that led here, and those taken back, belong to that file from now on. */
     void saved(Path file) {
-        current = new Document(current.studio(), file);
-        opened = current;
+        Step before = current;
+        UnaryOperator<Step> save =
+                step -> step.isOfSameFile(before) ? new Step(step.studio(), file, before.studio()) : step;
+        replaceAll(past, save);
+        replaceAll(future, save);
+        current = save.apply(current);
         tellListeners();
+    }
+
+    private static void replaceAll(Deque<Step> steps, UnaryOperator<Step> change) {
+        List<Step> changed = steps.stream().map(change).toList();
+        steps.clear();
+        steps.addAll(changed);
     }
 
     /** Takes the studio as it was when it was opened or last saved. */
     void reset() {
-        change(opened, null);
+        change(current.with(current.opened()), null);
     }
 
     boolean canUndo() {
@@ -112,7 +135,7 @@ final class StudioModel {
         move(future, past);
     }
 
-    private void move(Deque<Document> from, Deque<Document> to) {
+    private void move(Deque<Step> from, Deque<Step> to) {
         if (from.isEmpty()) {
             return;
         }
@@ -122,7 +145,7 @@ final class StudioModel {
         tellListeners();
     }
 
-    private void change(Document next, Object duringGesture) {
+    private void change(Step next, Object duringGesture) {
         boolean continues = duringGesture != null && Objects.equals(duringGesture, gesture);
         gesture = duringGesture;
         if (next.equals(current)) {

@@ -89,5 +89,36 @@ class StudioModelTest {
         model.undo();
         assertThat(model.file()).isEqualTo(Path.of("first.json"));
         assertThat(model.studio()).isEqualTo(speed(0));
+        assertThat(model.isModified()).isFalse();
+        model.set(speed(0.1));
+        model.reset();
+        assertThat(model.studio()).isEqualTo(speed(0));
+        model.undo();
+        model.undo();
+        model.redo();
+        model.redo();
+        assertThat(model.studio()).isEqualTo(speed(0));
+        assertThat(model.file()).isEqualTo(Path.of("first.json"));
+    }
+
+    @Test
+    void whatIsUndoneAfterSavingElsewhereBelongsToTheNewFile() {
+        model.open(speed(0.5), Path.of("a.json"));
+        model.set(speed(0.6));
+        model.saved(Path.of("b.json"));
+        model.undo();
+        assertThat(model.file()).isEqualTo(Path.of("b.json"));
+        assertThat(model.studio()).isEqualTo(speed(0.5));
+        assertThat(model.isModified()).isTrue();
+        model.undo();
+        assertThat(model.file()).as("the scene before it had no file").isNull();
+        assertThat(model.isModified()).isFalse();
+        model.redo();
+        model.redo();
+        assertThat(model.isModified()).isFalse();
+        model.set(speed(0.7));
+        model.reset();
+        assertThat(model.studio()).isEqualTo(speed(0.6));
+        assertThat(model.file()).isEqualTo(Path.of("b.json"));
     }
 }
