@@ -19,7 +19,11 @@ final class BackgroundTask implements Progress {
     /** The work. */
     interface Work {
 
-        /** Does the work; returns early if the task is cancelled. */
+        /**
+         * Does the work.
+         *
+         * @throws java.util.concurrent.CancellationException if the task was cancelled before it was too late for that
+         */
         void run(Progress progress) throws Exception;
     }
 
@@ -61,7 +65,7 @@ final class BackgroundTask implements Progress {
     /**
      * Starts work. Called by the event thread.
      *
-     * @param done called on the event thread if the work was done and not cancelled
+     * @param done called on the event thread if the work was done, even if Cancel came too late
      */
     static void start(Window owner, String title, Work work, Runnable done) {
         BackgroundTask task = new BackgroundTask(owner, title);
@@ -86,24 +90,22 @@ final class BackgroundTask implements Progress {
     }
 
     private void run(Work work, Timer timer, Runnable done) {
-        Throwable failure = null;
+        Runnable end;
         try {
             work.run(this);
+            end = done;
         } catch (CancellationException stopped) {
-            cancelled = true;
-        } catch (Exception | OutOfMemoryError | StackOverflowError error) {
-            failure = error;
+            end = () -> {};
+        } catch (Exception | Error failure) {
+            // whatever it is, a task that has ended must not count as running
+            end = () -> Messages.error(owner, Messages.of(failure));
         }
-        Throwable reason = failure;
+        Runnable last = end;
         SwingUtilities.invokeLater(() -> {
             timer.stop();
             RUNNING.remove(this);
             dialog.dispose();
-            if (reason != null) {
-                Messages.error(owner, Messages.of(reason));
-            } else if (!cancelled) {
-                done.run();
-            }
+            last.run();
         });
     }
 

@@ -72,7 +72,7 @@ final class FileActions {
 
     /** Asks for a file and opens it. */
     void open() {
-        leaveScene(this::choose);
+        leaveForAnother(this::choose);
     }
 
     private void choose() {
@@ -97,7 +97,21 @@ final class FileActions {
 
     /** Opens a scene file, or a photograph that holds its scene. */
     void open(Path file) {
-        leaveScene(() -> read(file));
+        leaveForAnother(() -> read(file));
+    }
+
+    /** An example that was only looked at from elsewhere or in other motion comes back by undo: nothing to ask about. */
+    private void leaveForAnother(Runnable next) {
+        Studio opened = model.opened();
+        boolean looked = model.file() == null
+                && model.studio().scene().equals(opened.scene())
+                && model.studio().cameraFrame().equals(opened.cameraFrame())
+                && model.studio().lights().equals(opened.lights());
+        if (looked) {
+            next.run();
+        } else {
+            leaveScene(next);
+        }
     }
 
     /** Opens the file of the scene again, which another program may have changed. */
@@ -113,7 +127,13 @@ final class FileActions {
     private void read(Path file) {
         Studio[] loaded = new Studio[1];
         BackgroundTask.start(
-                frame, Texts.get("file.opening", file), progress -> loaded[0] = StudioReader.read(file), () -> {
+                frame,
+                Texts.get("file.opening", file),
+                task -> {
+                    loaded[0] = StudioReader.read(file);
+                    task.requireWanted();
+                },
+                () -> {
                     show(loaded[0], file);
                     settings.addRecentFile(file);
                 });
@@ -121,7 +141,7 @@ final class FileActions {
 
     /** Shows an example. */
     void open(Studio example) {
-        leaveScene(() -> show(example, null));
+        leaveForAnother(() -> show(example, null));
     }
 
     /** Shows a scene; messages and refused values of the one before it go. */
@@ -149,13 +169,20 @@ final class FileActions {
     private void saveOver(Path file, Runnable next) {
         Studio before = held.get(file);
         Loss[] loss = new Loss[1];
-        BackgroundTask.start(frame, Texts.get("file.saving", file), task -> loss[0] = Loss.of(file, before), () -> {
-            switch (loss[0]) {
-                case NOTHING -> saveScene(file, next);
-                case PHOTOGRAPH -> saveSceneAs(next);
-                case HANDWRITING, OTHER_SCENE -> askAboutLoss(loss[0], file, next);
-            }
-        });
+        BackgroundTask.start(
+                frame,
+                Texts.get("file.saving", file),
+                task -> {
+                    loss[0] = Loss.of(file, before);
+                    task.requireWanted();
+                },
+                () -> {
+                    switch (loss[0]) {
+                        case NOTHING -> saveScene(file, next);
+                        case PHOTOGRAPH -> saveSceneAs(next);
+                        case HANDWRITING, OTHER_SCENE -> askAboutLoss(loss[0], file, next);
+                    }
+                });
     }
 
     private void askAboutLoss(Loss loss, Path file, Runnable next) {

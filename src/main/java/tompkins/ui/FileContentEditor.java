@@ -70,6 +70,7 @@ final class FileContentEditor implements ValueEditor {
                 task -> {
                     try {
                         content[0] = reader.read(file);
+                        task.requireWanted();
                     } catch (IOException e) {
                         problem[0] = e.getMessage();
                     }

@@ -32,8 +32,8 @@ final class PhotographTaker implements AutoCloseable {
         while (!job.isComplete() && job.failure() == null) {
             if (progress.isCancelled()) {
                 job.cancel();
-                throw new CancellationException();
             }
+            progress.requireWanted();
             progress.setProgress(done + share * job.progress());
             Thread.sleep(POLL_MILLISECONDS);
         }

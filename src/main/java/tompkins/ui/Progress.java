@@ -1,5 +1,7 @@
 package tompkins.ui;
 
+import java.util.concurrent.CancellationException;
+
 /** Where work in the background says how far it is, and asks whether it is still wanted. */
 interface Progress {
 
@@ -8,4 +10,15 @@ interface Progress {
 
     /** Whether the work is to end early. */
     boolean isCancelled();
+
+    /**
+     * Ends work that is to end early.
+     *
+     * @throws CancellationException if it is
+     */
+    default void requireWanted() {
+        if (isCancelled()) {
+            throw new CancellationException();
+        }
+    }
 }

@@ -199,6 +199,28 @@ class SceneFilesTest {
     }
 
     @Test
+    void anExampleThatWasOnlyLookedAtIsLeftWithoutAQuestion() throws IOException {
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().open(Studios.sphere(), null);
+            return null;
+        });
+        Studio fast = change("0.5");
+        Path other = folder.resolve("box.json");
+        StudioWriter.save(BOX, other);
+        openFile(other);
+        driver.menu("menu.undo");
+        awaitStudio(fast);
+
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().set(fast.withScene(List.of()));
+            return null;
+        });
+        driver.menu("menu.open");
+        driver.answer("Cancel");
+        assertThat(driver.studio().scene()).isEmpty();
+    }
+
+    @Test
     void aSceneIsNotSavedOverThePhotographThatHoldsIt() throws IOException {
         Path photograph = folder.resolve("photograph");
         Files.copy(photograph(BOX), photograph);
