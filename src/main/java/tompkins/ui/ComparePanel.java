@@ -154,7 +154,7 @@ final class ComparePanel {
     Studio otherStudio(Studio now) {
         return switch (other()) {
             case NOTHING, KEPT_PICTURE -> null;
-            case AT_REST -> now.withVelocity(Velocity.of(new Vector3d()));
+            case AT_REST -> FrontWindow.withVelocity(now, Velocity.of(new Vector3d()));
             case GALILEAN_CAMERA -> now.withTransformation(TransformationLaw.GALILEAN);
             case OTHER_SHUTTER -> Shutters.replaced(now, (Class<?>) shutters.getSelectedItem());
         };

@@ -14,45 +14,48 @@ import tompkins.surface.LorentzWindow;
 import tompkins.surface.Surface;
 
 /**
- * The window in front of the lens: a plane that moves with the camera, whose surface is a Lorentz or a Galileo window. If its
- * velocity is that of the camera, it stays so when the camera's changes.
+ * The window in front of the lens: the first object that moves with the camera and has the surface of a Lorentz or a Galileo
+ * window. If its velocity is that of the camera, it stays so when the camera's changes.
  */
 final class FrontWindow {
 
-    /** What the plane is called. */
+    /** What a plane is called that is put there. */
     static final String DESCRIPTION = "window in front of the lens";
 
     /** How far the plane is in front of the lens. */
     private static final double DISTANCE = 0.01;
+
+    /** What the component of an object is called that holds its surface. */
+    private static final String SURFACE = "surface";
 
     private FrontWindow() {}
 
     /** The window's surface, if there is one. */
     static Optional<Surface> of(Studio studio) {
         return studio.cameraFrame().stream()
-                .filter(FrontWindow::isWindow)
-                .map(object -> ((Plane) object).surface())
+                .flatMap(object -> window(object).stream())
                 .findFirst();
     }
 
-    private static boolean isWindow(SceneObject object) {
-        return object instanceof Plane plane
-                && (plane.surface() instanceof LorentzWindow || plane.surface() instanceof GalileoWindow);
+    private static Optional<Surface> window(SceneObject object) {
+        return Records.components(object.getClass()).stream()
+                .filter(component -> component.getName().equals(SURFACE))
+                .map(component -> (Surface) Records.get(object, component))
+                .filter(surface -> surface instanceof LorentzWindow || surface instanceof GalileoWindow)
+                .findFirst();
     }
 
-    /** The studio with another surface of the window, which is put in place if there is none; without window if null. */
+    /** The studio with another surface of the window, a plane if there was none; without that object if null. */
     static Studio with(Studio studio, Surface surface) {
         List<SceneObject> objects = new ArrayList<>();
         boolean found = false;
         for (SceneObject object : studio.cameraFrame()) {
-            if (found || !isWindow(object)) {
+            boolean first = !found && window(object).isPresent();
+            found |= first;
+            if (!first) {
                 objects.add(object);
             } else if (surface != null) {
-                Plane plane = (Plane) object;
-                objects.add(new Plane(plane.description(), plane.point(), plane.normal(), surface));
-                found = true;
-            } else {
-                found = true;
+                objects.add(Records.with(object, SURFACE, surface));
             }
         }
         if (!found && surface != null) {
@@ -86,7 +89,13 @@ final class FrontWindow {
 
     /** The studio with another velocity of the camera, and of the window if that matches. */
     static Studio withVelocity(Studio studio, Velocity velocity) {
-        Studio moved = studio.withVelocity(velocity);
-        return matches(studio) ? with(moved, withVelocity(of(studio).orElseThrow(), velocity)) : moved;
+        return following(studio, studio.withVelocity(velocity));
+    }
+
+    /** A studio after a change; a window that matched before and was not changed itself has the velocity of the camera again. */
+    static Studio following(Studio before, Studio after) {
+        Optional<Surface> window = of(after);
+        boolean follows = matches(before) && !matches(after) && window.equals(of(before));
+        return follows ? with(after, withVelocity(window.orElseThrow(), after.velocity())) : after;
     }
 }

@@ -128,7 +128,10 @@ final class SceneEditor {
         } else {
             StudioPath path = line.path();
             form = new FamilyEditor(
-                    (Class<?>) line.type(), line.label(), note, value -> model.set(path.with(model.studio(), value)));
+                    (Class<?>) line.type(),
+                    line.label(),
+                    note,
+                    value -> model.set(FrontWindow.following(model.studio(), path.with(model.studio(), value))));
             formPanel.add(form.component(), "wmin 0");
         }
         formPanel.revalidate();

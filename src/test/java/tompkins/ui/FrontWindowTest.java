@@ -8,6 +8,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
 import tompkins.render.Renderer;
+import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Velocity;
@@ -46,6 +47,30 @@ class FrontWindowTest {
         assertThat(FrontWindow.matches(moved)).isTrue();
         Studio free = FrontWindow.withVelocity(FrontWindow.with(studio.withVelocity(Velocity.REST), CLEAR), faster);
         assertThat(FrontWindow.of(free)).contains(CLEAR);
+    }
+
+    @Test
+    void aWindowOfAnyShapeIsOne() {
+        Parallelogram sheet = Records.with(Parallelogram.DEFAULT, "surface", CLEAR);
+        Studio studio = Studios.sphere().withVelocity(FAST).withCameraFrame(List.of(Sphere.DEFAULT, sheet));
+        assertThat(FrontWindow.of(studio)).contains(CLEAR);
+        Velocity slow = Velocity.of(0, 0, 0.1);
+        assertThat(FrontWindow.withVelocity(studio, slow).cameraFrame())
+                .containsExactly(
+                        Sphere.DEFAULT, Records.with(sheet, "surface", new LorentzWindow(slow, WindowAxes.FRAME, 1)));
+        assertThat(FrontWindow.with(studio, null).cameraFrame()).containsExactly(Sphere.DEFAULT);
+    }
+
+    /** As when a form changes the whole studio at once. */
+    @Test
+    void aWindowThatWasChangedItselfDoesNotFollow() {
+        Studio studio = FrontWindow.with(Studios.sphere().withVelocity(FAST), CLEAR);
+        Velocity slow = Velocity.of(0, 0, 0.1);
+        LorentzWindow other = new LorentzWindow(Velocity.of(0, 0.2, 0), WindowAxes.FRAME, 1);
+        assertThat(FrontWindow.matches(FrontWindow.following(studio, studio.withVelocity(slow))))
+                .isTrue();
+        assertThat(FrontWindow.of(FrontWindow.following(studio, FrontWindow.with(studio.withVelocity(slow), other))))
+                .contains(other);
     }
 
     /** In front of a pinhole with the shutter in the lens at time 0 the window undoes the motion (paper, Fig. 4). */

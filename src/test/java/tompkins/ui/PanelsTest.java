@@ -343,6 +343,10 @@ class PanelsTest {
         assertThat(panel.view()).isEqualTo(Comparison.NONE);
         panel.setOther(ComparePanel.Other.AT_REST);
         assertThat(panel.otherStudio(now)).isEqualTo(now.withVelocity(Velocity.REST));
+        LorentzWindow matching = Records.with(LorentzWindow.DEFAULT, "velocity", now.velocity());
+        assertThat(FrontWindow.matches(panel.otherStudio(FrontWindow.with(now, matching))))
+                .as("a camera at rest sees through its window what is there")
+                .isTrue();
         panel.setOther(ComparePanel.Other.GALILEAN_CAMERA);
         assertThat(panel.otherStudio(now)).isEqualTo(now.withTransformation(TransformationLaw.GALILEAN));
         Components.find((Container) panel.component(), JComboBox.class, "Shutter to compare with")

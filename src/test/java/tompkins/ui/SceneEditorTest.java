@@ -18,6 +18,7 @@ import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
+import tompkins.surface.LorentzWindow;
 
 class SceneEditorTest {
 
@@ -51,6 +52,16 @@ class SceneEditorTest {
 
     static List<Class<?>> objects() {
         return Records.records(SceneObject.class);
+    }
+
+    @Test
+    void theWindowFollowsTheCameraHere() {
+        model.set(
+                FrontWindow.with(model.studio(), LorentzWindow.DEFAULT).withVelocity(LorentzWindow.DEFAULT.velocity()));
+        tree.setSelectionRow(0);
+        Components.enter(panel, "Speed", "0.5");
+        assertThat(model.studio().velocity().speed()).isEqualTo(0.5);
+        assertThat(FrontWindow.matches(model.studio())).isTrue();
     }
 
     @ParameterizedTest
