@@ -1,5 +1,8 @@
 package tompkins.ui;
 
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.ButtonGroup;
@@ -30,14 +33,13 @@ final class ComparePanel {
     private final JPanel panel = Rows.column();
     private final JComboBox<Other> others = new JComboBox<>(Other.values());
     private final JComboBox<Class<?>> shutters = new JComboBox<>();
-    private final JRadioButton split = new JRadioButton(Texts.get("compare.split"), true);
-    private final JRadioButton difference = new JRadioButton(Texts.get("compare.difference"));
+    private final Map<Comparison, JRadioButton> views = new EnumMap<>(Comparison.class);
     private final JButton peek = new JButton(Texts.get("compare.peek"));
     private final JButton keep = new JButton(Texts.get("compare.keep"));
     private final Note hint = new Note("");
     private final Supplier<Shutter> shutterNow;
     private final Runnable changed;
-    private boolean kept;
+    private String keptName;
     private final Updating updating = new Updating();
 
     /**
@@ -46,9 +48,9 @@ final class ComparePanel {
      * @param shutterNow the shutter of the photograph
      * @param changed called when anything here has changed
      * @param peeking told when the other picture is to be shown alone, and when not any more
-     * @param keeping called to keep the picture that is shown
+     * @param keeping keeps the picture that is shown, and says what to call it
      */
-    ComparePanel(Supplier<Shutter> shutterNow, Runnable changed, Consumer<Boolean> peeking, Runnable keeping) {
+    ComparePanel(Supplier<Shutter> shutterNow, Runnable changed, Consumer<Boolean> peeking, Supplier<String> keeping) {
         this.shutterNow = shutterNow;
         this.changed = changed;
         others.setRenderer(ValueEditors.renderer(other -> Wording.label((Other) other)));
@@ -56,14 +58,6 @@ final class ComparePanel {
         Records.records(Shutter.class).forEach(shutters::addItem);
         shutters.setRenderer(ValueEditors.renderer(shutter -> Wording.label((Class<?>) shutter)));
         name(shutters, "compare.shutter");
-        ButtonGroup group = new ButtonGroup();
-        for (JRadioButton button : new JRadioButton[] {split, difference}) {
-            group.add(button);
-            button.setName(button.getText());
-            button.addActionListener(event -> update());
-        }
-        split.setToolTipText(Tips.html(Texts.get("compare.splitTip")));
-        difference.setToolTipText(Tips.html(Texts.get("compare.differenceTip")));
         peek.setName(Texts.get("compare.peek"));
         peek.setToolTipText(Tips.html(Texts.get("compare.peekTip")));
         peek.getModel()
@@ -71,23 +65,18 @@ final class ComparePanel {
         keep.setName(Texts.get("compare.keep"));
         keep.setToolTipText(Tips.html(Texts.get("compare.keepTip")));
         keep.addActionListener(event -> {
-            keeping.run();
-            kept = true;
+            keptName = keeping.get();
             others.setSelectedItem(Other.KEPT_PICTURE);
         });
         others.addActionListener(event -> updating.unless(this::choose));
         shutters.addActionListener(event -> updating.unless(this::update));
-        JPanel views = new JPanel(new MigLayout("novisualpadding, insets 0, gap 12", "[pref!][pref!]"));
-        views.setOpaque(false);
-        views.add(split);
-        views.add(difference);
         JPanel buttons = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, wrap 1, gap 4", "[grow,fill]"));
         buttons.setOpaque(false);
         buttons.add(keep);
         buttons.add(peek);
         panel.add(others, "wmin 0");
         panel.add(shutters, "wmin 0");
-        panel.add(views);
+        panel.add(views());
         panel.add(buttons);
         panel.add(hint.component(), "wmin 0");
         update();
@@ -97,6 +86,22 @@ final class ComparePanel {
         box.setName(Texts.get(key));
         box.getAccessibleContext().setAccessibleName(Texts.get(key));
         box.setToolTipText(Tips.html(Texts.get(key + "Tip")));
+    }
+
+    private JPanel views() {
+        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, gap 12"));
+        row.setOpaque(false);
+        ButtonGroup group = new ButtonGroup();
+        for (Comparison view : List.of(Comparison.SPLIT, Comparison.BESIDE, Comparison.DIFFERENCE)) {
+            JRadioButton button = new JRadioButton(Wording.label(view), view == Comparison.SPLIT);
+            button.setName(button.getText());
+            button.setToolTipText(Tips.html(Texts.get("compare.tip." + view)));
+            button.addActionListener(event -> update());
+            group.add(button);
+            row.add(button);
+            views.put(view, button);
+        }
+        return row;
     }
 
     private void choose() {
@@ -111,15 +116,14 @@ final class ComparePanel {
 
     private void update() {
         shutters.setVisible(other() == Other.OTHER_SHUTTER);
-        boolean missing = other() == Other.KEPT_PICTURE && !kept;
+        boolean missing = other() == Other.KEPT_PICTURE && keptName == null;
         boolean compares = other() != Other.NOTHING && !missing;
-        split.setEnabled(compares);
-        difference.setEnabled(compares);
+        views.values().forEach(button -> button.setEnabled(compares));
         peek.setEnabled(compares);
         hint.setText(
                 missing
                         ? Texts.get("compare.keepFirst")
-                        : compares && split.isSelected() ? Texts.get("compare.hint") : "");
+                        : compares && view() == Comparison.SPLIT ? Texts.get("compare.hint") : "");
         changed.run();
     }
 
@@ -140,14 +144,19 @@ final class ComparePanel {
     Comparison view() {
         return other() == Other.NOTHING
                 ? Comparison.NONE
-                : split.isSelected() ? Comparison.SPLIT : Comparison.DIFFERENCE;
+                : views.keySet().stream()
+                        .filter(view -> views.get(view).isSelected())
+                        .findFirst()
+                        .orElseThrow();
     }
 
     /** What the other picture is called. */
     String otherName() {
-        return other() == Other.OTHER_SHUTTER
-                ? Wording.label((Class<?>) shutters.getSelectedItem())
-                : Wording.label(other());
+        return switch (other()) {
+            case OTHER_SHUTTER -> Wording.label((Class<?>) shutters.getSelectedItem());
+            case KEPT_PICTURE -> keptName == null ? Wording.label(other()) : keptName;
+            default -> Wording.label(other());
+        };
     }
 
     /** The studio of the other picture; null if there is none, or if it is the kept one. */

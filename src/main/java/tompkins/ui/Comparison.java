@@ -6,6 +6,8 @@ enum Comparison {
     NONE,
     /** The picture to the left of a divider, the other one to the right. */
     SPLIT,
+    /** Both whole, the other one to the right. */
+    BESIDE,
     /** By how much the two differ. */
     DIFFERENCE
 }

@@ -142,9 +142,14 @@ final class PhotographView implements AutoCloseable {
         });
     }
 
-    /** Keeps the picture that is on the screen, to compare others with it. */
-    void keepPicture() {
+    /** Keeps the picture that is on the screen, to compare others with it; says what to call it. */
+    String keepPicture() {
         keptPicture = canvas.shown().now();
+        Studio kept = keptPicture == null ? model.studio() : keptPicture.studio();
+        return Texts.get(
+                "compare.kept",
+                kept.title().replaceFirst("(?s):.*", ""),
+                Numbers.brief(kept.velocity().speed()));
     }
 
     /** Marks a place of the picture and tells the life of its ray; of no place if it is null. */

@@ -40,6 +40,9 @@ final class PictureCanvas extends JPanel {
 
     private static final int GRIP = 6;
 
+    /** Between two pictures beside each other. */
+    private static final int GAP = 8;
+
     private final Consumer<Dimension> resized;
     private ScreenPicture shown = ScreenPicture.EMPTY;
     private Comparison comparison = Comparison.NONE;
@@ -47,6 +50,7 @@ final class PictureCanvas extends JPanel {
     private boolean otherAlone;
     private double divider = 0.5;
     private boolean draggingDivider;
+    private boolean mouseOverOther;
     private Point2D pin;
     private boolean picking;
     private Mouse mouse;
@@ -90,12 +94,14 @@ final class PictureCanvas extends JPanel {
     void setComparison(Comparison how, String nameOfOther) {
         comparison = how;
         otherName = nameOfOther;
+        tellSize();
         repaint();
     }
 
     /** Whether the other picture is shown alone for a while. */
     void setOtherAlone(boolean alone) {
         otherAlone = alone;
+        tellSize();
         repaint();
     }
 
@@ -125,8 +131,26 @@ final class PictureCanvas extends JPanel {
     Rectangle pictureBounds() {
         Picture picture = shown.now();
         return picture == null
-                ? new Rectangle(0, 0, getWidth(), getHeight())
-                : Fit.place(picture.image().width(), picture.image().height(), getWidth(), getHeight());
+                ? new Rectangle(0, 0, room(), getHeight())
+                : Fit.place(picture.image().width(), picture.image().height(), room(), getHeight());
+    }
+
+    /** Where the other picture lies, of the same size. */
+    private Rectangle otherBounds() {
+        Rectangle bounds = pictureBounds();
+        if (isBeside()) {
+            bounds.x += getWidth() - room();
+        }
+        return bounds;
+    }
+
+    private boolean isBeside() {
+        return comparison == Comparison.BESIDE && !otherAlone;
+    }
+
+    /** The width that there is for each picture. */
+    private int room() {
+        return isBeside() ? Math.max(1, (getWidth() - GAP) / 2) : getWidth();
     }
 
     private double screenScale() {
@@ -138,7 +162,7 @@ final class PictureCanvas extends JPanel {
     private void tellSize() {
         double scale = screenScale();
         resized.accept(new Dimension(
-                Math.max(1, (int) Math.round(getWidth() * scale)), Math.max(1, (int) Math.round(getHeight() * scale))));
+                Math.max(1, (int) Math.round(room() * scale)), Math.max(1, (int) Math.round(getHeight() * scale))));
     }
 
     @Override
@@ -190,8 +214,23 @@ final class PictureCanvas extends JPanel {
         if (splits()) {
             paintSplit(g, bounds);
         }
+        if (isBeside()) {
+            paintBeside(g, bounds);
+        }
         if (pin != null) {
             paintPin(g, bounds);
+        }
+    }
+
+    private void paintBeside(Graphics2D g, Rectangle bounds) {
+        if (shown.otherImage() != null) {
+            Rectangle there = otherBounds();
+            paint(g, shown.otherImage(), there);
+            label(g, otherName, there.x + 12, there, false);
+            label(g, Texts.get("compare.now"), bounds.x + 12, bounds, false);
+            if (pin != null) {
+                paintPin(g, there);
+            }
         }
     }
 
@@ -254,9 +293,13 @@ final class PictureCanvas extends JPanel {
         g.setTransform(before);
     }
 
-    /** The place of the picture at a point of this component, or null if there is none. */
+    private boolean isOverOther(Point point) {
+        return isBeside() && shown.otherImage() != null && otherBounds().contains(point);
+    }
+
+    /** The place of the picture, or of the one beside it, at a point of this component; null if there is none. */
     Point2D pictureAt(Point point) {
-        Rectangle bounds = pictureBounds();
+        Rectangle bounds = isOverOther(point) ? otherBounds() : pictureBounds();
         if (shown.now() == null || !bounds.contains(point)) {
             return null;
         }
@@ -268,11 +311,11 @@ final class PictureCanvas extends JPanel {
         return new Point2D.Double(column + 0.5, row + 0.5);
     }
 
-    /** The picture that is seen at a place of the picture: beyond the divider it is the other one. */
+    /** The picture that the mouse is over: beyond the divider it is the other one. */
     Picture shownAt(Point2D place) {
         boolean beyond =
                 splits() && place.getX() > divider * shown.now().image().width();
-        return beyond || showsOtherAlone() ? shown.other() : shown.now();
+        return beyond || mouseOverOther || showsOtherAlone() ? shown.other() : shown.now();
     }
 
     private final class CanvasMouse extends MouseAdapter {
@@ -303,6 +346,7 @@ final class PictureCanvas extends JPanel {
                 setCursor(Cursor.getPredefinedCursor(
                         nearDivider(event) ? Cursor.E_RESIZE_CURSOR : Cursor.DEFAULT_CURSOR));
             }
+            mouseOverOther = isOverOther(event.getPoint());
             mouse.over(pictureAt(event.getPoint()));
         }
 

@@ -361,7 +361,7 @@ class PanelsTest {
     }
 
     private ComparePanel comparePanel() {
-        return new ComparePanel(() -> model.studio().camera().shutter(), () -> {}, peeking -> {}, () -> {});
+        return new ComparePanel(() -> model.studio().camera().shutter(), () -> {}, peeking -> {}, () -> "kept");
     }
 
     @ParameterizedTest

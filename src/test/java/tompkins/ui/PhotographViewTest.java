@@ -3,7 +3,10 @@ package tompkins.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Container;
+import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.event.MouseEvent;
+import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.concurrent.Executors;
 import java.util.stream.IntStream;
@@ -87,13 +90,40 @@ class PhotographViewTest {
         assertThat(pick.isSelected()).isFalse();
     }
 
+    /** Eight pixels lie between the two. */
+    @Test
+    void sideBySideBothPicturesAreWholeAndRead() {
+        onEventThread(() -> {
+            model.set(Studios.sphere().withVelocity(Velocity.of(0, 0, 0.5)));
+            view.canvas().setSize(2 * 64 + 8, 48);
+            compareWithRest();
+            view.canvas().setComparison(Comparison.BESIDE, "at rest");
+        });
+        awaitBoth("both pictures", new Quality.Samples(1));
+        PictureCanvas canvas = view.canvas();
+        onEventThread(() -> {
+            assertThat(canvas.pictureBounds()).isEqualTo(new Rectangle(0, 0, 64, 48));
+            assertThat(pictureUnder(10, 20)).isSameAs(canvas.shown().now());
+            assertThat(canvas.pictureAt(new Point(10, 20))).isEqualTo(new Point2D.Double(10.5, 20.5));
+            assertThat(pictureUnder(72 + 10, 20)).isSameAs(canvas.shown().other());
+            assertThat(canvas.pictureAt(new Point(72 + 10, 20))).isEqualTo(new Point2D.Double(10.5, 20.5));
+            assertThat(canvas.pictureAt(new Point(68, 20))).isNull();
+        });
+    }
+
+    private Picture pictureUnder(int x, int y) {
+        PictureCanvas canvas = view.canvas();
+        canvas.dispatchEvent(new MouseEvent(canvas, MouseEvent.MOUSE_MOVED, 0, 0, x, y, 0, false));
+        return canvas.shownAt(canvas.pictureAt(new Point(x, y)));
+    }
+
     private Picture other() {
         return view.canvas().shown().other();
     }
 
     private void compareWithRest() {
         ComparePanel panel =
-                new ComparePanel(() -> model.studio().camera().shutter(), () -> {}, peeking -> {}, () -> {});
+                new ComparePanel(() -> model.studio().camera().shutter(), () -> {}, peeking -> {}, () -> "kept");
         panel.setOther(ComparePanel.Other.AT_REST);
         Components.find(panel.component(), JRadioButton.class, "Difference").setSelected(true);
         view.compare(panel);
