@@ -84,9 +84,12 @@ final class Menus {
     }
 
     private static JMenu menu(String key) {
-        JMenu menu = new JMenu(Texts.get(key));
+        String text = Texts.get(key);
+        int letter = text.indexOf('&');
+        JMenu menu = new JMenu(text.replace("&", ""));
         menu.setName(key);
-        menu.setMnemonic(menu.getText().charAt(0));
+        menu.setMnemonic(menu.getText().charAt(letter));
+        menu.setDisplayedMnemonicIndex(letter);
         return menu;
     }
 

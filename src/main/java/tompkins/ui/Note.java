@@ -53,6 +53,11 @@ final class Note {
         return area;
     }
 
+    /** What it says. */
+    String text() {
+        return area.getText();
+    }
+
     /** Explains. */
     void setText(String text) {
         show(text, false);

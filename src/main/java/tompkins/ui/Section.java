@@ -3,6 +3,7 @@ package tompkins.ui;
 import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.geom.Path2D;
 import javax.swing.AbstractButton;
@@ -11,6 +12,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import javax.swing.SwingConstants;
+import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
 
 /** A part of the side panel under a heading that folds it away. */
@@ -36,6 +38,8 @@ final class Section {
         heading.addItemListener(event -> {
             content.setVisible(heading.isSelected());
             panel.revalidate();
+            // once it has its height
+            SwingUtilities.invokeLater(this::comeIntoView);
         });
         content.setVisible(open);
         panel.setOpaque(false);
@@ -45,6 +49,12 @@ final class Section {
 
     JComponent component() {
         return panel;
+    }
+
+    /** All of it, or from its heading on if there is no room for all. */
+    private void comeIntoView() {
+        panel.scrollRectToVisible(new Rectangle(panel.getSize()));
+        heading.scrollRectToVisible(new Rectangle(heading.getSize()));
     }
 
     /** Points down if open, to the right if folded. */

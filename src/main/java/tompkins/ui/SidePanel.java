@@ -5,6 +5,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
+import javax.swing.SwingUtilities;
 import tompkins.property.NumberText;
 import tompkins.trace.RenderPlan;
 
@@ -33,7 +34,7 @@ final class SidePanel {
                 view::keepPicture);
         ray = new RaySection(() -> view.setPin(null));
         Note remarks = new Note(model.studio().remarks());
-        model.addListener(() -> remarks.setText(model.studio().remarks()));
+        model.addListener(() -> show(remarks, model.studio().remarks()));
         remarks.component().setName("remarks");
         panel.add(remarks.component(), "wmin 0, gapleft 6");
         add("section.velocity", new VelocityPanel(model).component(), true);
@@ -52,6 +53,14 @@ final class SidePanel {
         scroll.setName("panel");
         scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.getVerticalScrollBar().setUnitIncrement(20);
+    }
+
+    /** What there is to see in another scene must not be out of view. */
+    private void show(Note remarks, String text) {
+        if (!remarks.text().equals(text)) {
+            remarks.setText(text);
+            SwingUtilities.invokeLater(() -> scroll.getVerticalScrollBar().setValue(0));
+        }
     }
 
     private void add(String title, JComponent content, boolean open) {

@@ -1,5 +1,7 @@
 package tompkins.ui;
 
+import java.util.ArrayList;
+import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -33,7 +35,7 @@ final class StatusBar {
         progress.setVisible(false);
         panel.add(what, "wmin 0");
         panel.add(picture, "wrap, alignx right");
-        panel.add(where, "wmin 0");
+        panel.add(where, "wmin 0, span 2, split 2, growx, pushx");
         panel.add(progress, "w 120!, h 6!, aligny center, alignx right");
         showIdle();
         timer = new Timer(200, event -> {
@@ -91,18 +93,23 @@ final class StatusBar {
                 .append("  \u00b7  ")
                 .append(object);
         if (Double.isFinite(reading.angleDegrees())) {
-            text.append("  \u00b7  ")
-                    .append(angle(reading))
-                    .append("  \u00b7  ")
-                    .append(Texts.get("probe.ratio", Numbers.brief(reading.frequencyRatio(), 4)));
+            text.append("  \u00b7  ").append(angle(reading));
         }
         what.setText(text.toString());
-        where.setText(
-                reading.inScene() == null
-                        ? " "
-                        : Texts.get(
-                                "status.events", Numbers.brief(reading.inScene()), Numbers.brief(reading.inCamera())));
+        where.setText(details(reading));
         where.setToolTipText(where.getText());
+    }
+
+    private static String details(PixelProbe.Reading reading) {
+        List<String> details = new ArrayList<>();
+        if (Double.isFinite(reading.angleDegrees())) {
+            details.add(Texts.get("probe.ratio", Numbers.brief(reading.frequencyRatio(), 4)));
+        }
+        if (reading.inScene() != null) {
+            details.add(
+                    Texts.get("status.events", Numbers.brief(reading.inScene()), Numbers.brief(reading.inCamera())));
+        }
+        return details.isEmpty() ? " " : String.join("   \u00b7   ", details);
     }
 
     private static String angle(PixelProbe.Reading reading) {

@@ -9,6 +9,7 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -80,6 +81,8 @@ public final class TompkinsWindow {
      * @param commandLine writes the command line that takes the same photograph
      */
     public static void open(Studio studio, Path file, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
+        // the texts of the window are English; those of file choosers and keys must not be in another language
+        Locale.setDefault(Locale.ENGLISH);
         SwingUtilities.invokeLater(() -> opened(studio, file, examples, commandLine));
     }
 

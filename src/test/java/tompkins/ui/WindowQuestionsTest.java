@@ -16,10 +16,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
+import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -265,6 +268,41 @@ class WindowQuestionsTest {
                         WindowDriver.onEventThread(() -> panel.getViewport().getWidth()));
         driver.menu("look.LIGHT");
         WindowDriver.await("the first width", () -> panel.getWidth() == before);
+    }
+
+    @Test
+    void everyMenuHasALetterOfItsOwn() {
+        JMenuBar bar = driver.window().frame().getJMenuBar();
+        assertThat(IntStream.range(0, bar.getMenuCount())
+                        .map(place -> bar.getMenu(place).getMnemonic()))
+                .hasSize(6)
+                .doesNotHaveDuplicates()
+                .doesNotContain(0);
+    }
+
+    @Test
+    void whatIsUnfoldedComesIntoViewAndTheRemarksOfAnotherSceneToo() {
+        JScrollPane panel = driver.find(JScrollPane.class, "panel");
+        WindowDriver.onEventThread(() -> {
+            driver.window().frame().setSize(900, 500);
+            driver.window().frame().validate();
+            return null;
+        });
+        JButton chart = driver.find(JButton.class, "Chart this picture");
+        assertThat(isInView(panel, chart)).isFalse();
+        WindowDriver.later(driver.find(JToggleButton.class, "Speed and accuracy")::doClick);
+        WindowDriver.await("the button", () -> isInView(panel, chart));
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().open(Records.with(Studios.sphere(), "remarks", "Look at this."), null);
+            return null;
+        });
+        WindowDriver.await("the remarks", () -> panel.getVerticalScrollBar().getValue() == 0);
+    }
+
+    private static boolean isInView(JScrollPane pane, JComponent part) {
+        Rectangle place = SwingUtilities.convertRectangle(
+                part.getParent(), part.getBounds(), pane.getViewport().getView());
+        return part.isShowing() && pane.getViewport().getViewRect().contains(place);
     }
 
     /** The old picture must not pass for that of the scene. */

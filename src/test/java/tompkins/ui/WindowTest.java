@@ -170,7 +170,8 @@ class WindowTest {
         driver.move(middle);
         JLabel what = driver.find(JLabel.class, "status.what");
         WindowDriver.await("the reading", () -> what.getText().startsWith("Pixel 160, 120"));
-        assertThat(what.getText()).contains("to the velocity").contains("frequency camera/scene");
+        assertThat(what.getText()).contains("to the velocity");
+        assertThat(driver.find(JLabel.class, "status.where").getText()).contains("frequency camera/scene");
         driver.click(middle);
         WindowDriver.await(
                 "the pinned ray",
