@@ -69,7 +69,7 @@ final class AntialiasingStudy implements Study {
     public String settings() {
         return "seeds " + seed + " to " + (seed + SEEDS - 1) + ", width " + width + " and " + width / PROMISED_PART
                 + ", references " + referenceSamples + " samples or as many as it takes, scenes "
-                + compared.keySet() + " and " + promised.keySet();
+                + StudySetup.settings(compared) + " and " + StudySetup.settings(promised);
     }
 
     @Override

@@ -27,6 +27,7 @@ final class ApertureStudy implements Study {
     private final int mostSamples;
     private final int repeats;
     private final Map<String, ScenePixels> scenes;
+    private final String sceneSettings;
     private final Map<String, SamplingMethod.Factory> methods;
     private final String program;
     private final ApertureFindings findings;
@@ -52,6 +53,7 @@ final class ApertureStudy implements Study {
         this.repeats = repeats;
         this.methods = methods;
         this.program = program;
+        sceneSettings = StudySetup.settings(studios);
         scenes = new LinkedHashMap<>();
         studios.forEach((name, studio) -> scenes.put(name, new ScenePixels(studio, SCENE_PIXELS, 16 * mostSamples)));
         findings = new ApertureFindings(methods.keySet(), program, scenes.keySet());
@@ -72,7 +74,7 @@ final class ApertureStudy implements Study {
 
     @Override
     public String settings() {
-        return "seed " + seed + ", up to " + mostSamples + " samples, " + repeats + " runs, scenes " + scenes.keySet();
+        return "seed " + seed + ", up to " + mostSamples + " samples, " + repeats + " runs, scenes " + sceneSettings;
     }
 
     @Override

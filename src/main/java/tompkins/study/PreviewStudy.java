@@ -43,7 +43,7 @@ final class PreviewStudy implements Study {
 
     @Override
     public String settings() {
-        return "one sample for each pixel, " + REPEATS + " runs, scenes " + studios.keySet();
+        return "one sample for each pixel, " + REPEATS + " runs, scenes " + StudySetup.settings(studios);
     }
 
     @Override

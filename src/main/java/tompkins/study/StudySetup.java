@@ -1,9 +1,13 @@
 package tompkins.study;
 
+import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.Function;
+import java.util.zip.CRC32;
+import tompkins.io.StudioWriter;
 import tompkins.studio.Studio;
 
 /**
@@ -16,14 +20,31 @@ import tompkins.studio.Studio;
  */
 public record StudySetup(long seed, Studio scene, Function<String, Studio> bundled, List<String> names) {
 
+    /** The name of every scene of a user, however its file is called. */
+    private static final String OWN = "scene";
+
     /** The studios to be measured: the user's own, or else the named ones. */
     Map<String, Studio> studios(List<String> wanted) {
         Map<String, Studio> studios = new LinkedHashMap<>();
         if (scene != null) {
-            studios.put("scene", scene);
+            studios.put(OWN, scene);
         } else {
             wanted.forEach(name -> studios.put(name, bundled.apply(name)));
         }
         return studios;
+    }
+
+    /** The names of scenes, as settings give them: that of the user's own comes with a digest, which changes with the scene. */
+    static String settings(Map<String, Studio> studios) {
+        return studios.entrySet().stream()
+                .map(entry -> entry.getKey().equals(OWN) ? OWN + " " + digest(entry.getValue()) : entry.getKey())
+                .toList()
+                .toString();
+    }
+
+    private static String digest(Studio studio) {
+        CRC32 checksum = new CRC32();
+        checksum.update(StudioWriter.writeSelfContained(studio).getBytes(StandardCharsets.UTF_8));
+        return String.format(Locale.ROOT, "%08x", checksum.getValue());
     }
 }

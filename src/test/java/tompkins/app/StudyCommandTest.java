@@ -97,6 +97,31 @@ class StudyCommandTest {
         assertThat(run.err()).doesNotContain("\tat ");
     }
 
+    /** One ray goes through every 8th pixel of every 8th row for the first preview. */
+    @Test
+    void figuresOfAnotherSceneOfTheSameNameDoNotCount() throws IOException {
+        Path large = scene("large", 64, 48);
+        Path small = scene("small", 32, 24);
+
+        String figures = previewOf(large);
+        assertThat(figures).contains(",8.0,48.0,").containsPattern("scenes \\[scene [0-9a-f]{8}]");
+        assertThat(previewOf(large)).as("figures of the same scene count").isEqualTo(figures);
+        assertThat(previewOf(small)).contains(",8.0,12.0,").doesNotContain(",8.0,48.0,");
+    }
+
+    private Path scene(String in, int width, int height) throws IOException {
+        Path parent = Files.createDirectory(folder.resolve(in));
+        return Files.writeString(
+                parent.resolve("mine.json"),
+                "{\"settings\": {\"width\": " + width + ", \"height\": " + height
+                        + "}, \"scene\": [{\"type\": \"Sphere\", \"centre\": [0, 0, 3]}]}");
+    }
+
+    private String previewOf(Path scene) throws IOException {
+        ProgramRun.of("study", "preview", scene, "-o", folder);
+        return Files.readString(folder.resolve("preview/preview.csv"));
+    }
+
     @Test
     void unknownStudyIsAMistake() {
         ProgramRun run = ProgramRun.of("study", "speed", "-o", folder);
