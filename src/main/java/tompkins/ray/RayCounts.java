@@ -3,7 +3,7 @@ package tompkins.ray;
 /** Counts what happened to the rays of one thread. Nothing that goes wrong is painted; it is counted here. */
 public final class RayCounts {
 
-    /** Samples that were started at the camera. */
+    /** Samples that were taken; not those that a block left out because it was stopped. */
     public long samples;
 
     /** Rays that were followed, those from the camera included. */

@@ -7,7 +7,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.concurrent.atomic.DoubleAdder;
+import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Consumer;
 import tompkins.image.LinearImage;
 import tompkins.ray.Colour;
@@ -27,6 +27,7 @@ public final class RenderJob {
     private final Schedule schedule;
     private final List<Pass> passes = new ArrayList<>();
     private final List<Tile> tiles;
+    private final long pixels;
     private final RenderListener listener;
     private final Consumer<RenderJob> whenEnded;
     private final Film film;
@@ -36,7 +37,7 @@ public final class RenderJob {
     private final AtomicInteger nextTile = new AtomicInteger();
     private final AtomicInteger tilesDone = new AtomicInteger();
     private final AtomicInteger workersEnded = new AtomicInteger();
-    private final DoubleAdder workDone = new DoubleAdder();
+    private final LongAdder samples = new LongAdder();
     private final CountDownLatch end = new CountDownLatch(1);
     private final AtomicReference<RenderFailedException> failure = new AtomicReference<>();
     private final Object passLock = new Object();
@@ -63,6 +64,7 @@ public final class RenderJob {
         this.listener = listener;
         this.whenEnded = whenEnded;
         this.tiles = tiles;
+        pixels = tiles.stream().mapToLong(Tile::pixels).sum();
         passes.add(schedule.next(film));
     }
 
@@ -72,7 +74,7 @@ public final class RenderJob {
         SampleTracer tracer = null;
         try {
             tracer = plan.tracer(mine);
-            renderTiles(tracer);
+            renderTiles(tracer, mine);
         } catch (RuntimeException | Error error) {
             failure.compareAndSet(null, new RenderFailedException(error));
         } finally {
@@ -80,13 +82,15 @@ public final class RenderJob {
         }
     }
 
-    private void renderTiles(SampleTracer tracer) {
+    private void renderTiles(SampleTracer tracer, RayCounts mine) {
         int index = nextTile.getAndIncrement();
         for (Pass pass = passOf(index); pass != null; pass = passOf(index)) {
             Tile tile = tiles.get(index % tiles.size());
+            long before = mine.samples;
             renderTile(pass, tile, tracer);
+            samples.add(mine.samples - before);
             if (!isStopped()) {
-                tileDone(pass, tile);
+                tileDone(tile);
             }
             index = nextTile.getAndIncrement();
         }
@@ -145,8 +149,7 @@ public final class RenderJob {
         return false;
     }
 
-    private void tileDone(Pass pass, Tile tile) {
-        workDone.add(pass.work() / tiles.size());
+    private void tileDone(Tile tile) {
         listener.tileDone(this, tile);
         if (tilesDone.incrementAndGet() % tiles.size() == 0) {
             // before the others go on, so that nobody adds to the film while the listener looks at it
@@ -216,15 +219,12 @@ public final class RenderJob {
 
     /** The share of the work that is done, from 0 to 1. */
     public double progress() {
-        return isComplete() ? 1 : Math.min(1, schedule.progress(workDone.sum()));
+        return isComplete() ? 1 : Math.min(1, schedule.progress((double) samples() / pixels));
     }
 
-    /** About how many samples were taken so far. */
+    /** How many samples were taken so far, without those of the tiles at work. */
     public long samples() {
-        return Math.round(workDone.sum()
-                * tiles.stream()
-                        .mapToLong(tile -> (long) tile.width() * tile.height())
-                        .sum());
+        return samples.sum();
     }
 
     /**

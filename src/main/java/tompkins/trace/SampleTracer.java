@@ -113,7 +113,6 @@ public final class SampleTracer {
         }
         choosePlaces(left, top, width, height, stride, sample, taker);
         cameraRays.make(places, rays, counts);
-        counts.samples += places.count();
         Arrays.fill(colours, 0, places.count(), Colour.BLACK);
         for (int i = 0; i < rays.count(); i++) {
             colours[rays.sample(i)] = null;
@@ -123,12 +122,15 @@ public final class SampleTracer {
         }
         sceneEntry.cross(rays);
         followInScene(taker);
+        int taken = 0;
         // all together, so that the pixels' memory is fetched at once
         for (int i = 0; i < places.count(); i++) {
             if (colours[i] != null) {
                 taker.take(places.column(i), places.row(i), colours[i]);
+                taken++;
             }
         }
+        counts.samples += taken;
     }
 
     /** Keeps the rays that leave what moves with the camera. */
