@@ -57,16 +57,22 @@ final class ExplainCommand implements Callable<Integer> {
 
     private static String cost(RenderPlan plan, Quality quality) throws InterruptedException {
         try (Renderer renderer = new Renderer()) {
-            CostForecast forecast = CostForecast.of(plan, quality, renderer);
-            double samples = forecast.samplesPerPixel() * plan.width() * plan.height();
-            return String.format(
-                    Locale.ROOT,
-                    "On this machine it will take about %s s with %s samples, %s for each pixel.",
-                    NumberText.plain(forecast.seconds(), 2),
-                    samples < MILLION
-                            ? NumberText.plain(samples, quality instanceof Quality.Samples ? 6 : 3)
-                            : NumberText.plain(samples / MILLION, 3) + " million",
-                    NumberText.plain(forecast.samplesPerPixel(), 3));
+            return CostForecast.of(plan, quality, renderer)
+                    .map(forecast -> cost(plan, quality, forecast))
+                    .orElse("On this machine it will take too long to foretell:"
+                            + " after several seconds not one sample was complete.");
         }
+    }
+
+    private static String cost(RenderPlan plan, Quality quality, CostForecast forecast) {
+        double samples = forecast.samplesPerPixel() * plan.width() * plan.height();
+        return String.format(
+                Locale.ROOT,
+                "On this machine it will take about %s s with %s samples, %s for each pixel.",
+                NumberText.plain(forecast.seconds(), 2),
+                samples < MILLION
+                        ? NumberText.plain(samples, quality instanceof Quality.Samples ? 6 : 3)
+                        : NumberText.plain(samples / MILLION, 3) + " million",
+                NumberText.plain(forecast.samplesPerPixel(), 3));
     }
 }

@@ -2,6 +2,7 @@ package tompkins.render;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import tompkins.ray.RayBlock;
 import tompkins.trace.RenderPlan;
 
@@ -29,13 +30,16 @@ public record CostForecast(double samplesPerPixel, double seconds) {
     /**
      * Takes a few blocks of pixels, spread over the picture, exactly as the picture would be taken, and then as many more as
      * there is time for. What the blocks need, all need.
+     *
+     * @return the forecast, or nothing if not even one sample was complete in that time
      */
-    public static CostForecast of(RenderPlan plan, Quality quality, Renderer renderer) throws InterruptedException {
+    public static Optional<CostForecast> of(RenderPlan plan, Quality quality, Renderer renderer)
+            throws InterruptedException {
         return of(plan, quality, renderer, PATIENCE);
     }
 
     /** As above, with more than the first blocks only until a number of seconds is over. */
-    static CostForecast of(RenderPlan plan, Quality quality, Renderer renderer, double patience)
+    static Optional<CostForecast> of(RenderPlan plan, Quality quality, Renderer renderer, double patience)
             throws InterruptedException {
         Quality wish = quality instanceof Quality.TimeLimit ? Quality.TargetError.DEFAULT : quality;
         List<Tile> blocks = spread(plan);
@@ -49,12 +53,15 @@ public record CostForecast(double samplesPerPixel, double seconds) {
             taken += take(blocks.subList(taken, next), plan, wish, renderer, costs);
             seconds = secondsSince(start);
         }
+        if (costs.isEmpty()) {
+            return Optional.empty();
+        }
         double pixels = (double) plan.width() * plan.height();
         if (quality instanceof Quality.TimeLimit limit) {
-            return new CostForecast(costs.rate() * limit.seconds() / pixels, limit.seconds());
+            return Optional.of(new CostForecast(costs.rate() * limit.seconds() / pixels, limit.seconds()));
         }
         double perPixel = quality instanceof Quality.Samples fixed ? fixed.samples() : costs.samplesPerPixel();
-        return new CostForecast(perPixel, costs.seconds(perPixel * pixels));
+        return Optional.of(new CostForecast(perPixel, costs.seconds(perPixel * pixels)));
     }
 
     /** Takes some blocks, and says how many. */
@@ -64,14 +71,14 @@ public record CostForecast(double samplesPerPixel, double seconds) {
         RenderListener notes = RenderListener.afterEachPass(
                 part -> costs.note(part.samples(), secondsSince(start) - part.planningSeconds()));
         RenderJob job = renderer.start(plan, quality, false, blocks, notes);
-        double progress = job.await(LONGEST_PART) ? 1 : job.progress();
+        job.await(LONGEST_PART);
         job.cancel();
         job.await();
         RenderReport report = job.report();
         costs.add(
                 blocks.stream().mapToInt(Tile::pixels).sum(),
                 report.samples(),
-                progress,
+                job.progress(),
                 report.time().toNanos() / 1e9,
                 job.planningSeconds());
         return blocks.size();

@@ -35,20 +35,27 @@ final class PartCosts {
      * Adds a part that has ended.
      *
      * @param partPixels pixels of the part
-     * @param partSamples samples that were taken
+     * @param partSamples samples that were taken; a part without any takes time and tells nothing else
      * @param progress the share of its samples that were taken, up to 1
      * @param seconds how long it took
      * @param planningSeconds how much of this was spent between the passes, which takes as long for all of the picture
      */
     void add(double partPixels, double partSamples, double progress, double seconds, double planningSeconds) {
-        pixels += partPixels;
-        samples += partSamples;
-        expectedSamples += partSamples / progress;
+        if (partSamples > 0) {
+            pixels += partPixels;
+            samples += partSamples;
+            expectedSamples += partSamples / progress;
+        }
         tracing += seconds - planningSeconds;
         planning = planningSeconds;
         rate = Math.max(rate, partSamples / (seconds - planningSeconds));
         notedSamples = 0;
         notedTracing = 0;
+    }
+
+    /** Whether no sample has been taken yet, so that nothing can be told. */
+    boolean isEmpty() {
+        return samples == 0;
     }
 
     /** Samples that a pixel will need. */

@@ -239,9 +239,9 @@ public final class RenderJob {
         }
     }
 
-    /** Waits for the end of the job, but not for ever; whether it has ended. */
-    boolean await(double seconds) throws InterruptedException {
-        return end.await((long) (seconds * 1e9), TimeUnit.NANOSECONDS);
+    /** Waits for the end of the job, but not for ever. */
+    void await(double seconds) throws InterruptedException {
+        end.await((long) (seconds * 1e9), TimeUnit.NANOSECONDS);
     }
 
     /** Seconds between the passes, in which the next one was planned; the same for a part of the picture as for all of it. */

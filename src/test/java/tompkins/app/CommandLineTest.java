@@ -12,6 +12,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.Test;
@@ -589,6 +591,26 @@ class CommandLineTest {
                 .out();
         assertThat(out)
                 .containsPattern("it will take about [0-9.]+ s with [0-9.]+( million)? samples, [0-9.]+ for each");
+    }
+
+    /** Light that is split at each of 90 spheres: no block of pixels ends soon. */
+    @ParameterizedTest
+    @CsvSource({"scene, about [0-9.]+ s with", "cameraFrame, too long to foretell: .* not one sample was complete"})
+    void explainTellsOfAPictureThatIsTooSlowToForetell(String list, String cost) throws IOException {
+        String spheres = IntStream.range(0, 90)
+                .mapToObj(i -> String.format(
+                        Locale.ROOT,
+                        "{\"type\": \"Sphere\", \"centre\": [0.05, 0.02, 0.1], \"radius\": %.2f,"
+                                + " \"surface\": {\"type\": \"Refractive\", \"indexRatio\": %s}}",
+                        0.5 + 0.04 * i,
+                        i % 2 == 0 ? "0.45" : "2.4"))
+                .collect(Collectors.joining(", "));
+        Path scene = Files.writeString(folder.resolve("glass.json"), "{\"" + list + "\": [" + spheres + "]}");
+
+        ProgramRun run = ProgramRun.of("explain", scene, "--error=0.002");
+
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(run.out()).containsPattern("On this machine it will take " + cost);
     }
 
     @Test

@@ -34,7 +34,9 @@ class CostForecastTest {
         RenderPlan plan = plan(scene, 320, 240);
         Quality quality = new Quality.TargetError(0.01);
 
-        double foretold = CostForecast.of(plan, quality, RENDERER, NO_PATIENCE).samplesPerPixel();
+        double foretold = CostForecast.of(plan, quality, RENDERER, NO_PATIENCE)
+                .orElseThrow()
+                .samplesPerPixel();
 
         double taken = RENDERER.render(plan, quality).report().samplesPerPixel();
         assertThat(foretold / taken).isBetween(0.5, 2.0);
@@ -45,7 +47,8 @@ class CostForecastTest {
     void knowsTheSamplesOfAFixedNumber(Path scene) throws InterruptedException {
         RenderPlan plan = plan(scene, 50, 30);
 
-        CostForecast forecast = CostForecast.of(plan, new Quality.Samples(5), RENDERER);
+        CostForecast forecast =
+                CostForecast.of(plan, new Quality.Samples(5), RENDERER).orElseThrow();
 
         assertThat(forecast.samplesPerPixel()).isEqualTo(5);
         assertThat(forecast.seconds()).isPositive();
@@ -55,7 +58,8 @@ class CostForecastTest {
     void aTimeLimitIsTheTime() throws InterruptedException {
         RenderPlan plan = plan(Path.of("scenes/fig1b.json"), 160, 120);
 
-        CostForecast forecast = CostForecast.of(plan, new Quality.TimeLimit(100), RENDERER, NO_PATIENCE);
+        CostForecast forecast = CostForecast.of(plan, new Quality.TimeLimit(100), RENDERER, NO_PATIENCE)
+                .orElseThrow();
 
         assertThat(forecast.seconds()).isEqualTo(100);
         assertThat(forecast.samplesPerPixel()).isGreaterThan(100);
@@ -85,6 +89,21 @@ class CostForecastTest {
         assertThat(costs.rate()).isEqualTo(5000);
         costs.note(2000, 1);
         assertThat(costs.rate()).as("the next part begins at 0").isEqualTo(5000);
+    }
+
+    /** One of a part's 2560 samples took 4 s; a tenth of the next part's 1000 took 1 s; another part got none in 2 s. */
+    @Test
+    void partsThatWereStoppedTellWhatTheyTook() {
+        PartCosts costs = new PartCosts();
+        costs.add(2560, 0, 0, 2, 0);
+        assertThat(costs.isEmpty()).isTrue();
+
+        costs.add(2560, 1, 1.0 / 2560, 4, 0);
+        costs.add(100, 100, 0.1, 1, 0);
+        assertThat(costs.isEmpty()).isFalse();
+        assertThat(costs.rate()).isEqualTo(100);
+        assertThat(costs.samplesPerPixel()).isEqualTo(3560.0 / 2660, within(1e-9));
+        assertThat(costs.seconds(1101)).isEqualTo(2 + 4 + 1 + 10, within(1e-9));
     }
 
     private static RenderPlan plan(Path scene, int width, int height) {
