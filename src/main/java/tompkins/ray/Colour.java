@@ -17,6 +17,9 @@ public record Colour(double red, double green, double blue) {
     /** The brightest colour of the picture. */
     public static final Colour WHITE = new Colour(1, 1, 1);
 
+    /** Pictures hold floats, up to 2^128: this leaves room for a sum of a million samples. */
+    private static final double LARGEST = 0x1p104;
+
     /** The same value in all channels. */
     public static Colour grey(double value) {
         return new Colour(value, value, value);
@@ -62,6 +65,6 @@ public record Colour(double red, double green, double blue) {
 
     /** Whether all channels are numbers that a picture can hold. */
     public boolean isFinite() {
-        return Double.isFinite(red + green + blue);
+        return Math.abs(red + green + blue) <= LARGEST;
     }
 }

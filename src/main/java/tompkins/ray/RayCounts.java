@@ -18,7 +18,7 @@ public final class RayCounts {
     /** Samples that never cross the shutter, or only at infinity; they stayed black. */
     public long withoutShutter;
 
-    /** Samples whose colour was no finite number; they stayed black. */
+    /** Samples whose colour was no number that a picture can hold; they stayed black. */
     public long notFinite;
 
     /** Rays that were ended because they had met too many surfaces. */

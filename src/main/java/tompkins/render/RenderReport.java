@@ -14,7 +14,7 @@ import tompkins.ray.RayCounts;
  * @param shadowRays tests whether a light is visible
  * @param withoutFocus samples whose chief ray misses the surface in focus; focused at infinity
  * @param withoutShutter samples that never cross the shutter; black
- * @param notFinite samples whose colour was no finite number; black
+ * @param notFinite samples whose colour was no number that a picture can hold; black
  * @param tooDeep rays that were given up because of the recursion depth
  * @param tooFaint rays that were given up because they could bring too little light
  * @param nodes nodes of bounding-volume trees that were visited
@@ -77,7 +77,7 @@ public record RenderReport(
         }
         warn(warnings, withoutFocus, "missed the surface in focus and were focused at infinity");
         warn(warnings, withoutShutter, "never crossed the shutter and stayed black");
-        warn(warnings, notFinite, "had no finite colour and stayed black");
+        warn(warnings, notFinite, "had no colour that a picture can hold and stayed black");
         if (tooDeep > 0) {
             warnings.add(String.format(
                     Locale.ROOT,

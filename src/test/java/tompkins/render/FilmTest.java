@@ -1,6 +1,7 @@
 package tompkins.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
@@ -19,6 +20,18 @@ class FilmTest {
         assertThat(image.value(1, 1, 0)).isEqualTo(2f);
         assertThat(image.value(1, 1, 1)).isEqualTo(1f);
         assertThat(image.value(1, 1, 2)).isEqualTo(8f);
+    }
+
+    /** A million samples of 10^30: floats end at 3.4 x 10^38. */
+    @Test
+    void theLargestNumberOfTheBrightestSamplesHasAFiniteMean() {
+        Film film = new Film(1, 1, true);
+        Colour bright = Colour.grey(1e30);
+        assertThat(bright.isFinite()).isTrue();
+        for (int sample = 0; sample < 1 << 20; sample++) {
+            film.add(0, 0, bright);
+        }
+        assertThat(film.image(1).value(0, 0, 0)).isCloseTo(1e30f, withinPercentage(1));
     }
 
     @Test

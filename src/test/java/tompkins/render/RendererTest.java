@@ -17,11 +17,14 @@ import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.ray.Colour;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.PaperStudios;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
+import tompkins.surface.LuminousSurface;
 import tompkins.surface.Surface;
 import tompkins.surface.Tiling;
 import tompkins.trace.RenderPlan;
@@ -212,6 +215,21 @@ class RendererTest {
         planner.start();
         planner.join();
         return plan.get();
+    }
+
+    /** A float ends at 3.4 x 10^38. */
+    @ParameterizedTest
+    @CsvSource({"1e30, 0", "1e39, 48", "1e300, 48"})
+    void lightThatNoPictureCanHoldStaysBlackAndIsToldOf(double light, int told) throws InterruptedException {
+        Surface sky = new LuminousSurface(Colour.grey(light), false);
+        RenderPlan plan = RenderPlan.of(size(PaperStudios.fig1a(), 8, 6, 1)
+                .withScene(List.of(new Sphere("sky", new Vector3d(0, 0, 0), 1000, sky))));
+
+        RenderJob job = render(plan, 1);
+
+        assertThat(job.report().notFinite()).isEqualTo(told);
+        assertThat(job.image().value(3, 2, 1)).isEqualTo(told == 0 ? (float) light : 0);
+        assertThat(job.report().warnings()).hasSize(told == 0 ? 0 : 1);
     }
 
     @Test
