@@ -5,7 +5,6 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,6 +12,8 @@ import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
+import tompkins.image.PendingFile;
+import tompkins.image.PictureException;
 
 /**
  * The figures of a study in a file of comma-separated values: lines about the study, the program and the machine, then one
@@ -94,9 +95,12 @@ public final class StudyData {
 
     /** Writes a file as a whole or not at all. */
     static void replace(Path file, byte[] content) throws IOException {
-        Path part = file.resolveSibling(file.getFileName() + ".part");
-        Files.write(part, content);
-        Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
+        try (PendingFile pending = PendingFile.file(file)) {
+            Files.write(pending.path(), content);
+            pending.commit();
+        } catch (IOException failure) {
+            throw PictureException.cannotWrite(file, failure);
+        }
     }
 
     private static String line(Measurement point) {

@@ -7,10 +7,10 @@ import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
+import tompkins.image.PendingFile;
 
 /**
  * What the window remembers: its look, its size, and the files that were opened last. Kept in the folder for settings of the
@@ -111,11 +111,12 @@ final class Settings {
     void save() {
         try {
             Files.createDirectories(file.getParent());
-            Path temporary = Files.createTempFile(file.getParent(), "window", ".part");
-            try (Writer writer = Files.newBufferedWriter(temporary)) {
-                values.store(writer, null);
+            try (PendingFile pending = PendingFile.file(file)) {
+                try (Writer writer = Files.newBufferedWriter(pending.path())) {
+                    values.store(writer, null);
+                }
+                pending.commit();
             }
-            Files.move(temporary, file, StandardCopyOption.REPLACE_EXISTING);
         } catch (IOException | UncheckedIOException | SecurityException notRemembered) {
             return;
         }

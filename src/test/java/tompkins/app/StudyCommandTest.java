@@ -60,6 +60,18 @@ class StudyCommandTest {
     }
 
     @Test
+    void aChartThatCannotBeWrittenIsNamedAndLeavesNothingBehind() throws IOException {
+        Path chart = Files.createDirectories(folder.resolve("stability/stability-rest.png"));
+
+        ProgramRun run = ProgramRun.of("study", "stability", "-o", folder);
+
+        assertThat(run.code()).isEqualTo(Failures.FAILURE);
+        assertThat(run.err().strip()).isEqualTo(chart + ": cannot be written: it is a folder; name a file in it");
+        assertThat(chart).isEmptyDirectory();
+        assertThat(folder.resolve("stability")).isDirectoryNotContaining("glob:**.part");
+    }
+
+    @Test
     void aPageThatCannotBeWrittenIsAMistakeBeforeAnythingIsMeasured() throws IOException {
         Path page = Files.createDirectory(folder.resolve("stability.md"));
 

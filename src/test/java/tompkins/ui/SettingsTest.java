@@ -50,6 +50,17 @@ class SettingsTest {
     }
 
     @Test
+    void whatCannotBeSavedLeavesNothingBehind() throws IOException {
+        Path taken = Files.createDirectory(folder.resolve("window.properties"));
+        Files.writeString(taken.resolve("mine.txt"), "mine");
+
+        new Settings(taken).setLook(Look.DARK);
+
+        assertThat(folder).isDirectoryNotContaining(path -> !path.equals(taken));
+        assertThat(taken.resolve("mine.txt")).hasContent("mine");
+    }
+
+    @Test
     void aFolderThatCannotBeWrittenIsNoTrouble() throws IOException {
         Path file = Files.writeString(folder.resolve("file"), "");
         Settings settings = new Settings(file.resolve("window.properties"));
