@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
+import tompkins.image.LinearImage;
 import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderListener;
@@ -157,16 +158,21 @@ final class AntialiasingStudy implements Study {
         double samples = 0;
         for (Studio studio : studios) {
             RenderJob job = photograph(RenderPlan.of(studio), quality, cancelled);
-            float[] rgb = job.image().rgb();
-            double[] light = new double[rgb.length];
-            for (int i = 0; i < rgb.length; i++) {
-                light[i] = rgb[i];
-            }
             RenderReport report = job.report();
             samples += (double) report.samples() / studios.size();
-            runs.add(ErrorNorm.of(light, reference), report.time().toNanos() / 1e9);
+            runs.add(ErrorNorm.of(values(job.image()), reference), report.time().toNanos() / 1e9);
         }
         return runs.measurement(problem, method, setting, samples, pixels.floor());
+    }
+
+    /** The light of all pixels, three channels each. */
+    static double[] values(LinearImage image) {
+        float[] rgb = image.rgb();
+        double[] values = new double[rgb.length];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = rgb[i];
+        }
+        return values;
     }
 
     /** Takes a photograph with one thread. */
@@ -214,8 +220,9 @@ final class AntialiasingStudy implements Study {
                 new StringBuilder("A scene that says nothing else gets one sample in the centre of each pixel,"
                         + " which is the cheapest picture there is.");
         for (String name : compared.keySet()) {
-            for (Measurement centre : points(name, CENTRE, all)) {
-                double anywhere = points(name, ANYWHERE, all).get(0).error().middle();
+            for (Measurement centre : Measurement.of(name, CENTRE, all)) {
+                double anywhere =
+                        Measurement.of(name, ANYWHERE, all).get(0).error().middle();
                 text.append(String.format(
                         Locale.ROOT,
                         " On %s it errs by %.0f %% of what a sample anywhere in the pixel errs by.",
@@ -245,9 +252,10 @@ final class AntialiasingStudy implements Study {
     public List<Finding> findings(List<Measurement> all) {
         List<Finding> findings = new ArrayList<>();
         for (String name : compared.keySet()) {
-            List<Measurement> centre = points(name, CENTRE, all);
+            List<Measurement> centre = Measurement.of(name, CENTRE, all);
             if (!centre.isEmpty()) {
-                double anywhere = points(name, ANYWHERE, all).get(0).error().middle();
+                double anywhere =
+                        Measurement.of(name, ANYWHERE, all).get(0).error().middle();
                 double error = centre.get(0).error().middle();
                 findings.add(Finding.of(
                         error <= anywhere,
@@ -270,20 +278,13 @@ final class AntialiasingStudy implements Study {
 
     /** How many times fewer rays are needed for the same error, by the law fitted to the same number everywhere. */
     private static double saving(String name, List<Measurement> all) {
-        PowerLaw fixed = PowerLaw.ofError(points(name, FIXED, all), Measurement::rays);
-        List<Measurement> adaptive = points(name, ADAPTIVE, all);
+        PowerLaw fixed = PowerLaw.ofError(Measurement.of(name, FIXED, all), Measurement::rays);
+        List<Measurement> adaptive = Measurement.of(name, ADAPTIVE, all);
         double log = 0;
         for (Measurement point : adaptive) {
             double needed = Math.pow(point.error().middle() / fixed.factor(), 1 / fixed.slope());
             log += Math.log(needed / point.rays()) / adaptive.size();
         }
         return Math.exp(log);
-    }
-
-    private static List<Measurement> points(String problem, String method, List<Measurement> all) {
-        return all.stream()
-                .filter(point ->
-                        point.problem().equals(problem) && point.method().equals(method))
-                .toList();
     }
 }

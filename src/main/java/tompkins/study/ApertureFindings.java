@@ -80,7 +80,7 @@ final class ApertureFindings {
 
     /** The time of a sample where there are most of them. */
     private static double nanosecondsOfSample(String problem, String method, List<Measurement> all) {
-        List<Measurement> points = points(problem, method, all);
+        List<Measurement> points = Measurement.of(problem, method, all);
         Measurement most = points.get(points.size() - 1);
         return 1e9 * most.seconds().middle() / most.rays();
     }
@@ -147,8 +147,10 @@ final class ApertureFindings {
     }
 
     private Finding independence(List<Measurement> all) {
-        double ratio =
-                points(ApertureStudy.INDEPENDENCE, program, all).get(0).error().middle();
+        double ratio = Measurement.of(ApertureStudy.INDEPENDENCE, program, all)
+                .get(0)
+                .error()
+                .middle();
         return Finding.of(
                 ratio < MOST_CORRELATION,
                 "Pixels that see the same err independently: variance of their mean error, divided by that of independent"
@@ -163,24 +165,17 @@ final class ApertureFindings {
     }
 
     private static PowerLaw law(String problem, String method, List<Measurement> all) {
-        List<Measurement> points = points(problem, method, all).stream()
+        List<Measurement> points = Measurement.of(problem, method, all).stream()
                 .filter(point -> point.setting() >= 16)
                 .toList();
         return PowerLaw.ofError(points, Measurement::setting);
     }
 
     private static double error(String problem, String method, List<Measurement> all) {
-        return points(problem, method, all).stream()
+        return Measurement.of(problem, method, all).stream()
                 .filter(point -> point.setting() <= COMPARED_AT)
                 .reduce((first, second) -> second)
                 .map(point -> point.error().middle())
                 .orElse(Double.NaN);
-    }
-
-    private static List<Measurement> points(String problem, String method, List<Measurement> all) {
-        return all.stream()
-                .filter(point -> point.problem().equals(problem))
-                .filter(point -> point.method().equals(method))
-                .toList();
     }
 }

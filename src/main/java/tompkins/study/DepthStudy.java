@@ -268,22 +268,15 @@ final class DepthStudy implements Study {
     }
 
     private static Measurement point(String problem, String method, List<Measurement> all) {
-        return points(problem, method, all).get(0);
+        return Measurement.of(problem, method, all).get(0);
     }
 
     private static double cheapestLimit(String problem, List<Measurement> all) {
         double error = point(problem, PROGRAM, all).error().middle();
-        return points(problem, LIMIT, all).stream()
+        return Measurement.of(problem, LIMIT, all).stream()
                 .filter(limit -> limit.error().middle() <= error * (1 + 1e-9))
                 .mapToDouble(Measurement::rays)
                 .min()
                 .orElse(Double.POSITIVE_INFINITY);
-    }
-
-    private static List<Measurement> points(String problem, String method, List<Measurement> all) {
-        return all.stream()
-                .filter(point ->
-                        point.problem().equals(problem) && point.method().equals(method))
-                .toList();
     }
 }

@@ -1,5 +1,7 @@
 package tompkins.study;
 
+import java.util.List;
+
 /**
  * One point of a chart.
  *
@@ -22,4 +24,25 @@ public record Measurement(
         Spread error,
         double percentile,
         double maximum,
-        double floor) {}
+        double floor) {
+
+    /** The measurements of one method at one problem, of all those given and in their order. */
+    static List<Measurement> of(String problem, String method, List<Measurement> all) {
+        return all.stream()
+                .filter(point ->
+                        point.problem().equals(problem) && point.method().equals(method))
+                .toList();
+    }
+
+    /**
+     * The measurement of one method at one problem with one setting.
+     *
+     * @throws java.util.NoSuchElementException if it is not among those given
+     */
+    static Measurement of(String problem, String method, double setting, List<Measurement> all) {
+        return of(problem, method, all).stream()
+                .filter(point -> point.setting() == setting)
+                .findFirst()
+                .orElseThrow();
+    }
+}

@@ -166,8 +166,8 @@ final class PrecisionStudy implements Study {
 
     @Override
     public String answer(List<Measurement> all) {
-        Measurement single = point(PIXELS, DirectionForm.SINGLE, 1e4, all);
-        Measurement own = point(PIXELS, DirectionForm.HALF_ANGLE, 1e4, all);
+        Measurement single = Measurement.of(PIXELS, DirectionForm.SINGLE.title(), 1e4, all);
+        Measurement own = Measurement.of(PIXELS, DirectionForm.HALF_ANGLE.title(), 1e4, all);
         double singleNanoseconds = 1e9 * single.seconds().middle() / TIMED;
         double ownNanoseconds = 1e9 * own.seconds().middle() / TIMED;
         return String.format(
@@ -194,7 +194,7 @@ final class PrecisionStudy implements Study {
         findings.add(slope(PIXELS, DirectionForm.PROPER_VELOCITY, 1, all));
         findings.add(slope(PIXELS, DirectionForm.MATRIX, 1, all));
         findings.add(slope(PIXELS, DirectionForm.HALF_ANGLE, 1, all));
-        double worst = point(PIXELS, DirectionForm.HALF_ANGLE, Velocity.GUARANTEED_GAMMA, all)
+        double worst = Measurement.of(PIXELS, DirectionForm.HALF_ANGLE.title(), Velocity.GUARANTEED_GAMMA, all)
                 .error()
                 .middle();
         findings.add(Finding.of(
@@ -205,7 +205,9 @@ final class PrecisionStudy implements Study {
                 "%.2g",
                 worst));
         double law = 3 * FLOAT_ROUNDING * 1e4 / PIXEL;
-        double single = point(PIXELS, DirectionForm.SINGLE, 1e4, all).error().middle();
+        double single = Measurement.of(PIXELS, DirectionForm.SINGLE.title(), 1e4, all)
+                .error()
+                .middle();
         findings.add(Finding.of(
                 single >= law / 4 && single <= 4 * law,
                 "Single precision at gamma 1e4, in pixels",
@@ -221,9 +223,7 @@ final class PrecisionStudy implements Study {
 
     /** The power of gamma with which the error of a form grows. */
     static PowerLaw law(String problem, DirectionForm form, List<Measurement> all) {
-        List<Measurement> points = all.stream()
-                .filter(point ->
-                        point.problem().equals(problem) && point.method().equals(form.title()))
+        List<Measurement> points = Measurement.of(problem, form.title(), all).stream()
                 .filter(point -> point.setting() >= 10 && point.error().middle() < 0.1)
                 .toList();
         return PowerLaw.ofError(points, Measurement::setting);
@@ -237,14 +237,5 @@ final class PrecisionStudy implements Study {
                 String.format(Locale.ROOT, "%.1f to %.1f (theory: %d)", expected - 0.1, expected + 0.1, expected),
                 "%.2f",
                 slope);
-    }
-
-    private static Measurement point(String problem, DirectionForm form, double gamma, List<Measurement> all) {
-        return all.stream()
-                .filter(point -> point.problem().equals(problem)
-                        && point.method().equals(form.title())
-                        && point.setting() == gamma)
-                .findFirst()
-                .orElseThrow();
     }
 }

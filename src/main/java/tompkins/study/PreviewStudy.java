@@ -78,7 +78,8 @@ final class PreviewStudy implements Study {
                 seconds += (System.nanoTime() - start) / 1e9;
             }
             if (run >= 0) {
-                runs.add(ErrorNorm.of(values(coarse), values(passes.images.get(STRIDES.length))), seconds);
+                double[] picture = AntialiasingStudy.values(passes.images.get(STRIDES.length));
+                runs.add(ErrorNorm.of(AntialiasingStudy.values(coarse), picture), seconds);
             }
         }
         double rays = (double) plan.width() * plan.height() / (STRIDES[pass] * STRIDES[pass]);
@@ -103,14 +104,6 @@ final class PreviewStudy implements Study {
             throw new CancellationException();
         }
         return passes;
-    }
-
-    private static double[] values(LinearImage image) {
-        double[] values = new double[image.rgb().length];
-        for (int i = 0; i < values.length; i++) {
-            values[i] = image.rgb()[i];
-        }
-        return values;
     }
 
     /** The picture that repeats every stride-th pixel of each direction. */
@@ -142,9 +135,9 @@ final class PreviewStudy implements Study {
         double left = 0;
         StringBuilder each = new StringBuilder();
         for (String name : studios.keySet()) {
-            Measurement blocks = point(name, BLOCKS, STRIDES[0], all);
-            Measurement first = point(name, PROGRAM, STRIDES[0], all);
-            Measurement last = point(name, PROGRAM, STRIDES[STRIDES.length - 1], all);
+            Measurement blocks = Measurement.of(name, BLOCKS, STRIDES[0], all);
+            Measurement first = Measurement.of(name, PROGRAM, STRIDES[0], all);
+            Measurement last = Measurement.of(name, PROGRAM, STRIDES[STRIDES.length - 1], all);
             slowest = Math.max(slowest, first.seconds().middle());
             left = Math.max(left, first.error().middle() / blocks.error().middle());
             each.append(String.format(
@@ -169,9 +162,11 @@ final class PreviewStudy implements Study {
     public List<Finding> findings(List<Measurement> all) {
         List<Finding> findings = new ArrayList<>();
         for (String name : studios.keySet()) {
-            double blocks = point(name, BLOCKS, STRIDES[0], all).error().middle();
-            double first = point(name, PROGRAM, STRIDES[0], all).error().middle();
-            double last = point(name, PROGRAM, STRIDES[STRIDES.length - 1], all)
+            double blocks =
+                    Measurement.of(name, BLOCKS, STRIDES[0], all).error().middle();
+            double first =
+                    Measurement.of(name, PROGRAM, STRIDES[0], all).error().middle();
+            double last = Measurement.of(name, PROGRAM, STRIDES[STRIDES.length - 1], all)
                     .error()
                     .middle();
             findings.add(Finding.of(
@@ -188,13 +183,5 @@ final class PreviewStudy implements Study {
                     last));
         }
         return findings;
-    }
-
-    private static Measurement point(String name, String method, int stride, List<Measurement> all) {
-        return all.stream()
-                .filter(point ->
-                        point.problem().equals(name) && point.method().equals(method) && point.setting() == stride)
-                .findFirst()
-                .orElseThrow();
     }
 }

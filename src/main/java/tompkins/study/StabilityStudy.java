@@ -249,9 +249,7 @@ final class StabilityStudy implements Study {
     }
 
     private static double worst(Place place, String method, List<Measurement> all) {
-        return all.stream()
-                .filter(point ->
-                        point.problem().equals(place.key) && point.method().equals(method))
+        return Measurement.of(place.key, method, all).stream()
                 .mapToDouble(point -> point.error().middle())
                 .max()
                 .orElse(Double.NaN);

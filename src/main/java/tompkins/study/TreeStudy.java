@@ -198,7 +198,7 @@ final class TreeStudy implements Study {
     @Override
     public String answer(List<Measurement> all) {
         double gain = Double.NaN;
-        for (Measurement list : points(LIST, all)) {
+        for (Measurement list : Measurement.of(SPHERES, LIST, all)) {
             gain = list.seconds().middle() / seconds(TREE, list.setting(), all);
         }
         double crossing = crossing(all);
@@ -208,7 +208,7 @@ final class TreeStudy implements Study {
                         + " of the list from %s objects on; with %.0f objects the list takes %.1f times as long. The program builds"
                         + " a tree from %d objects on.",
                 crossing < Double.POSITIVE_INFINITY ? String.format(Locale.ROOT, "%.0f", crossing) : "no number of",
-                points(LIST, all).stream()
+                Measurement.of(SPHERES, LIST, all).stream()
                         .mapToDouble(Measurement::setting)
                         .max()
                         .orElse(Double.NaN),
@@ -219,7 +219,7 @@ final class TreeStudy implements Study {
     /** The smallest number of objects from which on the tree is always faster, of those measured. */
     private static double crossing(List<Measurement> all) {
         double crossing = Double.POSITIVE_INFINITY;
-        for (Measurement list : points(LIST, all)) {
+        for (Measurement list : Measurement.of(SPHERES, LIST, all)) {
             boolean faster = seconds(TREE, list.setting(), all) < list.seconds().middle();
             crossing = faster ? Math.min(crossing, list.setting()) : Double.POSITIVE_INFINITY;
         }
@@ -230,7 +230,7 @@ final class TreeStudy implements Study {
     public List<Finding> findings(List<Measurement> all) {
         double slower = 0;
         double at = Double.NaN;
-        for (Measurement list : points(LIST, all)) {
+        for (Measurement list : Measurement.of(SPHERES, LIST, all)) {
             double best = Math.min(list.seconds().middle(), seconds(TREE, list.setting(), all));
             double ratio = seconds(PROGRAM, list.setting(), all) / best;
             if (list.setting() <= MANY && ratio > slower) {
@@ -255,12 +255,8 @@ final class TreeStudy implements Study {
                         different));
     }
 
-    private static List<Measurement> points(String method, List<Measurement> all) {
-        return all.stream().filter(point -> point.method().equals(method)).toList();
-    }
-
     private static double seconds(String method, double objects, List<Measurement> all) {
-        return points(method, all).stream()
+        return Measurement.of(SPHERES, method, all).stream()
                 .filter(point -> point.setting() == objects)
                 .mapToDouble(point -> point.seconds().middle())
                 .findFirst()
