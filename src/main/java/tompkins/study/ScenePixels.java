@@ -43,7 +43,7 @@ final class ScenePixels {
         stride = (int) Math.max(1, Math.sqrt((double) plan.width() * plan.height() / pixels));
         columns = (plan.width() + stride - 1) / stride;
         rows = (plan.height() + stride - 1) / stride;
-        exposure = Math.pow(2, studio.camera().exposureStops());
+        exposure = plan.exposure();
     }
 
     /**
@@ -67,19 +67,19 @@ final class ScenePixels {
         SampleTracer tracer = plan.tracer(new RayCounts());
         for (int row = 0; row < rows; row++) {
             Stopwatch.stopIf(cancelled);
-            addRow(row, pattern, tracer, 0, samples, light);
+            addRow(row, pattern, tracer, samples, light);
         }
         return light;
     }
 
-    private void addRow(int row, SamplePattern pattern, SampleTracer tracer, int first, int samples, double[] light) {
+    private void addRow(int row, SamplePattern pattern, SampleTracer tracer, int samples, double[] light) {
         int y = Math.min(row * stride + stride / 2, plan.height() - 1);
         for (int column = 0; column < columns; column++) {
             int x = Math.min(column * stride + stride / 2, plan.width() - 1);
             pattern.startPixel(x, y);
             double weights = 0;
             int place = 3 * (row * columns + column);
-            for (int sample = first; sample < first + samples; sample++) {
+            for (int sample = 0; sample < samples; sample++) {
                 pattern.goTo(sample);
                 Colour colour = tracer.sample(x + pattern.x, y + pattern.y, pattern.lensX, pattern.lensY);
                 weights += pattern.weight;
@@ -125,7 +125,6 @@ final class ScenePixels {
                     row,
                     new LatticePattern(seed),
                     plan.tracer(new RayCounts()),
-                    0,
                     Math.max(1, referenceSamples / 2),
                     light);
         });
