@@ -8,6 +8,12 @@ package tompkins.ray;
  */
 public final class Ray {
 
+    /**
+     * A ray whose {@link #weight} is below this is not followed: it brings less than a step of an 8-bit picture (see the charts
+     * of the depth in docs/speed-and-accuracy.md).
+     */
+    public static final double FAINTEST = 1.0 / 1024;
+
     /** Where the ray starts. */
     public double x;
 

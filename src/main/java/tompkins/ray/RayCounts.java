@@ -24,7 +24,7 @@ public final class RayCounts {
     /** Rays that were ended because they had met too many surfaces. */
     public long tooDeep;
 
-    /** Rays that were ended because they could bring less than 1/1024 of the light. */
+    /** Rays that were ended because they could bring less than {@link Ray#FAINTEST} of the light. */
     public long tooFaint;
 
     /** Adds the counts of another thread. */

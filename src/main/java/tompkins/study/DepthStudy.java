@@ -9,6 +9,7 @@ import java.util.function.BooleanSupplier;
 import org.joml.Vector3d;
 import tompkins.camera.ThinLensCamera;
 import tompkins.ray.Colour;
+import tompkins.ray.Ray;
 import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.sceneobject.Parallelogram;
@@ -29,8 +30,8 @@ final class DepthStudy implements Study {
     private static final String TWO_CORRIDORS = "two-corridors";
     private static final String GLASS = "glass";
     private static final String LIMIT = "limit of depth";
-    private static final String PROGRAM = "the program: 1/1024 of the light";
-    private static final double CUT_OFF = 1.0 / 1024;
+    private static final String PROGRAM =
+            String.format(Locale.ROOT, "the program: 1/%.0f of the light", 1 / Ray.FAINTEST);
     private static final int[] DEPTHS = {1, 2, 5, 10, 20, 50, 66, 100, 200, 350, 500};
     private static final int REPEATS = 3;
     private static final double CLEARLY_LESS = 0.7;
@@ -236,10 +237,11 @@ final class DepthStudy implements Study {
                 Locale.ROOT,
                 "In one corridor both ways cost the same, if one only knew the right depth beforehand. Where a picture holds dim"
                         + " and bright mirrors, no depth is right for both: the limit that is as exact follows %.1f times as"
-                        + " many rays as the program, which ends each ray when it can bring less than 1/1024 of the light. That"
+                        + " many rays as the program, which ends each ray when it can bring less than 1/%.0f of the light. That"
                         + " is less than a step of an 8-bit picture. (Limits that leave nothing out are exact; an error of 0 has"
                         + " no place on a logarithmic axis.)",
-                cheapestLimit(TWO_CORRIDORS, all) / own);
+                cheapestLimit(TWO_CORRIDORS, all) / own,
+                1 / Ray.FAINTEST);
     }
 
     @Override
@@ -248,9 +250,9 @@ final class DepthStudy implements Study {
         for (Chart chart : charts()) {
             Measurement own = point(chart.problem(), PROGRAM, all);
             findings.add(Finding.of(
-                    own.maximum() <= CUT_OFF,
+                    own.maximum() <= Ray.FAINTEST,
                     chart.title() + ": largest error of the program",
-                    "at most 1/1024 = 0.00098",
+                    String.format(Locale.ROOT, "at most 1/%.0f = %.2g", 1 / Ray.FAINTEST, Ray.FAINTEST),
                     "%.2g",
                     own.maximum()));
             double cheapest = cheapestLimit(chart.problem(), all);

@@ -7,6 +7,7 @@ import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.util.List;
 import java.util.Locale;
+import tompkins.ray.Ray;
 import tompkins.render.Quality;
 import tompkins.sceneobject.ObjectTree;
 
@@ -58,7 +59,7 @@ public final class StudyPage {
                 | how good a picture `--error` makes | %s, half a step of an 8-bit picture, with samples where they are needed | [antialiasing](#antialiasing) |
                 | form of the Lorentz transformation | half angles in double precision | [precision](#precision) |
                 | search for the nearest object | list below %d objects, tree from there on | [tree](#tree) |
-                | end of a ray between mirrors | when it can bring less than 1/1024 of the light | [depth](#depth) |
+                | end of a ray between mirrors | when it can bring less than 1/%.0f of the light | [depth](#depth) |
                 | previews in the window | every 8th, 4th, 2nd pixel, interpolated | [preview](#preview) |
                 | formulas near rest, near light and far away | those that keep their digits | [stability](#stability) |
 
@@ -76,7 +77,8 @@ public final class StudyPage {
                 LocalDate.now(ZoneOffset.UTC),
                 Machine.text(),
                 Quality.TargetError.DEFAULT.rootMeanSquare(),
-                ObjectTree.SMALLEST_TREE);
+                ObjectTree.SMALLEST_TREE,
+                1 / Ray.FAINTEST);
     }
 
     /** The file with the figures of a study. */

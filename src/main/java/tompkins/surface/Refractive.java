@@ -46,7 +46,7 @@ public record Refractive(
         double reflected = Refraction.reflectance(before, behind, Math.abs(along), cosineBehind);
         double transmitted = 1 - reflected;
         boolean caught = ray.generation >= LONGEST_CAPTURE && cosineBehind > 0;
-        if (caught || ray.weight * Math.min(reflected, transmitted) < Response.WEAKEST_PART) {
+        if (caught || ray.weight * Math.min(reflected, transmitted) < Ray.FAINTEST) {
             // all to the stronger part, so that the least light goes the wrong way
             return Response.goesOn(
                     caught || reflected < transmitted

@@ -14,9 +14,6 @@ import tompkins.ray.Ray;
  */
 public record Response(Colour light, Colour factor, Ray next) {
 
-    /** A part of the light that is weaker than this is not followed by itself but given to the other part. */
-    static final double WEAKEST_PART = 1.0 / 1024;
-
     /** Light of the surface alone. */
     public static Response ends(Colour light) {
         return new Response(light, Colour.BLACK, null);

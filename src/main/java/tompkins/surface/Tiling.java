@@ -59,7 +59,8 @@ public record Tiling(
 
     /** Each surface answers for its share of the bundle; the tracer loops over the larger share. */
     private Response respondBoth(Ray ray, Hit hit, Tracer tracer, double share) {
-        if (continuesRays() && ray.weight * Math.min(share, 1 - share) < Response.WEAKEST_PART) {
+        if (continuesRays() && ray.weight * Math.min(share, 1 - share) < Ray.FAINTEST) {
+            // what would not be followed is given to the larger share
             return (share < 0.5 ? first : second).respond(ray, hit, tracer);
         }
         Response ofFirst = first.respond(ray.dimmed(1 - share), hit, tracer).times(1 - share);

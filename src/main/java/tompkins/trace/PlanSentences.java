@@ -2,6 +2,7 @@ package tompkins.trace;
 
 import java.util.List;
 import java.util.Locale;
+import tompkins.ray.Ray;
 import tompkins.sceneobject.ObjectTree;
 import tompkins.sceneobject.Primitive;
 import tompkins.shutter.AperturePlaneShutter;
@@ -100,8 +101,8 @@ final class PlanSentences {
                 || cameraFrame.primitives().stream().map(Primitive::surface).anyMatch(Surface::continuesRays);
         return continues
                 ? format(
-                        "Some surfaces send rays on: at most %d times, and only as long as these bring 1/1024 of the light.",
-                        studio.settings().maximumDepth())
+                        "Some surfaces send rays on: at most %d times, and only as long as these bring 1/%.0f of the light.",
+                        studio.settings().maximumDepth(), 1 / Ray.FAINTEST)
                 : "No mirrors, glass, windows or filters: each ray ends where it hits.";
     }
 

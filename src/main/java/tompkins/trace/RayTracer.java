@@ -25,12 +25,6 @@ import tompkins.surface.Tracer;
  */
 final class RayTracer implements Tracer, Visibility {
 
-    /**
-     * A ray that can bring less than this share of the sample's light is ended (see the charts of the depth in
-     * docs/speed-and-accuracy.md).
-     */
-    private static final double FAINTEST = 1.0 / 1024;
-
     private final Frame frame;
     private final ObjectTree objects;
     private final Illumination illumination;
@@ -180,7 +174,7 @@ final class RayTracer implements Tracer, Visibility {
     }
 
     private boolean isGivenUp(Ray ray) {
-        if (ray.weight < FAINTEST) {
+        if (ray.weight < Ray.FAINTEST) {
             counts.tooFaint++;
             return true;
         }
