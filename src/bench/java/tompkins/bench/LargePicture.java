@@ -10,6 +10,7 @@ import tompkins.image.PhotographFile;
 import tompkins.image.PhotographInfo;
 import tompkins.image.PictureFormat;
 import tompkins.image.ToneCurve;
+import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderListener;
 import tompkins.render.Renderer;
@@ -39,7 +40,7 @@ final class LargePicture {
             RenderPlan plan = RenderPlan.of(PaperStudios.fig3a()
                     .withSettings(
                             PaperStudios.fig3a().settings().withSize(3840, 2160).withSamples(64)));
-            RenderJob job = renderer.start(plan, listener);
+            RenderJob job = renderer.start(plan, Quality.of(plan.studio()), listener);
             begun.await();
             double progress = (System.nanoTime() - start) / 1e6;
             Thread.sleep(Long.parseLong(arguments[0]));

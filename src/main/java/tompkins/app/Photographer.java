@@ -55,8 +55,7 @@ final class Photographer {
             throw new MistakeException(target + ": there is a file of this name already, and it is no photograph of "
                     + file + "; move it away, or choose another name with \"render\" and -o");
         }
-        Quality quality = new Quality.Samples(studio.settings().samples());
-        take(file, studio, quality, target, PictureFormat.of(target), again);
+        take(file, studio, Quality.of(studio), target, PictureFormat.of(target), again);
     }
 
     private static boolean isPhotographOf(Path file, PhotographInfo info) {

@@ -55,6 +55,6 @@ final class QualityOptions {
         }
         return wish.seconds != null
                 ? MistakeException.inOption("--seconds", () -> new Quality.TimeLimit(wish.seconds))
-                : new Quality.Samples(studio.settings().samples());
+                : Quality.of(studio);
     }
 }

@@ -2,14 +2,15 @@ package tompkins.render;
 
 import tompkins.property.NumberText;
 import tompkins.property.Require;
+import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
 /** How good a picture has to be, or how long it may take. */
 public sealed interface Quality {
 
     /** The same number of samples for each pixel, as the scene asks for. */
-    static Quality of(RenderPlan plan) {
-        return new Samples(plan.samples());
+    static Quality of(Studio studio) {
+        return new Samples(studio.settings().samples());
     }
 
     /** Says which samples the picture of a plan gets. */

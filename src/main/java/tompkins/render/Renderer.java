@@ -46,22 +46,12 @@ public final class Renderer implements AutoCloseable {
         pool = Executors.newFixedThreadPool(threads, factory);
     }
 
-    /** Starts a picture from its plan, with as many samples as its scene says. Returns at once. */
-    public RenderJob start(RenderPlan plan, RenderListener listener) {
-        return start(plan, Quality.of(plan), listener);
-    }
-
     /** Starts a picture of some quality from its plan. Returns at once. */
     public RenderJob start(RenderPlan plan, Quality quality, RenderListener listener) {
         return start(plan, quality, false, Tile.of(plan.width(), plan.height()), listener);
     }
 
     /** Starts a picture for the window: the first sample of each pixel is taken coarse to fine. Returns at once. */
-    public RenderJob startCoarse(RenderPlan plan, RenderListener listener) {
-        return startCoarse(plan, Quality.of(plan), listener);
-    }
-
-    /** As above, with some quality. */
     public RenderJob startCoarse(RenderPlan plan, Quality quality, RenderListener listener) {
         return start(plan, quality, true, Tile.of(plan.width(), plan.height()), listener);
     }
@@ -107,9 +97,9 @@ public final class Renderer implements AutoCloseable {
         return new AdaptiveSchedule(pixels, wideLens, coarseFirst, error, new TimeBudget(Double.POSITIVE_INFINITY));
     }
 
-    /** Renders a picture and waits for it. */
+    /** Renders a picture, with as many samples as its scene says, and waits for it. */
     public RenderJob render(RenderPlan plan) throws InterruptedException {
-        return render(plan, Quality.of(plan));
+        return render(plan, Quality.of(plan.studio()));
     }
 
     /** Renders a picture of some quality and waits for it. */

@@ -102,11 +102,6 @@ public final class RenderPlan {
         return studio.settings().height();
     }
 
-    /** Samples for each pixel. */
-    public int samples() {
-        return studio.settings().samples();
-    }
-
     /** The factor by which the light is multiplied in the end: exposure compensation. */
     public double exposure() {
         return Math.pow(2, studio.camera().exposureStops());

@@ -81,7 +81,7 @@ final class RenderController implements AutoCloseable {
     /** The quality that pictures of a studio get. */
     Quality quality(Studio studio) {
         Quality wish = quality;
-        return wish == null ? new Quality.Samples(studio.settings().samples()) : wish;
+        return wish == null ? Quality.of(studio) : wish;
     }
 
     /** Ends the work on the picture; what is there stays. */

@@ -83,7 +83,7 @@ class WindowCommandLineTest {
     }
 
     private static Optional<String> line(Studio studio, Path from) {
-        Quality quality = new Quality.Samples(studio.settings().samples());
+        Quality quality = Quality.of(studio);
         return new WindowCommandLine(JAR).of(studio, quality, OPENED, from);
     }
 
@@ -155,8 +155,7 @@ class WindowCommandLineTest {
     }
 
     private String lineOf(WindowCommandLine writer) {
-        return writer.of(OPENED, new Quality.Samples(OPENED.settings().samples()), OPENED, file)
-                .orElseThrow();
+        return writer.of(OPENED, Quality.of(OPENED), OPENED, file).orElseThrow();
     }
 
     /** The shell itself is asked: what it makes of the copied line. */

@@ -10,6 +10,7 @@ import tompkins.camera.PixelSampler;
 import tompkins.image.LinearImage;
 import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
+import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderListener;
 import tompkins.render.Renderer;
@@ -48,7 +49,7 @@ class StudioFuzzTest {
 
     private static RenderJob render(Renderer renderer, Studio studio, long seed) throws InterruptedException {
         CountDownLatch end = new CountDownLatch(1);
-        RenderJob job = renderer.start(RenderPlan.of(studio), new RenderListener() {
+        RenderJob job = renderer.start(RenderPlan.of(studio), Quality.of(studio), new RenderListener() {
             @Override
             public void ended(RenderJob ended) {
                 end.countDown();

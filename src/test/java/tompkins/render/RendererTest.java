@@ -64,7 +64,7 @@ class RendererTest {
                 RenderListener.afterEachPass(job -> told.add(job.report().error() > 0));
 
         try (Renderer renderer = new Renderer(2)) {
-            renderer.startCoarse(plan, listener).await();
+            renderer.startCoarse(plan, Quality.of(plan.studio()), listener).await();
         }
 
         // of every 8th, 4th, 2nd pixel in both directions, and of all of them
@@ -78,7 +78,7 @@ class RendererTest {
         RenderListener listener = RenderListener.afterEachPass(job -> progress.add((int) (100 * job.progress())));
 
         try (Renderer renderer = new Renderer(2)) {
-            RenderJob coarse = renderer.startCoarse(plan, listener);
+            RenderJob coarse = renderer.startCoarse(plan, Quality.of(plan.studio()), listener);
             coarse.await();
             RenderJob plain = renderer.render(plan);
 
@@ -109,7 +109,7 @@ class RendererTest {
             try (Renderer renderer = new Renderer(2)) {
                 long start = System.nanoTime();
                 RenderPlan plan = RenderPlan.of(size(PaperStudios.fig3a(), 3840, 2160, 64));
-                RenderJob job = renderer.start(plan, listener);
+                RenderJob job = renderer.start(plan, Quality.of(plan.studio()), listener);
                 firstTile.await();
                 beginning = shorter(beginning, Duration.ofNanos(System.nanoTime() - start));
 
@@ -152,9 +152,9 @@ class RendererTest {
             }
         };
         Renderer renderer = new Renderer(2);
-        RenderJob running = renderer.start(plan, listener);
-        RenderJob waiting = renderer.start(plan, listener);
-        RenderJob alsoWaiting = renderer.startCoarse(plan, listener);
+        RenderJob running = renderer.start(plan, Quality.of(plan.studio()), listener);
+        RenderJob waiting = renderer.start(plan, Quality.of(plan.studio()), listener);
+        RenderJob alsoWaiting = renderer.startCoarse(plan, Quality.of(plan.studio()), listener);
 
         Duration end = timeOf(() -> {
             renderer.close();
@@ -167,7 +167,7 @@ class RendererTest {
         assertThat(List.of(running, waiting, alsoWaiting)).allMatch(RenderJob::isCancelled);
         assertThat(ended).hasValue(3);
         assertThatIllegalStateException()
-                .isThrownBy(() -> renderer.start(plan, listener))
+                .isThrownBy(() -> renderer.start(plan, Quality.of(plan.studio()), listener))
                 .withMessage("the renderer is closed");
     }
 
@@ -177,8 +177,8 @@ class RendererTest {
         RenderPlan small = RenderPlan.of(size(PaperStudios.fig1a(), 60, 40, 1));
 
         try (Renderer renderer = new Renderer(2)) {
-            RenderJob first = renderer.start(large, RenderListener.NONE);
-            RenderJob second = renderer.startCoarse(small, RenderListener.NONE);
+            RenderJob first = renderer.start(large, Quality.of(large.studio()), RenderListener.NONE);
+            RenderJob second = renderer.startCoarse(small, Quality.of(small.studio()), RenderListener.NONE);
             first.await();
             second.await();
 
@@ -243,7 +243,7 @@ class RendererTest {
         };
 
         try (Renderer renderer = new Renderer(2)) {
-            RenderJob job = renderer.start(plan, broken);
+            RenderJob job = renderer.start(plan, Quality.of(plan.studio()), broken);
 
             assertThatThrownBy(job::await)
                     .isInstanceOf(RenderFailedException.class)

@@ -45,8 +45,8 @@ class SoakTest {
         try (Renderer renderer = new Renderer(2)) {
             var studio = RandomStudio.of(seed);
             RenderJob job = renderer.start(
-                    RenderPlan.of(studio.withSettings(
-                            studio.settings().withSize(320, 240).withSamples(64))),
+                    RenderPlan.of(studio.withSettings(studio.settings().withSize(320, 240))),
+                    new Quality.Samples(64),
                     new RenderListener() {
                         @Override
                         public void ended(RenderJob job) {

@@ -25,7 +25,7 @@ class ScreenPicturesTest {
     }
 
     private static Picture picture(RenderPlan plan, LinearImage image) {
-        return new Picture(plan, Quality.of(plan), image, true, Duration.ZERO, 1, Double.NaN, List.of());
+        return new Picture(plan, Quality.of(plan.studio()), image, true, Duration.ZERO, 1, Double.NaN, List.of());
     }
 
     private static Picture grey(int width, int height) {
