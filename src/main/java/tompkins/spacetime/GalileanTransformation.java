@@ -8,12 +8,12 @@ import tompkins.ray.Ray;
  * The change of frame of Newton's mechanics: {@code x' = x + beta t}, {@code t' = t}. Light takes its time, but there is no
  * relativity; its speed is 1 in the first frame only. For teaching, against {@link LorentzTransformation}.
  */
-public final class GalileanTransformation implements SpaceTimeTransformation {
+final class GalileanTransformation implements SpaceTimeTransformation {
 
     private final Vector3dc beta;
 
     /** From the frame that moves with the given velocity into the frame in which it moves. */
-    public GalileanTransformation(Velocity velocity) {
+    GalileanTransformation(Velocity velocity) {
         this(velocity.components());
     }
 

@@ -10,7 +10,7 @@ import java.util.function.ToDoubleFunction;
  * @param factor y at x = 1
  * @param rSquared the share of the spread of log y that the law explains, from 0 to 1
  */
-public record PowerLaw(double slope, double factor, double rSquared) {
+record PowerLaw(double slope, double factor, double rSquared) {
 
     /** Fits a law; points that are not above 0 are left out. All numbers are NaN if fewer than two are left. */
     static PowerLaw fit(double[] x, double[] y) {

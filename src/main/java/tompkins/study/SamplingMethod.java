@@ -1,9 +1,7 @@
 package tompkins.study;
 
-import java.util.Locale;
-
 /** A way to choose places in the pixel and on the lens. */
-public enum SamplingMethod {
+enum SamplingMethod {
 
     /** Independent random places; on the lens by rejection, as in Dr TIM. */
     RANDOM("random (as in Dr TIM)") {
@@ -68,7 +66,7 @@ public enum SamplingMethod {
     }
 
     /** The name in charts. */
-    public String title() {
+    String title() {
         return title;
     }
 
@@ -85,9 +83,4 @@ public enum SamplingMethod {
     }
 
     abstract SamplePattern pattern(long seed, int samples, boolean pixelToo);
-
-    @Override
-    public String toString() {
-        return name().toLowerCase(Locale.ROOT);
-    }
 }

@@ -5,7 +5,7 @@ import tompkins.ray.Ray;
 import tompkins.surface.Surface;
 
 /** Somebody who watches the life of a ray. What it is given it does not keep: its memory is used again. */
-public interface RayWitness {
+interface RayWitness {
 
     /** A ray starts in the camera frame. */
     void starts(Ray ray);

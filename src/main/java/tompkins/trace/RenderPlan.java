@@ -133,7 +133,7 @@ public final class RenderPlan {
     }
 
     /** As {@link #tracer(RayCounts)}, watched by a witness. */
-    public SampleTracer tracer(RayCounts counts, RayWitness witness) {
+    SampleTracer tracer(RayCounts counts, RayWitness witness) {
         int depth = studio.settings().maximumDepth();
         RayTracer sceneTracer = new RayTracer(
                 Frame.SCENE,
