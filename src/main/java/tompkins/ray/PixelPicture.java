@@ -11,6 +11,9 @@ public final class PixelPicture implements FileContent {
     /** One white pixel, for descriptions that still need a picture. */
     public static final PixelPicture WHITE = new PixelPicture("", 1, 1, new float[] {1, 1, 1, 1}, new byte[0]);
 
+    /** A little below 127/255, so that no rounding decides about a level of 8 bits. */
+    private static final float LEAST_BRIGHT = 0.498f;
+
     private final String name;
     private final int width;
     private final int height;
@@ -63,10 +66,10 @@ public final class PixelPicture implements FileContent {
         return new Colour(rgba[index], rgba[index + 1], rgba[index + 2]);
     }
 
-    /** Whether (u, v) lies on a dark and opaque pixel: opacity at least 1/2, blue below 1/2. */
+    /** Whether (u, v) lies on a dark and opaque pixel: opacity at least 1/2, blue below level 127 of 255. */
     public boolean isDark(double u, double v) {
         int index = index(u, v);
-        return rgba[index + 3] >= 0.5f && rgba[index + 2] < 0.498f;
+        return rgba[index + 3] >= 0.5f && rgba[index + 2] < LEAST_BRIGHT;
     }
 
     private int index(double u, double v) {

@@ -24,7 +24,7 @@ final class Film {
     /**
      * A film.
      *
-     * @param comparesHalves whether it can tell the variance of pixels with several samples, for twice the memory
+     * @param comparesHalves whether it can tell the variance of pixels with several samples, for 28 bytes a pixel instead of 16
      */
     Film(int width, int height, boolean comparesHalves) {
         this.width = width;

@@ -1,6 +1,6 @@
 package tompkins.render;
 
-/** Decides which samples are taken. Called by one thread at a time, between passes. */
+/** Decides which samples are taken. All threads ask it how far the picture is, one at a time, between passes, for the next. */
 interface Schedule {
 
     /** The next pass, or null if the picture is done. */

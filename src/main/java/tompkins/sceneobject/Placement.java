@@ -8,7 +8,7 @@ import org.joml.Vector3dc;
 /** How an object is placed: {@code x' = scale R x + translation}, with a rotation R. */
 public final class Placement {
 
-    /** As described. */
+    /** Leaves an object as it is described: scale 1, no rotation, no translation. */
     public static final Placement NONE = new Placement(1, new Matrix3d(), new Vector3d());
 
     private final double scale;
