@@ -1,0 +1,123 @@
+package tompkins.scenes;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.joml.Vector3d;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.trace.RayLife;
+import tompkins.trace.RenderPlan;
+
+/** What the remarks of a scene speak of is whole in its picture. */
+class ViewTest {
+
+    private static final int WIDTH = 100;
+    private static final int HEIGHT = 75;
+
+    /** The pixels from left to right and from top to bottom, both ends included. */
+    private record Place(int left, int right, int top, int bottom) {
+
+        static Place of(Studio studio, String object) {
+            RenderPlan plan = plan(studio);
+            List<Integer> columns = new ArrayList<>();
+            List<Integer> rows = new ArrayList<>();
+            for (int y = 0; y < HEIGHT; y++) {
+                for (int x = 0; x < WIDTH; x++) {
+                    RayLife.Encounter seen = seen(plan, x, y);
+                    if (seen != null && seen.object().equals(object)) {
+                        columns.add(x);
+                        rows.add(y);
+                    }
+                }
+            }
+            assertThat(columns).as("pixels of the %s", object).isNotEmpty();
+            Place place = new Place(smallest(columns), largest(columns), smallest(rows), largest(rows));
+            assertThat(place.left > 0 && place.right < WIDTH - 1 && place.top > 0 && place.bottom < HEIGHT - 1)
+                    .as("the %s is whole: %s", object, place)
+                    .isTrue();
+            return place;
+        }
+
+        private static int smallest(List<Integer> numbers) {
+            return numbers.stream().mapToInt(Integer::intValue).min().orElseThrow();
+        }
+
+        private static int largest(List<Integer> numbers) {
+            return numbers.stream().mapToInt(Integer::intValue).max().orElseThrow();
+        }
+
+        int width() {
+            return right - left + 1;
+        }
+
+        int height() {
+            return bottom - top + 1;
+        }
+
+        double middle() {
+            return (left + right + 1) / 2.0;
+        }
+    }
+
+    /** From rest upwards in the direction that the scene gives, as the slider for the speed goes. */
+    @ParameterizedTest
+    @CsvSource({"object-box, cube", "object-sphere, ball"})
+    void staysInTheMiddleAtEverySpeed(String scene, String object) {
+        Studio studio = SceneFiles.read(scene);
+        assertThat(studio.velocity().given().x()).isPositive();
+        Place resting = Place.of(atSpeed(studio, 0), object);
+        for (double speed : new double[] {0.3, 0.6, 0.8, 0.9, 0.97, 0.99}) {
+            Place place = Place.of(atSpeed(studio, speed), object);
+            assertThat(place.middle()).as("middle at %s", speed).isCloseTo(WIDTH / 2.0, within(0.04 * WIDTH));
+            assertThat(place.height()).as("height at %s", speed).isCloseTo(resting.height(), within(1));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0.3, 0.6, 0.9, 0.99})
+    void ballStaysAsWideAsItIsHigh(double speed) {
+        Place ball = Place.of(atSpeed(SceneFiles.read("object-sphere"), speed), "ball");
+        assertThat(ball.width()).isCloseTo(ball.height(), within(1));
+    }
+
+    /** Terrell: a cube far away looks turned by the angle whose sine is beta; nearer, the rear side is a little narrower. */
+    @ParameterizedTest
+    @CsvSource({"object-box, 0", "object-box, 0.9"})
+    void cubeLooksTurned(String scene, double speed) {
+        Studio studio = SceneFiles.read(scene);
+        double resting = Place.of(atSpeed(studio, 0), "cube").width();
+        RenderPlan plan = plan(atSpeed(studio, speed));
+        List<Vector3d> row = IntStream.range(0, WIDTH)
+                .mapToObj(x -> seen(plan, x, HEIGHT / 2))
+                .filter(seen -> seen != null && seen.object().equals("cube"))
+                .map(seen -> seen.event().position())
+                .toList();
+        long rear = row.stream().filter(hit -> Math.abs(hit.x() - 1) < 1e-9).count();
+        double front = row.size() - rear;
+        assertThat(rear / resting).as("share of the rear side").isCloseTo(speed, within(0.14));
+        assertThat(front / resting).as("share of the front").isCloseTo(Math.sqrt(1 - speed * speed), within(0.1));
+    }
+
+    private static Studio atSpeed(Studio studio, double speed) {
+        return studio.withVelocity(
+                Velocity.of(SpeedScale.BETA, speed, studio.velocity().given()));
+    }
+
+    private static RenderPlan plan(Studio studio) {
+        return RenderPlan.of(studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT)));
+    }
+
+    /** What a pixel shows, or null. */
+    private static RayLife.Encounter seen(RenderPlan plan, int x, int y) {
+        List<RayLife.Encounter> hits = RayLife.of(plan, x + 0.5, y + 0.5, 0, 0).hits();
+        return hits.isEmpty() ? null : hits.get(0);
+    }
+}
