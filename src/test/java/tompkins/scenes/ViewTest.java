@@ -69,7 +69,7 @@ class ViewTest {
 
     /** From rest upwards in the direction that the scene gives, as the slider for the speed goes. */
     @ParameterizedTest
-    @CsvSource({"object-box, cube", "object-sphere, ball"})
+    @CsvSource({"object-box, cube", "object-sphere, ball", "terrell-cube, cube"})
     void staysInTheMiddleAtEverySpeed(String scene, String object) {
         Studio studio = SceneFiles.read(scene);
         assertThat(studio.velocity().given().x()).isPositive();
@@ -90,7 +90,7 @@ class ViewTest {
 
     /** Terrell: a cube far away looks turned by the angle whose sine is beta; nearer, the rear side is a little narrower. */
     @ParameterizedTest
-    @CsvSource({"object-box, 0", "object-box, 0.9"})
+    @CsvSource({"object-box, 0", "object-box, 0.9", "terrell-cube, 0", "terrell-cube, 0.6", "terrell-cube, 0.8"})
     void cubeLooksTurned(String scene, double speed) {
         Studio studio = SceneFiles.read(scene);
         double resting = Place.of(atSpeed(studio, 0), "cube").width();

@@ -107,7 +107,7 @@ class WindowTest {
             return null;
         });
         assertThat(remarks.isShowing()).isTrue();
-        assertThat(remarks.getText()).startsWith("Cubes that a fast camera passes do not look shortened but turned");
+        assertThat(remarks.getText()).startsWith("A cube that a fast camera passes does not look shortened but turned");
     }
 
     @Test
