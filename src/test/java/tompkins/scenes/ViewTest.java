@@ -106,6 +106,20 @@ class ViewTest {
         assertThat(front / resting).as("share of the front").isCloseTo(Math.sqrt(1 - speed * speed), within(0.1));
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"surface-lorentz-window", "surface-galileo-window"})
+    void windowCoversTheRightHalf(String scene) {
+        RenderPlan plan = plan(SceneFiles.read(scene));
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                RayLife.Encounter seen = seen(plan, x, y);
+                assertThat(seen != null && seen.object().equals("window"))
+                        .as("at %d, %d", x, y)
+                        .isEqualTo(x >= WIDTH / 2);
+            }
+        }
+    }
+
     private static Studio atSpeed(Studio studio, double speed) {
         return studio.withVelocity(
                 Velocity.of(SpeedScale.BETA, speed, studio.velocity().given()));
