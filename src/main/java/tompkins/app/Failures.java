@@ -42,10 +42,16 @@ final class Failures {
             return FAILURE;
         }
         if (exception instanceof RenderFailedException failed && failed.getCause() instanceof OutOfMemoryError) {
-            err.println("not enough memory: " + failed.getMessage());
-            return FAILURE;
+            return reportMemory(err);
         }
         throw exception;
+    }
+
+    /** Reports that what was asked is more than the memory holds. */
+    static int reportMemory(PrintWriter err) {
+        long most = Runtime.getRuntime().maxMemory();
+        err.println("not enough memory: Java may use " + (most >> 20) + " MB; start java with a larger -Xmx");
+        return FAILURE;
     }
 
     /** Reports a mistake in the arguments, with the name that was perhaps meant. */

@@ -45,6 +45,10 @@ public final class Main {
         commandLine.registerConverter(Path.class, Main::file);
         commandLine.setExecutionExceptionHandler(Failures::report);
         commandLine.setParameterExceptionHandler(Failures::reportUsage);
-        return commandLine.execute(arguments);
+        try {
+            return commandLine.execute(arguments);
+        } catch (OutOfMemoryError tooMuch) {
+            return Failures.reportMemory(err);
+        }
     }
 }

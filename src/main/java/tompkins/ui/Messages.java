@@ -102,6 +102,9 @@ final class Messages {
 
     /** What an exception says to the user. */
     static String of(Throwable failure) {
+        if (failure instanceof OutOfMemoryError || failure.getCause() instanceof OutOfMemoryError) {
+            return Texts.get("message.memory", Runtime.getRuntime().maxMemory() >> 20);
+        }
         return failure.getMessage() == null ? failure.toString() : failure.getMessage();
     }
 }
