@@ -5,6 +5,7 @@ import org.joml.Vector3dc;
 import tompkins.math.Vectors;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
+import tompkins.property.NumberText;
 import tompkins.property.Require;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
@@ -73,6 +74,12 @@ public record ThinLensCamera(
                     "focus",
                     "a surface that does not pass through the lens centre " + Require.text(position),
                     plane.description());
+        }
+        if (focus.primitiveCount() > SceneObject.MOST_PRIMITIVES) {
+            throw new InvalidPropertyException(
+                    "focus",
+                    "a surface of at most " + NumberText.of(SceneObject.MOST_PRIMITIVES) + " primitives",
+                    NumberText.of(focus.primitiveCount()));
         }
         Require.within("exposureStops", exposureStops, -100.0, 100.0);
         Require.present("shutter", shutter);

@@ -42,6 +42,11 @@ public record Cone(
     }
 
     @Override
+    public double primitiveCount() {
+        return base ? 2 : 1;
+    }
+
+    @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
         collector.add(new ConePrimitive(this, placement));
         if (base) {

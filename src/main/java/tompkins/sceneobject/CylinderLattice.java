@@ -83,6 +83,11 @@ public record CylinderLattice(
     }
 
     @Override
+    public double primitiveCount() {
+        return rods(points);
+    }
+
+    @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
         addRods(collector, placement, 2, 0, 1, surfaceAlongZ);
         addRods(collector, placement, 0, 2, 1, surfaceAlongX);

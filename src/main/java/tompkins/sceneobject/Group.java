@@ -20,6 +20,11 @@ public record Group(
     }
 
     @Override
+    public double primitiveCount() {
+        return objects.stream().mapToDouble(SceneObject::primitiveCount).sum();
+    }
+
+    @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
         for (SceneObject object : objects) {
             object.addTo(collector, placement);

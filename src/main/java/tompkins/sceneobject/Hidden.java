@@ -21,6 +21,11 @@ public record Hidden(@Meaning("The object") SceneObject object) implements Scene
     }
 
     @Override
+    public double primitiveCount() {
+        return 0;
+    }
+
+    @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
         // hidden: nothing
     }

@@ -64,7 +64,16 @@ public record ImagePointGrid(
     }
 
     @Override
+    public double primitiveCount() {
+        return (double) points.x() * points.y() * object.primitiveCount();
+    }
+
+    @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
+        // copies of copies of nothing would take for ever, too
+        if (object.primitiveCount() == 0) {
+            return;
+        }
         for (int i = 0; i < points.x(); i++) {
             for (int j = 0; j < points.y(); j++) {
                 Vector3d point = new Vector3d(corner)

@@ -18,8 +18,16 @@ public sealed interface SceneObject
                 ImagePointGrid,
                 Hidden {
 
+    /** The most primitives of a picture, so that copies of copies fill neither the memory nor the day. */
+    double MOST_PRIMITIVES = 10_000_000;
+
     /** What the user calls the object. */
     String description();
+
+    /** The number of primitives that the object becomes, or a few more; no whole number holds that of copies of copies. */
+    default double primitiveCount() {
+        return 1;
+    }
 
     /** Adds the primitives of this object, placed, in the order in which they are listed. */
     void addTo(PrimitiveCollector collector, Placement placement);

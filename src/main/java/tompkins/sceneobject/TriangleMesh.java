@@ -32,6 +32,11 @@ public record TriangleMesh(
     }
 
     @Override
+    public double primitiveCount() {
+        return mesh.triangles();
+    }
+
+    @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
         for (int triangle = 0; triangle < mesh.triangles(); triangle++) {
             Vector3d first = corner(triangle, 0);

@@ -2,13 +2,14 @@ package tompkins.trace;
 
 import java.util.List;
 import tompkins.property.InvalidPropertyException;
+import tompkins.property.NumberText;
 import tompkins.sceneobject.Bounds;
 import tompkins.sceneobject.Placement;
 import tompkins.sceneobject.Primitive;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
 
-/** Makes primitives of objects, and refuses those of such sizes that what is worked out from them is no number. */
+/** Makes primitives of objects; refuses too many, and those of such sizes that what is worked out from them is no number. */
 final class ObjectPreparation {
 
     /** The sizes that always work: their fourth powers are far from the limits of a double. Others may work, too. */
@@ -20,9 +21,10 @@ final class ObjectPreparation {
      * Adds the primitives of a list of objects.
      *
      * @param name what scene files call the list
-     * @throws InvalidPropertyException if an object is too large or too small to work with
+     * @throws InvalidPropertyException if an object is too large or too small to work with, or there are too many
      */
     static void add(String name, List<SceneObject> objects, PrimitiveCollector collector, Placement placement) {
+        requireFewEnough(name, objects);
         int[] starts = new int[objects.size() + 1];
         for (int i = 0; i < objects.size(); i++) {
             starts[i] = collector.size();
@@ -41,6 +43,22 @@ final class ObjectPreparation {
         }
     }
 
+    /** Counts before anything is made: copies of copies would take for ever. */
+    private static void requireFewEnough(String name, List<SceneObject> objects) {
+        double before = 0;
+        for (int i = 0; i < objects.size(); i++) {
+            double count = objects.get(i).primitiveCount();
+            if (before + count > SceneObject.MOST_PRIMITIVES) {
+                throw new InvalidPropertyException(
+                        place(name, i),
+                        "small enough for at most " + NumberText.of(SceneObject.MOST_PRIMITIVES) + " primitives in all",
+                        quoted(objects.get(i)) + " with " + NumberText.of(count)
+                                + (before == 0 ? "" : " (after " + NumberText.of(before) + ")"));
+            }
+            before += count;
+        }
+    }
+
     /** Whether the size of a primitive is a number; planes have none. */
     private static boolean isUsable(Primitive primitive) {
         Bounds bounds = primitive.bounds();
@@ -48,7 +66,15 @@ final class ObjectPreparation {
     }
 
     private static InvalidPropertyException refusal(String name, int index, SceneObject object) {
-        return new InvalidPropertyException(name + "[" + index + "]", ALLOWED, "\"" + object.description() + "\"");
+        return new InvalidPropertyException(place(name, index), ALLOWED, quoted(object));
+    }
+
+    private static String place(String name, int index) {
+        return name + "[" + index + "]";
+    }
+
+    private static String quoted(SceneObject object) {
+        return '"' + object.description() + '"';
     }
 
     /** The refusal of a scene whose objects and lamps are too far apart. */

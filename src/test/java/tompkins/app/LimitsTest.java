@@ -122,6 +122,10 @@ class LimitsTest {
                         "object beyond all numbers",
                         "{ \"scene\": [{ \"type\": \"Sphere\" }, { \"type\": \"Cone\", \"tip\": [-1e308, 0, 5],"
                                 + " \"baseCentre\": [1e308, 0, 5] }] }"),
+                scene(
+                        "copies of copies",
+                        "{ \"scene\": [{ \"type\": \"ImagePointGrid\", \"points\": [1000, 1000], \"object\":"
+                                + " { \"type\": \"ImagePointGrid\", \"points\": [30, 30] } }] }"),
                 new Case(
                         "missing scene file",
                         2,

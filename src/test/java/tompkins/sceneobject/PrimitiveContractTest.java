@@ -43,6 +43,15 @@ class PrimitiveContractTest {
 
     @ParameterizedTest
     @MethodSource("types")
+    void objectsKnowHowManyPrimitivesTheyBecome(Class<?> type) {
+        for (int seed = 0; seed < OBJECTS; seed++) {
+            SceneObject object = RandomStudio.object(seed, type, TILED);
+            assertThat(PrimitiveCollector.primitivesOf(object)).hasSize((int) object.primitiveCount());
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("types")
     void hitsKeepTheirPromises(Class<?> type) {
         int hits = 0;
         List<Primitive> primitives = primitives(type);

@@ -3,26 +3,35 @@ package tompkins.trace;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.Stream;
+import org.joml.Vector2i;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.camera.ThinLensCamera;
 import tompkins.property.InvalidPropertyException;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Cone;
 import tompkins.sceneobject.Cylinder;
+import tompkins.sceneobject.Group;
+import tompkins.sceneobject.Hidden;
+import tompkins.sceneobject.ImagePointGrid;
 import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
+import tompkins.sceneobject.TriangleMesh;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
 
 class ObjectPreparationTest {
 
     private static final ColouredSurface COLOURED = ColouredSurface.DEFAULT;
+    private static final Sphere BALL = Sphere.DEFAULT;
 
     /** Objects of a size, 3 sizes in front of the camera. */
     private static List<SceneObject> ofSize(double size) {
@@ -60,6 +69,53 @@ class ObjectPreparationTest {
         assertThatExceptionOfType(InvalidPropertyException.class)
                 .isThrownBy(() -> RenderPlan.of(withCamera))
                 .withMessageStartingWith("cameraFrame[0] ");
+    }
+
+    @Test
+    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void copiesOfCopiesAreCountedBeforeTheyAreMade() {
+        Studio inScene = Studio.DEFAULT.withScene(List.of(BALL, millionOf(millionOf(BALL))));
+        assertThatExceptionOfType(InvalidPropertyException.class)
+                .isThrownBy(() -> RenderPlan.of(inScene))
+                .withMessage("scene[1] must be small enough for at most 10000000 primitives in all,"
+                        + " was \"copies\" with 1e12 (after 1)");
+        // an octahedron has 8 triangles
+        Studio withCamera = Studio.DEFAULT.withCameraFrame(List.of(
+                millionOf(TriangleMesh.DEFAULT), millionOf(new Group("", List.of(BALL, Hidden.DEFAULT, BALL, BALL)))));
+        assertThatExceptionOfType(InvalidPropertyException.class)
+                .isThrownBy(() -> RenderPlan.of(withCamera))
+                .withMessageStartingWith("cameraFrame[1] ")
+                .withMessageEndingWith(" with 3000000 (after 8000000)");
+    }
+
+    @Test
+    @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void copiesOfCopiesOfNothingAreNothing() {
+        Studio studio = Studio.DEFAULT.withScene(List.of(millionOf(millionOf(Hidden.DEFAULT))));
+        assertThat(RayLife.of(RenderPlan.of(studio), 320.5, 239.5, 0, 0).hits()).isEmpty();
+    }
+
+    @Test
+    void aFocusHasNoMorePrimitivesThanAScene() {
+        ThinLensCamera camera = ThinLensCamera.DEFAULT;
+        assertThatExceptionOfType(InvalidPropertyException.class)
+                .isThrownBy(() -> new ThinLensCamera(
+                        camera.position(),
+                        camera.viewDirection(),
+                        camera.topDirection(),
+                        camera.horizontalAngleDegrees(),
+                        camera.verticalAngleDegrees(),
+                        camera.apertureRadius(),
+                        millionOf(new Group("", Collections.nCopies(11, BALL))),
+                        camera.exposureStops(),
+                        camera.shutter()))
+                .withMessage("focus must be a surface of at most 10000000 primitives, was 11000000");
+    }
+
+    private static SceneObject millionOf(SceneObject object) {
+        Vector3d corner = new Vector3d(-1, -1, 10);
+        return new ImagePointGrid(
+                "copies", object, corner, new Vector3d(2, 0, 0), new Vector3d(0, 2, 0), new Vector2i(1000, 1000));
     }
 
     static Stream<SceneObject> usable() {
