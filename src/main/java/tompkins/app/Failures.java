@@ -54,6 +54,12 @@ final class Failures {
         return FAILURE;
     }
 
+    /** Reports that words of the program were lost; the exit code with that. */
+    static int reportLostOutput(IOException failure, PrintWriter err, int code) {
+        err.println("the output cannot be written: " + failure.getMessage());
+        return code == 0 ? FAILURE : code;
+    }
+
     /** Reports a mistake in the arguments, with the name that was perhaps meant. */
     static int reportUsage(ParameterException exception, String[] arguments) {
         CommandLine commandLine = exception.getCommandLine();

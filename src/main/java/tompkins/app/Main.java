@@ -1,6 +1,8 @@
 package tompkins.app;
 
-import java.io.PrintStream;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
 import java.nio.file.InvalidPathException;
@@ -17,14 +19,19 @@ public final class Main {
      * in the arguments or in a scene).
      */
     public static void main(String[] arguments) {
-        int code = run(printer(System.out), printer(System.err), arguments);
+        WatchedStream out = new WatchedStream(new FileOutputStream(FileDescriptor.out));
+        PrintWriter err = printer(System.err);
+        int code = run(printer(out), err, arguments);
+        if (out.failure() != null) {
+            code = Failures.reportLostOutput(out.failure(), err, code);
+        }
         if (code != Failures.WINDOW_IS_OPEN) {
             System.exit(code);
         }
     }
 
     /** Letters that the terminal cannot show become question marks. */
-    private static PrintWriter printer(PrintStream stream) {
+    private static PrintWriter printer(OutputStream stream) {
         return new PrintWriter(stream, true, Charset.defaultCharset());
     }
 

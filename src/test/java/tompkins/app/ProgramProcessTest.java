@@ -2,10 +2,12 @@ package tompkins.app;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -32,6 +34,29 @@ class ProgramProcessTest {
                 builder.directory(folder.toFile()).redirectError(err.toFile()).start();
         String out = new String(process.getInputStream().readAllBytes(), UTF_8);
         return new ProgramRun(process.waitFor(), out, Files.readString(err));
+    }
+
+    @Test
+    void outputThatIsLostIsAFailure() throws IOException, InterruptedException {
+        assumeThat(Path.of("/dev/full")).exists();
+        Files.writeString(folder.resolve("good.json"), "{}");
+        for (String line : List.of("check good.json", "trace good.json --pixel 3,2 --json", "--help")) {
+            ProgramRun run = shell("tompkins " + line + " > /dev/full");
+            assertThat(run.code()).as(line).isEqualTo(Failures.FAILURE);
+            assertThat(run.err()).isEqualTo("the output cannot be written: No space left on device\n");
+        }
+        ProgramRun mistake = shell("tompkins check good.json nothing.json > /dev/full");
+        assertThat(mistake.code()).isEqualTo(Failures.MISTAKE);
+        assertThat(mistake.err()).contains("nothing.json: there is no such file", "the output cannot be written");
+    }
+
+    @Test
+    void whoeverReadsOnlyTheBeginningHearsNoComplaint() throws IOException, InterruptedException {
+        Files.writeString(folder.resolve("good.json"), "{}");
+
+        ProgramRun run = shell("{ tompkins check good.json; echo $? > code; } | true; cat code");
+
+        assertThat(run).isEqualTo(new ProgramRun(0, "0\n", ""));
     }
 
     @Test
