@@ -76,9 +76,14 @@ final class WindowCommandLine implements CommandLineWriter {
         if (now.getClass() != before.getClass()) {
             line.append(" --shutter ").append(nameOf(now));
         }
-        if (!now.equals(before)) {
+        if (!now.equals(withoutTime(now, before))) {
             line.append(" --time=").append(NumberText.of(now.openingTime()));
         }
+    }
+
+    /** The shutter that the command has before it reads an opening time. */
+    private static Shutter withoutTime(Shutter now, Shutter before) {
+        return now.getClass() == before.getClass() ? before : StudioOptions.defaultOf(now.getClass());
     }
 
     private static String nameOf(Shutter shutter) {
@@ -95,8 +100,7 @@ final class WindowCommandLine implements CommandLineWriter {
             return false;
         }
         Shutter now = studio.camera().shutter();
-        Shutter before = opened.camera().shutter();
-        Shutter start = now.getClass() == before.getClass() ? before : StudioOptions.defaultOf(now.getClass());
+        Shutter start = withoutTime(now, opened.camera().shutter());
         RenderSettings settings = studio.settings();
         Studio said = opened.withVelocity(studio.velocity())
                 .withCamera(opened.camera().withShutter(start.openedAt(now.openingTime())))

@@ -24,6 +24,7 @@ import tompkins.io.StudioWriter;
 import tompkins.render.Quality;
 import tompkins.sceneobject.Sphere;
 import tompkins.shutter.DetectorPlaneShutter;
+import tompkins.shutter.FixedPointSurfaceShutter;
 import tompkins.shutter.FocusSurfaceShutter;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
@@ -63,6 +64,7 @@ class WindowCommandLineTest {
                 OPENED.withVelocity(Velocity.of(-0.1, 0.2, 1.0 / 3)),
                 with(OPENED.camera().shutter().openedAt(-1.5)),
                 with(FocusSurfaceShutter.DEFAULT),
+                with(FixedPointSurfaceShutter.DEFAULT),
                 with(DetectorPlaneShutter.DEFAULT.openedAt(0.125))
                         .withVelocity(Velocity.of(0, 0, -0.5))
                         .withSettings(OPENED.settings().withSamples(2)));
