@@ -3,6 +3,7 @@ package tompkins.ui;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.function.BiFunction;
 import java.util.function.ToDoubleFunction;
 import org.joml.Vector3d;
@@ -13,13 +14,15 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 
 /**
- * A number of the studio that an animation can change.
+ * A number of the studio that an animation can change. Two are equal if they are called the same and stand in the same place.
  *
  * @param name what the user calls it
+ * @param path where it stands
  * @param get its value
  * @param with the studio with another value; throws if that is not allowed
  */
-record NumberProperty(String name, ToDoubleFunction<Studio> get, BiFunction<Studio, Double, Studio> with) {
+record NumberProperty(
+        String name, StudioPath path, ToDoubleFunction<Studio> get, BiFunction<Studio, Double, Studio> with) {
 
     /** So many numbers are offered at most; scenes can have millions. */
     private static final int MOST = 500;
@@ -28,6 +31,7 @@ record NumberProperty(String name, ToDoubleFunction<Studio> get, BiFunction<Stud
     static NumberProperty speed(SpeedScale scale) {
         return new NumberProperty(
                 Texts.get("scale." + scale.name() + ".name"),
+                StudioPath.ROOT.then("velocity"),
                 studio -> scale.valueOf(studio.velocity()),
                 (studio, value) -> FrontWindow.withVelocity(studio, Velocity.of(scale, value, direction(studio))));
     }
@@ -41,6 +45,7 @@ record NumberProperty(String name, ToDoubleFunction<Studio> get, BiFunction<Stud
     static NumberProperty openingTime() {
         return new NumberProperty(
                 Texts.get("play.openingTime"),
+                StudioPath.ROOT.then("camera").then("shutter").then("openingTime"),
                 studio -> studio.camera().shutter().openingTime(),
                 (studio, value) -> studio.withCamera(
                         studio.camera().withShutter(studio.camera().shutter().openedAt(value))));
@@ -63,20 +68,28 @@ record NumberProperty(String name, ToDoubleFunction<Studio> get, BiFunction<Stud
         return properties;
     }
 
+    /** Whether nothing changed in a studio that could make its numbers others: seen without looking into long lists. */
+    static boolean unchanged(Studio before, Studio now) {
+        return before.camera() == now.camera()
+                && before.cameraFrame() == now.cameraFrame()
+                && before.scene() == now.scene()
+                && before.lights() == now.lights();
+    }
+
     private static void collect(Object value, StudioPath path, String name, List<NumberProperty> properties) {
         if (properties.size() >= MOST) {
             return;
         }
         if (value instanceof Double) {
-            properties.add(new NumberProperty(name, studio -> (Double) path.get(studio), path::with));
+            properties.add(new NumberProperty(name, path, studio -> (Double) path.get(studio), path::with));
         } else if (value instanceof Vector3dc) {
             for (String axis : List.of("x", "y", "z")) {
                 StudioPath component = path.then(axis);
                 properties.add(new NumberProperty(
-                        name + " " + axis, studio -> (Double) component.get(studio), component::with));
+                        name + " " + axis, component, studio -> (Double) component.get(studio), component::with));
             }
         } else if (value instanceof List<?> list) {
-            for (int i = 0; i < list.size(); i++) {
+            for (int i = 0; i < list.size() && properties.size() < MOST; i++) {
                 collect(list.get(i), path.then(i), name + " \u203a " + StudioTree.name(list.get(i)), properties);
             }
         } else if (value instanceof Record) {
@@ -85,6 +98,16 @@ record NumberProperty(String name, ToDoubleFunction<Studio> get, BiFunction<Stud
                 collect(Records.get(value, component), path.then(component.getName()), label, properties);
             }
         }
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof NumberProperty property && name.equals(property.name) && path.equals(property.path);
+    }
+
+    @Override
+    public int hashCode() {
+        return Objects.hash(name, path);
     }
 
     @Override

@@ -1,8 +1,10 @@
 package tompkins.ui;
 
+import java.util.List;
 import java.util.Objects;
 import java.util.function.BiConsumer;
 import java.util.function.DoubleConsumer;
+import javax.swing.DefaultComboBoxModel;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
@@ -41,6 +43,8 @@ final class PlayPanel {
     private final Timer timer = new Timer(TICK_MILLISECONDS, event -> tick());
     private final Object gesture = new Object();
     private final Updating updating = new Updating();
+    private List<NumberProperty> offered = List.of();
+    private Studio offeredOf;
     private double from;
     private double to;
     private double seconds = 4;
@@ -75,6 +79,7 @@ final class PlayPanel {
         panel.add(exportButton, "wmin pref, wrap");
         panel.add(note.component(), "span, growx, wmin 0");
         panel.setVisible(false);
+        model.addListener(this::update);
     }
 
     private JComponent numberRow() {
@@ -107,14 +112,8 @@ final class PlayPanel {
     /** A number with which the animation begins or ends; what the studio refuses is marked at once, not half-way. */
     private double allowed(String end, double number) {
         Require.finite(end, number);
-        try {
-            // made only to see whether it can be
-            Objects.requireNonNull(property().with().apply(model.studio(), number));
-        } catch (InvalidPropertyException wrong) {
-            throw wrong;
-        } catch (IndexOutOfBoundsException | IllegalArgumentException gone) {
-            note.setError(Texts.get("play.gone"));
-        }
+        // made only to see whether it can be
+        Objects.requireNonNull(property().with().apply(model.studio(), number));
         return number;
     }
 
@@ -130,17 +129,33 @@ final class PlayPanel {
 
     /** Shows the panel for the studio as it is, or hides it. */
     void setShown(boolean shown) {
-        if (shown && !panel.isVisible()) {
-            updating.during(() -> {
-                properties.removeAllItems();
-                NumberProperty.of(model.studio()).forEach(properties::addItem);
-            });
-            suggestValues();
-        }
+        panel.setVisible(shown);
+        update();
         if (!shown) {
             setPlaying(false);
         }
-        panel.setVisible(shown);
+    }
+
+    /** Offers the numbers that the studio has; the chosen one stays if it is still there, otherwise nothing runs. */
+    private void update() {
+        Studio studio = model.studio();
+        if (!panel.isVisible() || offeredOf != null && NumberProperty.unchanged(offeredOf, studio)) {
+            return;
+        }
+        offeredOf = studio;
+        List<NumberProperty> now = NumberProperty.of(studio);
+        if (now.equals(offered)) {
+            return;
+        }
+        offered = now;
+        NumberProperty chosen = property();
+        updating.during(() -> properties.setModel(new DefaultComboBoxModel<>(now.toArray(NumberProperty[]::new))));
+        if (now.contains(chosen)) {
+            updating.during(() -> properties.setSelectedItem(chosen));
+        } else {
+            setPlaying(false);
+            suggestValues();
+        }
     }
 
     boolean isShown() {
@@ -150,26 +165,23 @@ final class PlayPanel {
     /** Runs a number, if the studio has it. */
     void run(NumberProperty property) {
         setShown(true);
-        for (int i = 0; i < properties.getItemCount(); i++) {
-            if (properties.getItemAt(i).name().equals(property.name())) {
-                properties.setSelectedIndex(i);
-                setPlaying(true);
-                return;
-            }
+        if (offered.contains(property)) {
+            properties.setSelectedItem(property);
+            setPlaying(true);
+        } else {
+            note.setError(Texts.get("play.none", property.name()));
         }
-        note.setError(Texts.get("play.none", property.name()));
     }
 
     /** Values that show something: speeds from rest, times through the scene, other numbers from their value to twice it. */
     private void suggestValues() {
         NumberProperty property = property();
         double now = property.get().applyAsDouble(model.studio());
-        if (property.name().equals(NumberProperty.speed(SpeedScale.BETA).name())) {
+        if (property.equals(NumberProperty.speed(SpeedScale.BETA))) {
             suggest(0, 0.99);
-        } else if (property.name()
-                .equals(NumberProperty.speed(SpeedScale.RAPIDITY).name())) {
+        } else if (property.equals(NumberProperty.speed(SpeedScale.RAPIDITY))) {
             suggest(0, 3);
-        } else if (property.name().equals(NumberProperty.openingTime().name())) {
+        } else if (property.equals(NumberProperty.openingTime())) {
             Range times = SceneSize.times(model.studio());
             suggest(times.minimum() / 2, times.maximum() / 2);
         } else {
@@ -233,9 +245,6 @@ final class PlayPanel {
         } catch (InvalidPropertyException wrong) {
             setPlaying(false);
             note.setError(Wording.message(wrong));
-        } catch (IndexOutOfBoundsException | IllegalArgumentException gone) {
-            setPlaying(false);
-            note.setError(Texts.get("play.gone"));
         }
         updating.during(() -> scrubber.setValue((int) Math.round(share * STEPS)));
     }
