@@ -36,6 +36,7 @@ final class ColourEditor implements ValueEditor {
         patch.addActionListener(event -> choose(patch, note));
         fields = new VectorFields(
                 property,
+                NumberKind.DOUBLE,
                 3,
                 tip + ". " + Texts.get("colour.tip"),
                 note,

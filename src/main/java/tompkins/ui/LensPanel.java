@@ -32,6 +32,7 @@ final class LensPanel {
         focus = new NumberRow(
                 model,
                 "focusDistance",
+                NumberKind.DOUBLE,
                 Texts.get("lens.focusTip"),
                 distances(),
                 value -> model.studio()
@@ -49,6 +50,7 @@ final class LensPanel {
         samples = new NumberRow(
                 model,
                 "samples",
+                NumberKind.INT,
                 Texts.get("lens.samplesTip"),
                 new Range(1, 256, 4),
                 value -> model.studio().withSettings(model.studio().settings().withSamples((int) Math.rint(value))));
@@ -66,7 +68,7 @@ final class LensPanel {
     }
 
     private NumberRow row(String property, Range range, String tip, DoubleFunction<Studio> change) {
-        return new NumberRow(model, property, tip, range, change);
+        return new NumberRow(model, property, NumberKind.DOUBLE, tip, range, change);
     }
 
     private Studio camera(String property, double value) {

@@ -17,9 +17,16 @@ final class NumberRow {
      * A row.
      *
      * @param property the name of the property
+     * @param kind which numbers the field takes
      * @param change makes the studio that has the number, or throws
      */
-    NumberRow(StudioModel model, String property, String tip, Range range, DoubleFunction<Studio> change) {
+    NumberRow(
+            StudioModel model,
+            String property,
+            NumberKind kind,
+            String tip,
+            Range range,
+            DoubleFunction<Studio> change) {
         String title = Wording.label(property);
         label = new JLabel(title);
         label.setToolTipText(Tips.html(tip));
@@ -29,7 +36,8 @@ final class NumberRow {
                 range,
                 (value, gesture) -> model.adjust(change.apply(value), gesture),
                 model::endGesture);
-        field = new NumberField(property, title, tip, note, value -> model.set(change.apply(value)));
+        field = new NumberField(
+                kind, property, title, tip, note, value -> model.set(change.apply(value.doubleValue())));
         label.setLabelFor(field.field());
     }
 

@@ -1,5 +1,6 @@
 package tompkins.ui;
 
+import java.math.BigDecimal;
 import java.util.Locale;
 import org.joml.Vector3dc;
 import tompkins.property.InvalidPropertyException;
@@ -22,6 +23,28 @@ final class Numbers {
         } catch (NumberFormatException e) {
             throw noNumber(property, "a number such as 0.5 or 2e-3", text);
         }
+    }
+
+    /**
+     * The whole number that a text writes, as 640 or 1e6.
+     *
+     * @throws InvalidPropertyException if it writes none from the minimum to the maximum, both included
+     */
+    static long parseWhole(String property, String text, long minimum, long maximum) {
+        String allowed = "a whole number";
+        BigDecimal number;
+        try {
+            number = new BigDecimal(text.strip().replace('\u2212', '-'));
+        } catch (NumberFormatException e) {
+            throw new InvalidPropertyException(property, allowed, "\"" + text.strip() + "\"");
+        }
+        if (number.stripTrailingZeros().scale() > 0) {
+            throw new InvalidPropertyException(property, allowed, text.strip());
+        }
+        if (number.compareTo(BigDecimal.valueOf(minimum)) < 0 || number.compareTo(BigDecimal.valueOf(maximum)) > 0) {
+            throw new InvalidPropertyException(property, allowed + " from " + minimum + " to " + maximum, text.strip());
+        }
+        return number.longValueExact();
     }
 
     /** What to say of a text that writes no number; many languages write a comma where programs want a point. */

@@ -106,7 +106,14 @@ final class PlayPanel {
     }
 
     private NumberField field(String key, DoubleConsumer commit) {
-        return new NumberField(Texts.get(key), Texts.get(key), Texts.get(key + "Tip"), note, commit);
+        String name = Texts.get(key);
+        return new NumberField(
+                NumberKind.DOUBLE,
+                name,
+                name,
+                Texts.get(key + "Tip"),
+                note,
+                number -> commit.accept(number.doubleValue()));
     }
 
     /** A number with which the animation begins or ends; what the studio refuses is marked at once, not half-way. */

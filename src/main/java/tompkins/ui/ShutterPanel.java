@@ -46,6 +46,7 @@ final class ShutterPanel {
         time = new NumberRow(
                 model,
                 "openingTime",
+                NumberKind.DOUBLE,
                 Texts.get("shutter.timeTip"),
                 SceneSize.times(model.studio()),
                 value -> withShutter(shutter().openedAt(requireFinite(value))));

@@ -40,13 +40,13 @@ final class ValueEditors {
         String label = Wording.label(name);
         String tip = Wording.meaning(component);
         if (type == double.class) {
-            return number(new NumberField(name, label, tip, note, commit::accept));
+            return number(new NumberField(NumberKind.DOUBLE, name, label, tip, note, commit));
         }
         if (type == int.class) {
-            return number(new NumberField(name, label, tip, note, value -> commit.accept((int) whole(name, value))));
+            return number(new NumberField(NumberKind.INT, name, label, tip, note, commit));
         }
         if (type == long.class) {
-            return number(new NumberField(name, label, tip, note, value -> commit.accept(whole(name, value))));
+            return number(new NumberField(NumberKind.LONG, name, label, tip, note, commit));
         }
         if (type == String.class) {
             return text(new EntryField(label, tip, note, commit::accept));
@@ -58,19 +58,20 @@ final class ValueEditors {
             return choice(type, label, tip, note, commit);
         }
         if (type == Vector3dc.class) {
-            return vector(new VectorFields(name, 3, tip, note, commit::accept));
+            return vector(new VectorFields(name, NumberKind.DOUBLE, 3, tip, note, commit::accept));
         }
         if (type == Vector3ic.class) {
             return vector(new VectorFields(
                     name,
+                    NumberKind.INT,
                     3,
                     tip,
                     note,
-                    v -> commit.accept(new Vector3i(whole(name, v, 0), whole(name, v, 1), whole(name, v, 2)))));
+                    v -> commit.accept(new Vector3i((int) v.x(), (int) v.y(), (int) v.z()))));
         }
         if (type == Vector2ic.class) {
             return vector(new VectorFields(
-                    name, 2, tip, note, v -> commit.accept(new Vector2i(whole(name, v, 0), whole(name, v, 1)))));
+                    name, NumberKind.INT, 2, tip, note, v -> commit.accept(new Vector2i((int) v.x(), (int) v.y()))));
         }
         if (type == Colour.class) {
             return new ColourEditor(name, tip, note, commit);
@@ -90,19 +91,8 @@ final class ValueEditors {
         throw new IllegalArgumentException("no editor for " + component);
     }
 
-    private static long whole(String name, double value) {
-        if (value != Math.rint(value) || Math.abs(value) > Integer.MAX_VALUE) {
-            throw new InvalidPropertyException(name, "a whole number", Numbers.text(value));
-        }
-        return (long) value;
-    }
-
-    private static int whole(String name, Vector3dc vector, int axis) {
-        return (int) whole(name, vector.get(axis));
-    }
-
     private static ValueEditor number(NumberField field) {
-        return editor(field.field(), value -> field.show(((Number) value).doubleValue()));
+        return editor(field.field(), value -> field.show((Number) value));
     }
 
     private static ValueEditor text(EntryField field) {

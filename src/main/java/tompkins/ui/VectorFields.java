@@ -24,16 +24,17 @@ final class VectorFields {
      * Fields for a property.
      *
      * @param property its name, for messages
+     * @param kind which numbers the fields take
      * @param axes how many fields there are; components without a field are 0
      * @param commit takes the vector, or throws
      */
-    VectorFields(String property, int axes, String tip, Note note, Consumer<Vector3dc> commit) {
+    VectorFields(String property, NumberKind kind, int axes, String tip, Note note, Consumer<Vector3dc> commit) {
         for (int axis = 0; axis < axes; axis++) {
             int component = axis;
             String name = Wording.label(property) + " " + AXES[axis];
-            fields.add(new NumberField(property + " (" + AXES[axis] + ")", name, tip, note, number -> {
+            fields.add(new NumberField(kind, property + " (" + AXES[axis] + ")", name, tip, note, number -> {
                 Vector3d next = new Vector3d(value);
-                next.setComponent(component, number);
+                next.setComponent(component, number.doubleValue());
                 typed = next;
                 commit.accept(next);
                 value.set(next);

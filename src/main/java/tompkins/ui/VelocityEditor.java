@@ -28,7 +28,7 @@ final class VelocityEditor implements ValueEditor {
                 tip + ". " + Texts.get("speed.tip"),
                 note,
                 text -> commit.accept(SpeedText.parse(text, SpeedScale.BETA, directionOf(velocity))));
-        direction = new VectorFields("direction", 3, Texts.get("direction.tip"), note, vector -> {
+        direction = new VectorFields("direction", NumberKind.DOUBLE, 3, Texts.get("direction.tip"), note, vector -> {
             SpeedScale scale = velocity.scale() == null ? SpeedScale.BETA : velocity.scale();
             commit.accept(Velocity.of(scale, scale.valueOf(velocity), vector));
         });

@@ -43,7 +43,7 @@ final class VelocityPanel {
                 Texts.get("speed.slider"), Texts.get("speed.sliderTip"), RAPIDITIES, this::slide, model::endGesture);
         speed = new EntryField(Texts.get("speed.name"), Texts.get("speed.tip"), note, this::enterSpeed);
         sphere = new DirectionSphere(this::turn, model::endGesture);
-        direction = new VectorFields("direction", 3, Texts.get("direction.tip"), note, vector -> {
+        direction = new VectorFields("direction", NumberKind.DOUBLE, 3, Texts.get("direction.tip"), note, vector -> {
             Velocity now = velocity();
             take(Velocity.of(scaleOf(now), scaleOf(now).valueOf(now), vector));
         });

@@ -4,12 +4,14 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Window;
+import java.awt.event.ActionEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.JMenu;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
+import javax.swing.KeyStroke;
 
 /** Finds components by their names, uses them as a hand does, and lays them out without a display. */
 final class Components {
@@ -62,6 +64,12 @@ final class Components {
         field.setText(text);
         field.postActionEvent();
         return field;
+    }
+
+    /** Presses a key in a field, such as "UP" or "shift DOWN". */
+    static void press(JTextField field, String key) {
+        Object action = field.getInputMap().get(KeyStroke.getKeyStroke(key));
+        field.getActionMap().get(action).actionPerformed(new ActionEvent(field, ActionEvent.ACTION_PERFORMED, key));
     }
 
     /** Whether a field is marked as wrong. */
