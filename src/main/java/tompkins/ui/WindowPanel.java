@@ -1,7 +1,7 @@
 package tompkins.ui;
 
 import java.util.Optional;
-import javax.swing.JCheckBox;
+import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -28,7 +28,7 @@ final class WindowPanel {
     private final StudioModel model;
     private final JPanel panel = Rows.column();
     private final JComboBox<Kind> kinds = new JComboBox<>(Kind.values());
-    private final JCheckBox match = new JCheckBox(Texts.get("window.match"));
+    private final JButton match = new JButton(Texts.get("window.match"));
     private final Note note = new Note("");
     private final JPanel details = Rows.column();
     private final Updating updating = new Updating();
@@ -44,7 +44,7 @@ final class WindowPanel {
         kinds.addActionListener(event -> updating.unless(() -> choose((Kind) kinds.getSelectedItem())));
         match.setName(Texts.get("window.match"));
         match.setToolTipText(Tips.html(Texts.get("window.matchTip")));
-        match.addActionListener(event -> updating.unless(this::matchOrFree));
+        match.addActionListener(event -> matchCamera());
         panel.add(kinds, "wmin 0");
         panel.add(match);
         panel.add(note.component(), "wmin 0");
@@ -70,25 +70,20 @@ final class WindowPanel {
         model.set(FrontWindow.with(studio, surface));
     }
 
-    private void matchOrFree() {
+    private void matchCamera() {
         Studio studio = model.studio();
-        if (match.isSelected()) {
-            FrontWindow.of(studio)
-                    .ifPresent(window ->
-                            model.set(FrontWindow.with(studio, FrontWindow.withVelocity(window, studio.velocity()))));
-        }
-        update();
+        FrontWindow.of(studio)
+                .ifPresent(window ->
+                        model.set(FrontWindow.with(studio, FrontWindow.withVelocity(window, studio.velocity()))));
     }
 
     private void update() {
         Optional<Surface> window = FrontWindow.of(model.studio());
         boolean matches = FrontWindow.matches(model.studio());
-        updating.during(() -> {
-            kinds.setSelectedItem(Kind.of(window));
-            match.setSelected(matches);
-        });
+        updating.during(() -> kinds.setSelectedItem(Kind.of(window)));
         match.setVisible(window.isPresent());
-        note.setText(window.isPresent() && matches ? Texts.get("window.follows") : "");
+        match.setEnabled(!matches);
+        note.setText(matches ? Texts.get("window.follows") : "");
         details.setVisible(window.isPresent());
         window.ifPresent(this::showDetails);
     }

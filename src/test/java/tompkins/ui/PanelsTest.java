@@ -12,7 +12,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.JButton;
-import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import javax.swing.JRadioButton;
@@ -317,15 +316,28 @@ class PanelsTest {
         JComboBox<?> kinds = Components.find(panel, JComboBox.class, "Kind of window");
         kinds.setSelectedIndex(2);
         assertThat(FrontWindow.of(model.studio())).containsInstanceOf(GalileoWindow.class);
-        JCheckBox match = Components.find(panel, JCheckBox.class, "Match the camera");
-        assertThat(match.isSelected()).isTrue();
+        JButton match = Components.find(panel, JButton.class, "Match the camera");
+        assertThat(match.isEnabled()).as("it matches from the beginning").isFalse();
+        String follows = "The window follows the velocity of the camera, until it is given another one below.";
+        assertThat(Components.notes(panel)).contains(follows);
         Components.enter(panel, "Transmission", "1");
         Components.enter(panel, "Speed", "0.5");
-        assertThat(match.isSelected()).isFalse();
+        assertThat(Components.notes(panel)).doesNotContain(follows);
+        model.set(FrontWindow.withVelocity(model.studio(), Velocity.of(0, 0, 0.75)));
+        assertThat(windowVelocity().speed())
+                .as("freed by a velocity of its own")
+                .isEqualTo(0.5);
         match.doClick();
-        assertThat(FrontWindow.matches(model.studio())).isTrue();
+        assertThat(windowVelocity()).isEqualTo(Velocity.of(0, 0, 0.75));
+        assertThat(match.isEnabled()).isFalse();
+        model.set(FrontWindow.withVelocity(model.studio(), Velocity.of(0, 0, 0.25)));
+        assertThat(windowVelocity()).as("it follows").isEqualTo(Velocity.of(0, 0, 0.25));
         kinds.setSelectedIndex(0);
         assertThat(model.studio().cameraFrame()).isEmpty();
+    }
+
+    private Velocity windowVelocity() {
+        return FrontWindow.velocity(FrontWindow.of(model.studio()).orElseThrow());
     }
 
     @Test
