@@ -17,6 +17,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
+import javax.swing.JRadioButton;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.Timeout;
@@ -43,6 +44,7 @@ class WindowPicturesTest {
         PROJECTOR("fig1b"),
         WIDE_APERTURE("fig3a"),
         SPLIT("fig1b"),
+        SIDE_BY_SIDE("terrell-cube"),
         ERROR("fig1b");
 
         private final String scene;
@@ -114,29 +116,30 @@ class WindowPicturesTest {
     private static void arrange(Shot shot, WindowDriver driver) {
         switch (shot) {
             case DARK, PROJECTOR -> press(driver, JMenuItem.class, "look." + shot.name());
-            case SPLIT -> {
-                press(driver, JToggleButton.class, "Shutter");
-                press(driver, JToggleButton.class, "Lens");
-                press(driver, JToggleButton.class, "Compare");
-                press(driver, JToggleButton.class, "What this picture models");
-                JComboBox<?> other = driver.find(JComboBox.class, "Compare with");
-                WindowDriver.onEventThread(() -> {
-                    other.setSelectedItem(ComparePanel.Other.AT_REST);
-                    return null;
-                });
-                WindowDriver.await(
-                        "the other picture",
-                        () -> driver.window().view().canvas().shown().other() != null
-                                && driver.window()
-                                        .view()
-                                        .canvas()
-                                        .shown()
-                                        .other()
-                                        .complete());
+            case SPLIT -> compareWithRest(driver);
+            case SIDE_BY_SIDE -> {
+                compareWithRest(driver);
+                press(driver, JRadioButton.class, "Side by side");
             }
             case ERROR -> driver.type(driver.find(JTextField.class, "Speed"), "1.2");
             default -> {}
         }
+    }
+
+    private static void compareWithRest(WindowDriver driver) {
+        press(driver, JToggleButton.class, "Shutter");
+        press(driver, JToggleButton.class, "Lens");
+        press(driver, JToggleButton.class, "Compare");
+        press(driver, JToggleButton.class, "What this picture models");
+        JComboBox<?> other = driver.find(JComboBox.class, "Compare with");
+        WindowDriver.onEventThread(() -> {
+            other.setSelectedItem(ComparePanel.Other.AT_REST);
+            return null;
+        });
+        PictureCanvas canvas = driver.window().view().canvas();
+        WindowDriver.await(
+                "the other picture",
+                () -> canvas.shown().other() != null && canvas.shown().other().complete());
     }
 
     private static void press(WindowDriver driver, Class<? extends AbstractButton> type, String name) {
