@@ -19,10 +19,18 @@ public enum WindowAxes {
         }
         SurfaceCoordinates at = hit.coordinates;
         Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
-        Vector3d first = new Vector3d(at.uX(), at.uY(), at.uZ()).normalize();
-        Vector3d second = new Vector3d(at.vX(), at.vY(), at.vZ());
+        // gradients may leave the surface, as that of the height does on a cone: what counts is their part in it
+        Vector3d first =
+                without(normal, new Vector3d(at.uX(), at.uY(), at.uZ())).normalize();
         // the second axis is the part of its coordinate's gradient that the first does not hold
-        second.sub(new Vector3d(first).mul(second.dot(first))).normalize();
+        Vector3d second = without(first, without(normal, new Vector3d(at.vX(), at.vY(), at.vZ())))
+                .normalize();
         return first.mul(vector.x()).add(second.mul(vector.y())).add(normal.mul(vector.z()));
+    }
+
+    /** A vector without its part along a unit vector. */
+    private static Vector3d without(Vector3dc unit, Vector3d vector) {
+        double along = vector.dot(unit);
+        return vector.sub(unit.x() * along, unit.y() * along, unit.z() * along);
     }
 }
