@@ -14,6 +14,7 @@ import tompkins.studio.Studio;
 final class LensPanel {
 
     private final StudioModel model;
+    private final SceneSize size = new SceneSize();
     private final JPanel panel = Rows.panel();
     private final NumberRow aperture;
     private final NumberRow focus;
@@ -76,11 +77,11 @@ final class LensPanel {
     }
 
     private Range apertures() {
-        return new Range(0, Numbers.niceCeiling(Math.max(0.05 * SceneSize.of(model.studio()), 1e-3)), 2);
+        return new Range(0, Numbers.niceCeiling(Math.max(0.05 * size.of(model.studio()), 1e-3)), 2);
     }
 
     private Range distances() {
-        double far = Numbers.niceCeiling(3 * SceneSize.of(model.studio()));
+        double far = Numbers.niceCeiling(3 * size.of(model.studio()));
         return new Range(far / 1000, far, 2);
     }
 

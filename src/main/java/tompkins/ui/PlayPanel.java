@@ -28,6 +28,7 @@ final class PlayPanel {
     private static final double LONGEST_SECONDS = 600;
 
     private final StudioModel model;
+    private final SceneSize size = new SceneSize();
     private final JPanel panel = new JPanel(new MigLayout(
             "novisualpadding, insets 6 10 6 10, fillx, hidemode 3, gap 6 4", "[pref!][grow,fill][pref!][pref!]"));
     private final JComboBox<NumberProperty> properties = new JComboBox<>();
@@ -189,7 +190,7 @@ final class PlayPanel {
         } else if (property.equals(NumberProperty.speed(SpeedScale.RAPIDITY))) {
             suggest(0, 3);
         } else if (property.equals(NumberProperty.openingTime())) {
-            Range times = SceneSize.times(model.studio());
+            Range times = size.times(model.studio());
             suggest(times.minimum() / 2, times.maximum() / 2);
         } else {
             suggest(now, now == 0 ? 1 : 2 * now);

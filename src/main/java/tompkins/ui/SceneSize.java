@@ -8,30 +8,20 @@ import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
 import tompkins.surface.Surface;
 
-/** How large a scene is, so that sliders have sensible ends. */
+/** How large a scene is, so that sliders have sensible ends. Remembers it while the scene stays, for it may have many objects. */
 final class SceneSize {
 
-    /** How large a scene was when it was asked last. */
-    private record Measured(List<SceneObject> scene, double size) {}
-
-    /** A scene with many objects takes a while, and stays the same while sliders move. */
-    private static volatile Measured last = new Measured(List.of(), 0);
-
-    private SceneSize() {}
+    private List<SceneObject> scene;
+    private double coordinate;
 
     /** The largest coordinate that an object of the scene or the focus mentions; at least 1. */
-    static double of(Studio studio) {
+    double of(Studio studio) {
         double focus = Cameras.focusDistance(studio.camera());
-        return Math.max(Double.isFinite(focus) ? focus : 1, Math.max(1, of(studio.scene())));
-    }
-
-    private static double of(List<SceneObject> scene) {
-        Measured known = last;
-        if (known.scene != scene) {
-            known = new Measured(scene, largest(scene));
-            last = known;
+        if (scene != studio.scene()) {
+            scene = studio.scene();
+            coordinate = largest(scene);
         }
-        return known.size;
+        return Math.max(Double.isFinite(focus) ? focus : 1, Math.max(1, coordinate));
     }
 
     private static double largest(Object value) {
@@ -54,7 +44,7 @@ final class SceneSize {
     }
 
     /** A slider for times: a little more than light needs through the scene, and far enough for the time that is set. */
-    static Range times(Studio studio) {
+    Range times(Studio studio) {
         double time = Math.abs(studio.camera().shutter().openingTime());
         double end = Numbers.niceCeiling(Math.max(1.2 * of(studio), time));
         return Range.even(-end, end);

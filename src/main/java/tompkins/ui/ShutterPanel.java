@@ -21,6 +21,7 @@ import tompkins.studio.Studio;
 final class ShutterPanel {
 
     private final StudioModel model;
+    private final SceneSize size = new SceneSize();
     private final JPanel panel = Rows.column();
     private final JComboBox<Class<?>> models = new JComboBox<>();
     private final Updating updating = new Updating();
@@ -48,7 +49,7 @@ final class ShutterPanel {
                 "openingTime",
                 NumberKind.DOUBLE,
                 Texts.get("shutter.timeTip"),
-                SceneSize.times(model.studio()),
+                size.times(model.studio()),
                 value -> withShutter(shutter().openedAt(requireFinite(value))));
         time.addTo(timeRow);
         panel.add(models, "wmin 0");
@@ -105,7 +106,7 @@ final class ShutterPanel {
         boolean hasTime = hasOpeningTime(shownModel);
         timeRow.setVisible(hasTime);
         if (hasTime) {
-            time.setRange(SceneSize.times(model.studio()));
+            time.setRange(size.times(model.studio()));
             time.show(shutter.openingTime());
         }
         form.show(shutter);

@@ -233,13 +233,13 @@ class PanelsTest {
 
     @Test
     void timesReachThroughTheScene() {
-        assertThat(SceneSize.times(model.studio())).isEqualTo(Range.even(-20, 20));
+        assertThat(new SceneSize().times(model.studio())).isEqualTo(Range.even(-20, 20));
         double[] coordinates = {0, 0, 10, 30, -45, 10, 0, 40, 10};
         MeshData triangle = new MeshData("", coordinates, new int[] {0, 1, 2}, new byte[0]);
         Studio large = model.studio()
                 .withScene(List.of(new TriangleMesh("", triangle, ColouredSurface.DEFAULT), Sphere.DEFAULT));
         // 1.2 times 45, upwards
-        assertThat(SceneSize.times(large)).isEqualTo(Range.even(-100, 100));
+        assertThat(new SceneSize().times(large)).isEqualTo(Range.even(-100, 100));
     }
 
     /** What the panels do for each change belongs to the 16 ms between two pictures of a screen. */
