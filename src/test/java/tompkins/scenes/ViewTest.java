@@ -88,6 +88,38 @@ class ViewTest {
         assertThat(ball.width()).isCloseTo(ball.height(), within(1));
     }
 
+    /** Penrose: a cap of the sky with the area of the ball reaches as far as the ball itself. A shortened one would reach farther. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 0.5, 0.8})
+    void fiveBallsAreWholeAndRound(double speed) {
+        Studio studio = atSpeed(SceneFiles.read("penrose-sphere"), speed);
+        RenderPlan plan = plan(studio);
+        Vector3d ahead = new Vector3d(0, 0, 1);
+        double areaAhead = Math.pow(2 * Math.tan(Math.toRadians(30)) / WIDTH, 2);
+        for (int ball = 1; ball <= 5; ball++) {
+            String name = "ball " + ball;
+            Place place = Place.of(studio, name);
+            List<Vector3d> directions = new ArrayList<>();
+            Vector3d centre = new Vector3d();
+            double area = 0;
+            for (int y = place.top; y <= place.bottom; y++) {
+                for (int x = place.left; x <= place.right; x++) {
+                    RayLife ray = RayLife.of(plan, x + 0.5, y + 0.5, 0, 0);
+                    if (!ray.hits().isEmpty() && ray.hits().get(0).object().equals(name)) {
+                        Vector3d direction = new Vector3d(ray.cameraDirection());
+                        double pixel = areaAhead * Math.pow(direction.dot(ahead), 3);
+                        directions.add(direction);
+                        centre.fma(pixel, direction);
+                        area += pixel;
+                    }
+                }
+            }
+            double radius = Math.acos(1 - area / (2 * Math.PI));
+            double reach = directions.stream().mapToDouble(centre::angle).max().orElseThrow();
+            assertThat(reach / radius).as("%s at %s", name, speed).isBetween(0.93, 1.07);
+        }
+    }
+
     /** Terrell: a cube far away looks turned by the angle whose sine is beta; nearer, the rear side is a little narrower. */
     @ParameterizedTest
     @CsvSource({"object-box, 0", "object-box, 0.9", "terrell-cube, 0", "terrell-cube, 0.6", "terrell-cube, 0.8"})
