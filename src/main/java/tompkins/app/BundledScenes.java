@@ -8,6 +8,7 @@ import java.nio.file.FileSystemAlreadyExistsException;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -20,6 +21,9 @@ import tompkins.studio.Studio;
 final class BundledScenes {
 
     private static final Path FOLDER = Path.of("scenes");
+
+    /** The topics that come first, for they show what the program is for; the others follow in the order of their files. */
+    private static final List<String> FIRST_TOPICS = List.of("Figures of the paper", "Relativity");
 
     private BundledScenes() {}
 
@@ -39,13 +43,21 @@ final class BundledScenes {
         }
     }
 
-    /** All scenes, by the names of their files; those that cannot be read are left out. */
+    /** All scenes as a menu lists them, by topic and then by the names of their files; those that cannot be read are left out. */
     static List<Studio> studios() {
         try {
-            return all().stream().flatMap(file -> read(file).stream()).toList();
+            return all().stream()
+                    .flatMap(file -> read(file).stream())
+                    .sorted(Comparator.comparingInt(BundledScenes::rank))
+                    .toList();
         } catch (IOException missing) {
             return List.of();
         }
+    }
+
+    private static int rank(Studio scene) {
+        int place = FIRST_TOPICS.indexOf(scene.topic());
+        return place < 0 ? FIRST_TOPICS.size() : place;
     }
 
     private static Optional<Studio> read(Path file) {
