@@ -2,7 +2,6 @@ package tompkins.app;
 
 import java.util.Arrays;
 import java.util.Locale;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import picocli.CommandLine.Option;
@@ -25,8 +24,8 @@ final class StudioOptions {
     @Option(
             names = "--shutter",
             paramLabel = "NAME",
-            description = "model of the shutter: aperture-plane, detector-plane, lens-hologram, focus-surface,"
-                    + " arbitrary-plane or fixed-point-surface")
+            completionCandidates = ShutterNames.class,
+            description = "model of the shutter: ${COMPLETION-CANDIDATES}")
     private String shutter;
 
     @Option(names = "--time", paramLabel = "T", description = "opening time of the shutter")
@@ -52,7 +51,8 @@ final class StudioOptions {
             Shutter closed = model;
             model = MistakeException.inOption("--time", () -> closed.openedAt(time));
             if (model == closed) {
-                throw new MistakeException("--time: the " + nameOf(closed.getClass()) + " shutter has no opening time");
+                throw new MistakeException(
+                        "--time: the " + ShutterNames.of(closed.getClass()) + " shutter has no opening time");
             }
         }
         return changed.withCamera(changed.camera().withShutter(model));
@@ -106,18 +106,8 @@ final class StudioOptions {
                 return type.isInstance(present) ? present : defaultOf(type);
             }
         }
-        String allowed = Arrays.stream(Shutter.class.getPermittedSubclasses())
-                .map(StudioOptions::nameOf)
-                .collect(Collectors.joining(", "));
-        throw new MistakeException("--shutter must be one of " + allowed + "; was " + name);
-    }
-
-    /** The name of a model of the shutter on the command line. */
-    private static String nameOf(Class<?> type) {
-        return type.getSimpleName()
-                .replaceFirst("Shutter$", "")
-                .replaceAll("(?<=[a-z])(?=[A-Z])", "-")
-                .toLowerCase(Locale.ROOT);
+        throw new MistakeException(
+                "--shutter must be one of " + String.join(", ", new ShutterNames()) + "; was " + name);
     }
 
     /** The value with which a model starts. */

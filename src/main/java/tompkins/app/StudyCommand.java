@@ -5,10 +5,10 @@ import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -41,7 +41,8 @@ final class StudyCommand implements Callable<Integer> {
     @Parameters(
             index = "0",
             paramLabel = "NAME",
-            description = "aperture, antialiasing, precision, tree, depth, preview, stability, or all")
+            completionCandidates = Names.class,
+            description = "${COMPLETION-CANDIDATES}")
     private String name;
 
     @Parameters(
@@ -100,10 +101,17 @@ final class StudyCommand implements Callable<Integer> {
                 return List.of(kind);
             }
         }
-        throw new MistakeException("NAME must be one of "
-                + Stream.of(StudyKind.values()).map(StudyKind::toString).collect(Collectors.joining(", "))
-                + ", all; was "
-                + name);
+        throw new MistakeException("NAME must be one of " + String.join(", ", new Names()) + "; was " + name);
+    }
+
+    /** What can be studied: one thing, or all. */
+    static final class Names implements Iterable<String> {
+
+        @Override
+        public Iterator<String> iterator() {
+            return Stream.concat(Stream.of(StudyKind.values()).map(StudyKind::toString), Stream.of(ALL))
+                    .iterator();
+        }
     }
 
     private List<StudyKind> requireScene(List<StudyKind> kinds) {

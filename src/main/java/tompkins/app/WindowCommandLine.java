@@ -4,7 +4,6 @@ import java.net.URISyntaxException;
 import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.Optional;
 import org.joml.Vector3dc;
 import tompkins.property.InvalidPropertyException;
@@ -74,7 +73,7 @@ final class WindowCommandLine implements CommandLineWriter {
 
     private static void appendShutter(StringBuilder line, Shutter now, Shutter before) {
         if (now.getClass() != before.getClass()) {
-            line.append(" --shutter ").append(nameOf(now));
+            line.append(" --shutter ").append(ShutterNames.of(now.getClass()));
         }
         if (!now.equals(withoutTime(now, before))) {
             line.append(" --time=").append(NumberText.of(now.openingTime()));
@@ -84,14 +83,6 @@ final class WindowCommandLine implements CommandLineWriter {
     /** The shutter that the command has before it reads an opening time. */
     private static Shutter withoutTime(Shutter now, Shutter before) {
         return now.getClass() == before.getClass() ? before : StudioOptions.defaultOf(now.getClass());
-    }
-
-    private static String nameOf(Shutter shutter) {
-        return shutter.getClass()
-                .getSimpleName()
-                .replaceFirst("Shutter$", "")
-                .replaceAll("(?<=[a-z])(?=[A-Z])", "-")
-                .toLowerCase(Locale.ROOT);
     }
 
     /** Whether the options can say all that has changed. */

@@ -625,6 +625,11 @@ class CommandLineTest {
         assertThat(run.err()).contains("folder");
     }
 
+    /** What a run prints, without its line ends. */
+    private static String words(ProgramRun run) {
+        return run.out().replaceAll("\\s+", " ");
+    }
+
     @Test
     void helpAndVersion() {
         assertThat(ProgramRun.of("--help").out()).contains("render", "check", "explain", "trace");
@@ -633,6 +638,11 @@ class CommandLineTest {
             assertThat(run.code()).isZero();
             assertThat(run.out()).contains("SCENE");
         }
+        assertThat(words(ProgramRun.of("render", "--help")))
+                .contains("model of the shutter: aperture-plane, detector-plane, lens-hologram,"
+                        + " focus-surface, arbitrary-plane, fixed-point-surface");
+        assertThat(words(ProgramRun.of("study", "--help")))
+                .contains("NAME aperture, antialiasing, precision, tree, depth, preview, stability, all");
         assertThat(ProgramRun.of("--version").out()).contains("Tompkins");
         assertThat(ProgramRun.of("rendr", FIG1B).code()).isEqualTo(2);
     }
