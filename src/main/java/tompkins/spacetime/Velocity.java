@@ -20,6 +20,8 @@ import tompkins.property.Require;
  */
 public final class Velocity {
 
+    private static final Vector3dc FORWARDS = new Vector3d(0, 0, 1);
+
     /** No motion. */
     public static final Velocity REST = Velocity.of(new Vector3d());
 
@@ -45,7 +47,7 @@ public final class Velocity {
         this.given = given;
         this.gamma = gamma;
         this.properSpeed = properSpeed;
-        this.direction = properSpeed == 0 ? new Vector3d(0, 0, 1) : Vectors.unit(given);
+        this.direction = properSpeed == 0 ? FORWARDS : Vectors.unit(given);
         this.proper = proper;
     }
 
@@ -212,6 +214,11 @@ public final class Velocity {
     /** The direction as it was given, of any length; the components if those were given. */
     public Vector3dc given() {
         return given;
+    }
+
+    /** The direction as it was given, of any length, also at rest; the z axis if there never was one. */
+    public Vector3dc givenDirection() {
+        return scale == null && isRest() ? FORWARDS : given;
     }
 
     @Override

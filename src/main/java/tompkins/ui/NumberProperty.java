@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Objects;
 import java.util.function.BiFunction;
 import java.util.function.ToDoubleFunction;
-import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
@@ -33,12 +32,8 @@ record NumberProperty(
                 Texts.get("scale." + scale.name() + ".name"),
                 StudioPath.ROOT.then("velocity"),
                 studio -> scale.valueOf(studio.velocity()),
-                (studio, value) -> FrontWindow.withVelocity(studio, Velocity.of(scale, value, direction(studio))));
-    }
-
-    private static Vector3dc direction(Studio studio) {
-        Vector3dc given = studio.velocity().given();
-        return given.lengthSquared() > 0 ? given : new Vector3d(0, 0, 1);
+                (studio, value) -> FrontWindow.withVelocity(
+                        studio, Velocity.of(scale, value, studio.velocity().givenDirection())));
     }
 
     /** The time at which the shutter opens. */

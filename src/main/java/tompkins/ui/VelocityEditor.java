@@ -5,15 +5,11 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
-import org.joml.Vector3d;
-import org.joml.Vector3dc;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 
 /** Controls for a velocity in a form: its speed as it is written, and its direction. */
 final class VelocityEditor implements ValueEditor {
-
-    private static final Vector3dc FORWARDS = new Vector3d(0, 0, 1);
 
     private final JPanel panel = new JPanel(
             new MigLayout("novisualpadding, insets 0, fillx, wrap 3, gap 4", "[grow,fill][grow,fill][grow,fill]"));
@@ -27,7 +23,7 @@ final class VelocityEditor implements ValueEditor {
                 Texts.get("speed.name"),
                 tip + ". " + Texts.get("speed.tip"),
                 note,
-                text -> commit.accept(SpeedText.parse(text, SpeedScale.BETA, directionOf(velocity))));
+                text -> commit.accept(SpeedText.parse(text, SpeedScale.BETA, velocity.givenDirection())));
         direction = new VectorFields("direction", NumberKind.DOUBLE, 3, Texts.get("direction.tip"), note, vector -> {
             SpeedScale scale = velocity.scale() == null ? SpeedScale.BETA : velocity.scale();
             commit.accept(Velocity.of(scale, scale.valueOf(velocity), vector));
@@ -36,10 +32,6 @@ final class VelocityEditor implements ValueEditor {
         panel.add(speed.field(), "span, growx, wmin 0");
         panel.add(new JLabel(Wording.label("direction")), "span");
         direction.addInRow(panel);
-    }
-
-    private static Vector3dc directionOf(Velocity velocity) {
-        return velocity.given().lengthSquared() > 0 ? velocity.given() : FORWARDS;
     }
 
     @Override
@@ -62,6 +54,6 @@ final class VelocityEditor implements ValueEditor {
                     case RAPIDITY -> "rapidity " + Numbers.text(velocity.value());
                     case ONE_MINUS_BETA -> "1-" + Numbers.text(velocity.value());
                 });
-        direction.showDirection(directionOf(velocity));
+        direction.showDirection(velocity.givenDirection());
     }
 }

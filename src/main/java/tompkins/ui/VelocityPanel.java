@@ -24,8 +24,6 @@ final class VelocityPanel {
     /** So much of a speed is seen in its field, and so much of the speeds of an animation is steady enough to be read. */
     private static final int SPEED_CHARACTERS = 9;
 
-    private static final Vector3dc FORWARDS = new Vector3d(0, 0, 1);
-
     private final StudioModel model;
     private final JPanel panel = Rows.column();
     private final Note note = new Note("");
@@ -105,11 +103,9 @@ final class VelocityPanel {
         JPanel row = new JPanel(
                 new MigLayout("novisualpadding, insets 0, fillx, wrap 2, gap 4", "[grow,fill,sg][grow,fill,sg]"));
         row.setOpaque(false);
-        row.add(button("rest", () -> {
-            Velocity now = velocity();
-            take(Velocity.of(SpeedScale.BETA, 0, directionOf(now)));
-        }));
-        row.add(button("forwards", () -> turn(FORWARDS, null)));
+        row.add(button(
+                "rest", () -> take(Velocity.of(SpeedScale.BETA, 0, velocity().givenDirection()))));
+        row.add(button("forwards", () -> turn(new Vector3d(0, 0, 1), null)));
         row.add(button("backwards", () -> turn(new Vector3d(0, 0, -1), null)));
         row.add(button("sideways", () -> turn(new Vector3d(1, 0, 0), null)));
         return row;
@@ -128,7 +124,7 @@ final class VelocityPanel {
     }
 
     private void slide(double rapidity, Object gesture) {
-        Velocity exact = Velocity.of(SpeedScale.RAPIDITY, rapidity, directionOf(velocity()));
+        Velocity exact = Velocity.of(SpeedScale.RAPIDITY, rapidity, velocity().givenDirection());
         model.adjust(FrontWindow.withVelocity(model.studio(), rounded(exact)), gesture);
     }
 
@@ -141,7 +137,7 @@ final class VelocityPanel {
     }
 
     private void enterSpeed(String text) {
-        take(SpeedText.parse(text, scale, directionOf(velocity())));
+        take(SpeedText.parse(text, scale, velocity().givenDirection()));
     }
 
     private void turn(Vector3dc to, Object gesture) {
@@ -163,17 +159,12 @@ final class VelocityPanel {
         model.set(FrontWindow.withVelocity(model.studio(), velocity));
     }
 
-    /** The direction as it was given; forwards if the camera rests and never had one. */
-    private static Vector3dc directionOf(Velocity velocity) {
-        return velocity.given().lengthSquared() > 0 ? velocity.given() : FORWARDS;
-    }
-
     private void update() {
         Velocity now = velocity();
         slider.show(now.rapidity());
         speed.show(speedText(now));
-        sphere.show(directionOf(now));
-        direction.showDirection(directionOf(now));
+        sphere.show(now.givenDirection());
+        direction.showDirection(now.givenDirection());
         numbers.setText(Texts.get("velocity.numbers", Numbers.brief(now.gamma(), 6), Numbers.brief(now.components())));
         now.warning().ifPresentOrElse(warning::setError, () -> warning.setText(""));
     }

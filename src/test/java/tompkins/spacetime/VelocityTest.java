@@ -55,6 +55,16 @@ class VelocityTest {
         assertThat(velocity).hasToString("[0.2, -0.1, 0.97]");
     }
 
+    @Test
+    void theDirectionIsThatWhichWasGivenElseForwards() {
+        Vector3d sideways = new Vector3d(-2, 0, 0);
+        assertThat(Velocity.REST.givenDirection()).isEqualTo(new Vector3d(0, 0, 1));
+        assertThat(Velocity.of(SpeedScale.GAMMA, 1, sideways).givenDirection()).isEqualTo(sideways);
+        assertThat(Velocity.of(SpeedScale.BETA, 0.5, sideways).givenDirection()).isEqualTo(sideways);
+        assertThat(Velocity.of(0, 0.3, -0.4).givenDirection()).isEqualTo(new Vector3d(0, 0.3, -0.4));
+        assertThat(Velocity.of(0, 1e-200, 0).givenDirection()).isEqualTo(new Vector3d(0, 1e-200, 0));
+    }
+
     /** Digits beyond what the speed itself can hold. */
     @Test
     void speedsNextToLightKeepTheirOwnNumber() {
