@@ -17,6 +17,22 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
     /** Centre of the lens. */
     Vector3dc position();
 
+    /** Direction of the middle of the picture, of any length. */
+    Vector3dc viewDirection();
+
+    /**
+     * The distance of what is in focus in the middle of the picture: above 0 in front of the camera, below 0 behind it, not
+     * finite if nothing is.
+     */
+    double focusDistance();
+
+    /**
+     * The same camera, focused at a distance along its view.
+     *
+     * @throws tompkins.property.InvalidPropertyException if it cannot be focused there
+     */
+    Camera focusedAt(double distance);
+
     /** Exposure compensation in stops: the light is multiplied by 2 to this power. */
     double exposureStops();
 

@@ -79,6 +79,19 @@ public record PanoramicCamera(
     }
 
     @Override
+    public PanoramicCamera focusedAt(double distance) {
+        return new PanoramicCamera(
+                position,
+                viewDirection,
+                topDirection,
+                horizontalAngleDegrees,
+                verticalAngleDegrees,
+                distance,
+                exposureStops,
+                shutter);
+    }
+
+    @Override
     public boolean hasWideLens() {
         return false;
     }

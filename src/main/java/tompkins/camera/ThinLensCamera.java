@@ -100,6 +100,31 @@ public record ThinLensCamera(
     }
 
     @Override
+    public double focusDistance() {
+        return 1 / new FocusSurface(focus).inverseDistance(position, Vectors.unit(viewDirection));
+    }
+
+    /** The same camera, focused on the plane across its view at a distance, which may lie behind it. */
+    @Override
+    public ThinLensCamera focusedAt(double distance) {
+        if (!(distance != 0 && Double.isFinite(distance))) {
+            throw new InvalidPropertyException("focusDistance", "a finite number, not 0", distance);
+        }
+        Vector3d view = Vectors.unit(viewDirection);
+        Vector3d point = new Vector3d(view).mul(distance).add(position);
+        return new ThinLensCamera(
+                position,
+                viewDirection,
+                topDirection,
+                horizontalAngleDegrees,
+                verticalAngleDegrees,
+                apertureRadius,
+                new Plane("focus", point, view, ColouredSurface.DEFAULT),
+                exposureStops,
+                shutter);
+    }
+
+    @Override
     public boolean hasWideLens() {
         return apertureRadius > 0;
     }

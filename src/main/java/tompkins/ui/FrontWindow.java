@@ -65,7 +65,7 @@ final class FrontWindow {
     }
 
     private static Plane plane(Camera camera, Surface surface) {
-        Vector3d view = new Vector3d(Cameras.viewDirection(camera)).normalize();
+        Vector3d view = new Vector3d(camera.viewDirection()).normalize();
         return new Plane(DESCRIPTION, new Vector3d(view).mul(DISTANCE).add(camera.position()), view, surface);
     }
 

@@ -36,8 +36,7 @@ final class LensPanel {
                 NumberKind.DOUBLE,
                 Texts.get("lens.focusTip"),
                 distances(),
-                value -> model.studio()
-                        .withCamera(Cameras.focusedAt(model.studio().camera(), value)));
+                value -> model.studio().withCamera(model.studio().camera().focusedAt(value)));
         NumberRow field = row(
                 "horizontalAngleDegrees",
                 Range.even(1, 170),
@@ -109,7 +108,7 @@ final class LensPanel {
             aperture.show(0);
         }
         focus.setRange(distances());
-        focus.show(NumberText.rounded(Cameras.focusDistance(camera), 9));
+        focus.show(NumberText.rounded(camera.focusDistance(), 9));
         field.show((double) Records.get(camera, Records.component(camera.getClass(), "horizontalAngleDegrees")));
         exposure.show(camera.exposureStops());
         samples.show(studio.settings().samples());

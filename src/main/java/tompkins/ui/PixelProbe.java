@@ -108,7 +108,7 @@ final class PixelProbe implements AutoCloseable {
         if (reading.inCamera() == null) {
             return Double.NaN;
         }
-        Vector3d view = new Vector3d(Cameras.viewDirection(plan.studio().camera())).normalize();
+        Vector3d view = new Vector3d(plan.studio().camera().viewDirection()).normalize();
         return reading.inCamera()
                 .position()
                 .sub(plan.studio().camera().position())

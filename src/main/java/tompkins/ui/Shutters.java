@@ -30,10 +30,10 @@ final class Shutters {
     }
 
     private static Vector3dc focusPoint(Camera camera) {
-        double distance = Cameras.focusDistance(camera);
-        return new Vector3d(Cameras.viewDirection(camera))
+        double distance = camera.focusDistance();
+        return new Vector3d(camera.viewDirection())
                 .normalize()
-                .mul(Double.isFinite(distance) ? distance : 1)
+                .mul(distance > 0 && Double.isFinite(distance) ? distance : 1)
                 .add(camera.position());
     }
 }

@@ -84,8 +84,7 @@ final class SidePanel {
 
     private static void focus(StudioModel model, double distance) {
         if (distance > 0) {
-            model.set(model.studio()
-                    .withCamera(Cameras.focusedAt(model.studio().camera(), NumberText.rounded(distance, 6))));
+            model.set(model.studio().withCamera(model.studio().camera().focusedAt(NumberText.rounded(distance, 6))));
         }
     }
 

@@ -170,4 +170,61 @@ class FocusTest {
             assertThat(rays.ray(50, 49, 0, 0, counts).time).isFinite();
         }
     }
+
+    private static ThinLensCamera aside(SceneObject focus) {
+        return new ThinLensCamera(
+                new Vector3d(1, 2, 3),
+                new Vector3d(0, 30, 40),
+                new Vector3d(0, 1, 0),
+                40,
+                0,
+                0,
+                focus,
+                0,
+                AperturePlaneShutter.DEFAULT);
+    }
+
+    /** The view runs from (1, 2, 3) along (0, 0.6, 0.8). */
+    @Test
+    void theDistanceInFocusIsThatAlongTheMiddle() {
+        assertThat(aside(plane(new Vector3d(0, 0, 11), new Vector3d(0, 0, 1))).focusDistance())
+                .isCloseTo(10, within(1e-14));
+        assertThat(aside(plane(new Vector3d(0, 0, -1), new Vector3d(0, 0, 1))).focusDistance())
+                .as("behind the camera")
+                .isCloseTo(-5, within(1e-14));
+        assertThat(aside(new Sphere("ball", new Vector3d(1, 8, 11), 2, ColouredSurface.DEFAULT))
+                        .focusDistance())
+                .as("the nearest point")
+                .isCloseTo(8, within(1e-14));
+        assertThat(aside(new Sphere("ball", new Vector3d(9, 8, 11), 2, ColouredSurface.DEFAULT))
+                        .focusDistance())
+                .as("nothing there")
+                .isNotFinite();
+        assertThat(aside(plane(new Vector3d(2, 0, 0), new Vector3d(1, 0, 0))).focusDistance())
+                .as("at infinity")
+                .isInfinite();
+    }
+
+    @Test
+    void aThinLensIsFocusedOnThePlaneAcrossItsView() {
+        ThinLensCamera focused = aside(Sphere.DEFAULT).focusedAt(10);
+        Plane plane = (Plane) focused.focus();
+        assertThat(plane.point().distance(1, 8, 11)).isLessThan(1e-14);
+        assertThat(plane.normal().distance(0, 0.6, 0.8)).isLessThan(1e-15);
+        assertThat(focused.focusDistance()).isCloseTo(10, within(1e-14));
+        assertThat(aside(focused.focus())).as("nothing else changes").isEqualTo(focused);
+        for (double nowhere : new double[] {0, Double.NaN, Double.POSITIVE_INFINITY}) {
+            assertThatThrownBy(() -> focused.focusedAt(nowhere))
+                    .isInstanceOf(InvalidPropertyException.class)
+                    .hasMessageStartingWith("focusDistance must be a finite number, not 0");
+        }
+    }
+
+    @Test
+    void aPanoramaIsFocusedAtADistance() {
+        PanoramicCamera focused = PanoramicCamera.DEFAULT.focusedAt(7);
+        assertThat(focused.focusDistance()).isEqualTo(7);
+        assertThat(focused.focusedAt(PanoramicCamera.DEFAULT.focusDistance())).isEqualTo(PanoramicCamera.DEFAULT);
+        assertThatThrownBy(() -> focused.focusedAt(-7)).isInstanceOf(InvalidPropertyException.class);
+    }
 }

@@ -212,6 +212,17 @@ class PanelsTest {
         assertThat(model.studio().camera().shutter().openingTime()).isCloseTo(1.5, within(1e-9));
     }
 
+    /** Light in the middle reaches a detector at distance 1 at time 1, wherever the focus is. */
+    @ParameterizedTest
+    @ValueSource(doubles = {10, -5})
+    void theDetectorOpensForTheLightFromTheFront(double focus) {
+        Studio focused = model.studio().withCamera(model.studio().camera().focusedAt(focus));
+        assertThat(Shutters.replaced(focused, DetectorPlaneShutter.class)
+                        .camera()
+                        .shutter())
+                .isEqualTo(new DetectorPlaneShutter(1, 1));
+    }
+
     @Test
     void theFixedPointSurfaceDoesNotForgetTheOpeningTime() {
         Container panel = (Container) new ShutterPanel(model).component();
@@ -272,7 +283,7 @@ class PanelsTest {
         Components.enter(panel, "Samples", "16");
         ThinLensCamera camera = (ThinLensCamera) model.studio().camera();
         assertThat(camera.apertureRadius()).isEqualTo(0.1);
-        assertThat(Cameras.focusDistance(camera)).isCloseTo(4, within(1e-12));
+        assertThat(camera.focusDistance()).isCloseTo(4, within(1e-12));
         assertThat(camera.horizontalAngleDegrees()).isEqualTo(60);
         assertThat(camera.exposureStops()).isEqualTo(1);
         assertThat(model.studio().settings().samples()).isEqualTo(16);
@@ -298,6 +309,13 @@ class PanelsTest {
         panel.add(new ShutterPanel(model).component());
         assertThat(Components.isMarked(Components.enter(panel, label, wrong))).isTrue();
         assertThat(Components.notes(panel)).anyMatch(text -> text.startsWith("\u26a0 " + label + " must be "));
+    }
+
+    @Test
+    void aFocusBehindTheCameraIsShown() {
+        Container panel = (Container) new LensPanel(model, picking -> {}).component();
+        model.set(model.studio().withCamera(model.studio().camera().focusedAt(-5)));
+        assertThat(Components.find(panel, JTextField.class, "Focus").getText()).isEqualTo("-5");
     }
 
     @Test

@@ -79,8 +79,8 @@ class PixelProbeTest {
         RenderPlan plan = RenderPlan.of(moving);
         double depth = PixelProbe.depth(plan, PixelProbe.read(plan, new Point2D.Double(32, 24)));
         assertThat(depth).isCloseTo(27, within(1e-11));
-        Studio focused = moving.withCamera(Cameras.focusedAt(moving.camera(), depth));
-        assertThat(Cameras.focusDistance(focused.camera())).isCloseTo(27, within(1e-11));
+        Studio focused = moving.withCamera(moving.camera().focusedAt(depth));
+        assertThat(focused.camera().focusDistance()).isCloseTo(27, within(1e-11));
     }
 
     @Test
