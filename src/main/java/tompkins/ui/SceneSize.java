@@ -16,7 +16,7 @@ final class SceneSize {
 
     /** The largest coordinate that an object of the scene or the focus mentions; at least 1. */
     double of(Studio studio) {
-        double focus = Cameras.focusDistance(studio.camera());
+        double focus = studio.camera().focusDistance();
         if (scene != studio.scene()) {
             scene = studio.scene();
             coordinate = largest(scene);
