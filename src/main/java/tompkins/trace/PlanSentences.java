@@ -3,6 +3,7 @@ package tompkins.trace;
 import java.util.List;
 import java.util.Locale;
 import tompkins.ray.Ray;
+import tompkins.camera.ThinLensCamera;
 import tompkins.sceneobject.ObjectTree;
 import tompkins.sceneobject.Primitive;
 import tompkins.shutter.AperturePlaneShutter;
@@ -34,6 +35,19 @@ final class PlanSentences {
         sentences.add(recursion());
         sentences.add("Colours stay as they are in the scene: no Doppler shift, no searchlight effect.");
         studio.velocity().warning().ifPresent(warning -> sentences.add("Warning: " + warning + "."));
+        if (missesFocus()) {
+            sentences.add("Warning: the focus has no surface, so that "
+                    + (studio.camera().shutter().needsFocus()
+                            ? "no ray crosses the shutter."
+                            : "everything is focused at infinity."));
+        }
+    }
+
+    /** Whether the picture needs a focus, and there is none, as in an empty group. */
+    private boolean missesFocus() {
+        return studio.camera() instanceof ThinLensCamera camera
+                && camera.focus().primitiveCount() == 0
+                && (camera.hasWideLens() || camera.shutter().needsFocus());
     }
 
     private String motion() {
@@ -61,7 +75,8 @@ final class PlanSentences {
 
     private String shutter() {
         if (atRest) {
-            return "Nothing in the scene changes with time, so all shutter models give this picture.";
+            return "Nothing in the scene changes with time: all shutter models give this picture, as far as its rays"
+                    + " cross the shutter.";
         }
         if (studio.camera().shutter() instanceof AperturePlaneShutter shutter) {
             boolean atOrigin = shutter.openingTime() == 0
@@ -73,7 +88,7 @@ final class PlanSentences {
                             + " change (aberration), the point of view does not."
                     : "All light crosses the lens at one time: the shutter is a constant.";
         }
-        return "The time at the lens is worked out for each ray: different pixels see the scene from different places.";
+        return "The time at the lens is worked out for each ray: different pixels may see the scene from different places.";
     }
 
     private String cameraObjects() {

@@ -362,6 +362,43 @@ class CommandLineTest {
                 .isEqualTo(keeps);
     }
 
+    /** What needs no focus says nothing of a missing one. */
+    @ParameterizedTest
+    @CsvSource(
+            nullValues = "nothing",
+            delimiter = '|',
+            value = {
+                "'apertureRadius': 0, 'shutter': {'type': 'AperturePlaneShutter'}   | nothing",
+                "'apertureRadius': 0.1, 'shutter': {'type': 'AperturePlaneShutter'} | everything is focused at infinity.",
+                "'apertureRadius': 0, 'shutter': {'type': 'FocusSurfaceShutter'}    | no ray crosses the shutter.",
+                "'apertureRadius': 0.1, 'shutter': {'type': 'FixedPointSurfaceShutter'} | no ray crosses the shutter."
+            },
+            quoteCharacter = '~')
+    void explainWarnsOfAFocusWithoutSurface(String camera, String warning) throws IOException {
+        for (String focus : new String[] {"{'type': 'Group'}", "{'type': 'Hidden'}", "{'type': 'Sphere'}"}) {
+            String text = "{'camera': {'focus': " + focus + ", " + camera + "}}";
+            Path scene = Files.writeString(folder.resolve("focus.json"), text.replace('\'', '"'));
+
+            String out = ProgramRun.of("explain", scene, "--size", "8x6").out();
+
+            boolean warns = warning != null && !focus.contains("Sphere");
+            assertThat(out.contains("- Warning: the focus has no surface")).isEqualTo(warns);
+            assertThat(out).contains(warns ? "so that " + warning : "as far as its rays cross the shutter");
+        }
+    }
+
+    /** Straight behind the pinhole of a panoramic camera all pixels have the same time. */
+    @Test
+    void explainPromisesNoDifferentPlacesWhereThereMayBeOne() throws IOException {
+        Path scene = Files.writeString(folder.resolve("panorama.json"), """
+                { "velocity": [0, 0, 0.5],
+                  "camera": { "type": "PanoramicCamera", "shutter": { "type": "DetectorPlaneShutter" } } }
+                """);
+
+        assertThat(ProgramRun.of("explain", scene, "--size", "8x6").out())
+                .contains("different pixels may see the scene from different places");
+    }
+
     @Test
     void explainReadsWellForAnEmptyScene() throws IOException {
         Path empty = Files.writeString(folder.resolve("empty.json"), "{}");
