@@ -3,6 +3,7 @@ package tompkins.app;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -148,13 +149,13 @@ final class Photographer {
         }
     }
 
-    private void report(Path target, RenderReport report) {
+    private void report(Path target, RenderReport report) throws IOException {
         double seconds = report.time().toNanos() / 1e9;
         String samples = NumberText.plain(report.samplesPerPixel(), 3);
         out.println(String.format(
                 Locale.ROOT,
                 "%s  (%.2f s, %.2f million rays/s, %s a pixel%s)",
-                target.toAbsolutePath(),
+                target.toRealPath(LinkOption.NOFOLLOW_LINKS),
                 seconds,
                 (report.rays() + report.shadowRays()) / seconds / 1e6,
                 samples.equals("1") ? "1 sample" : samples + " samples",

@@ -400,6 +400,27 @@ class CommandLineTest {
     }
 
     @Test
+    void thePlaceOfAPictureIsToldWithoutDetours() throws IOException {
+        Path inner = Files.createDirectory(folder.resolve("inner"));
+        Path detour = inner.resolve("..").resolve(".").resolve("short.png");
+
+        ProgramRun run = ProgramRun.of("render", FIG1B, "--size", "8x6", "-o", detour);
+
+        assertThat(run.out()).startsWith(folder.resolve("short.png") + "  (");
+        Files.createSymbolicLink(folder.resolve("link"), Files.createDirectory(inner.resolve("deep")));
+        ProgramRun throughLink = ProgramRun.of(
+                "render",
+                FIG1B,
+                "--size",
+                "8x6",
+                "-o",
+                folder.resolve("link").resolve("..").resolve("linked.png"));
+        assertThat(inner.resolve("linked.png")).exists();
+        assertThat(throughLink.out())
+                .doesNotStartWith(folder.resolve("linked.png").toString());
+    }
+
+    @Test
     void explainReadsWellForAnEmptyScene() throws IOException {
         Path empty = Files.writeString(folder.resolve("empty.json"), "{}");
 
