@@ -30,9 +30,9 @@ final class FileContentReader {
                 return folder.content(name.text(), parser);
             }
             if (value instanceof JsonObject object && hold(object, NAME) && hold(object, BASE64)) {
-                return Refusal.noteUnknownKeys(problems, object, path, List.of(NAME, BASE64))
-                        ? parser.parse(decoded(text(object, BASE64)), text(object, NAME))
-                        : null;
+                boolean clear = Refusal.noteUnknownKeys(problems, object, path, List.of(NAME, BASE64));
+                byte[] content = decoded(object.members().get(BASE64).value(), path);
+                return clear && content != null ? parser.parse(content, text(object, NAME)) : null;
             }
             String allowed = "the name of " + parser.noun() + " in quotes, or an object with the texts name and base64";
             problems.add(value, path, "must be " + allowed + ", was " + value.shown());
@@ -53,11 +53,14 @@ final class FileContentReader {
         return ((JsonText) object.members().get(key).value()).text();
     }
 
-    private static byte[] decoded(String base64) throws IOException {
+    /** The bytes that a text stands for, or null if a mistake was noted. */
+    private byte[] decoded(JsonValue base64, String path) {
         try {
-            return Base64.getDecoder().decode(base64);
+            return Base64.getDecoder().decode(((JsonText) base64).text());
         } catch (IllegalArgumentException wrong) {
-            throw new IOException("the value of base64 is not base 64", wrong);
+            problems.add(
+                    base64, path + "." + BASE64, "must be the bytes of the file in base 64, was " + base64.shown());
+            return null;
         }
     }
 }

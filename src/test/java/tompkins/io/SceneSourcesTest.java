@@ -144,7 +144,7 @@ class SceneSourcesTest {
         assertThat(messageOf(start + "\"y.png\"}}"))
                 .startsWith("f:1:58: background.picture: there is no such file in ");
         assertThat(messageOf(start + "{\"name\": \"z\", \"base64\": \"?\"}}}"))
-                .startsWith("f:1:58: background.picture: the value of base64 is not base 64");
+                .isEqualTo("f:1:82: background.picture.base64: must be the bytes of the file in base 64, was \"?\"");
         assertThat(messageOf(start + "{\"name\": \"z\"}}}"))
                 .startsWith("f:1:58: background.picture: must be the name of");
     }
