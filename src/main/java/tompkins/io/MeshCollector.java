@@ -83,12 +83,9 @@ final class MeshCollector extends AbstractWritableObj {
     /**
      * Checks what only the end of the file tells: faces may come before their vertices.
      *
-     * @throws IllegalArgumentException if a vertex is missing, or there is no face at all
+     * @throws IllegalArgumentException if a vertex is missing
      */
     void requireComplete() {
-        if (cornerCount == 0) {
-            throw new IllegalArgumentException("there is no face; an OBJ file has lines such as \"f 1 2 3\"");
-        }
         int vertices = coordinateCount / 3;
         if (largestIndex >= vertices) {
             lineOfMistake = lineOfLargestIndex;

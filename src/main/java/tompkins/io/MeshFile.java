@@ -48,12 +48,15 @@ public final class MeshFile {
             ObjReader.read(line, collector);
             collector.requireComplete();
         } catch (IOException | RuntimeException mistake) {
-            int number = collector.lineOfMistake();
-            String place = number == 0 ? name : name + ":" + number;
+            String place = name + ":" + collector.lineOfMistake();
             throw new MeshException(place + ": " + reason(mistake, line.text()), mistake);
         }
+        int[] triangles = collector.triangles();
+        if (triangles.length == 0) {
+            throw new MeshException(name + ": not an OBJ file with triangles: it has no lines such as \"f 1 2 3\"");
+        }
         byte[] kept = file.length <= LARGEST_KEPT_FILE ? file : new byte[0];
-        return new MeshData(name, collector.vertices(), collector.triangles(), kept);
+        return new MeshData(name, collector.vertices(), triangles, kept);
     }
 
     /** What the collector refuses it says itself; the library tells of its own classes, so the line is shown instead. */

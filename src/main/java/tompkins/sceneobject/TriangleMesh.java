@@ -1,7 +1,9 @@
 package tompkins.sceneobject;
 
+import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import tompkins.math.Vectors;
+import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.MeshData;
@@ -24,11 +26,15 @@ public record TriangleMesh(
     /** An octahedron. */
     public static final TriangleMesh DEFAULT = new TriangleMesh("mesh", MeshData.OCTAHEDRON, ColouredSurface.DEFAULT);
 
-    /** Checks that nothing is missing. */
+    /** Checks that nothing is missing, and that there is something to be seen. */
     public TriangleMesh {
         Require.present("description", description);
         Require.present("mesh", mesh);
         Require.present("surface", surface);
+        if (IntStream.range(0, mesh.triangles()).noneMatch(triangle -> hasArea(mesh, triangle))) {
+            throw new InvalidPropertyException(
+                    "mesh", "triangles, at least one of them with an area", '"' + mesh.name() + '"');
+        }
     }
 
     @Override
@@ -39,9 +45,9 @@ public record TriangleMesh(
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
         for (int triangle = 0; triangle < mesh.triangles(); triangle++) {
-            Vector3d first = corner(triangle, 0);
-            Vector3d spanU = placement.vector(corner(triangle, 1).sub(first));
-            Vector3d spanV = placement.vector(corner(triangle, 2).sub(first));
+            Vector3d first = corner(mesh, triangle, 0);
+            Vector3d spanU = placement.vector(corner(mesh, triangle, 1).sub(first));
+            Vector3d spanV = placement.vector(corner(mesh, triangle, 2).sub(first));
             if (hasArea(spanU, spanV)) {
                 collector.add(new FlatPrimitive(
                         description, surface, FlatPrimitive.Outline.TRIANGLE, placement.point(first), spanU, spanV));
@@ -49,11 +55,17 @@ public record TriangleMesh(
         }
     }
 
-    private Vector3d corner(int triangle, int corner) {
+    private static Vector3d corner(MeshData mesh, int triangle, int corner) {
         return new Vector3d(
                 mesh.coordinate(triangle, corner, 0),
                 mesh.coordinate(triangle, corner, 1),
                 mesh.coordinate(triangle, corner, 2));
+    }
+
+    private static boolean hasArea(MeshData mesh, int triangle) {
+        Vector3d first = corner(mesh, triangle, 0);
+        return hasArea(
+                corner(mesh, triangle, 1).sub(first), corner(mesh, triangle, 2).sub(first));
     }
 
     private static boolean hasArea(Vector3d spanU, Vector3d spanV) {

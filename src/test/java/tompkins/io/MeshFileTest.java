@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.ray.MeshData;
 import tompkins.sceneobject.TriangleMesh;
 import tompkins.studio.Studio;
@@ -39,10 +40,21 @@ class MeshFileTest {
         assertThat(corners(read(text), 0)).isEqualTo(corners(read(SQUARE + "f 1 2 3"), 0));
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"", SQUARE, "\u0089PNG\r\n\u001a\n\u0000\u0000"})
+    void aFileWithoutFacesHasNoLineToName(String text) {
+        assertThatThrownBy(() -> read(text))
+                .hasMessage("knot.obj: not an OBJ file with triangles: it has no lines such as \"f 1 2 3\"");
+    }
+
     @Test
-    void anEmptyFileHasNoLineToName() {
-        assertThatThrownBy(() -> read(""))
-                .hasMessage("knot.obj: there is no face; an OBJ file has lines such as \"f 1 2 3\"");
+    void aMeshOfWhichNothingIsToBeSeenIsRefused(@TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("flat.obj"), SQUARE + "f 1 1 1\nf 1 2 2\n");
+        String text = "{\"scene\": [{\"type\": \"TriangleMesh\", \"mesh\": \"flat.obj\"}]}";
+
+        assertThatThrownBy(() -> StudioReader.read(text, "scene.json", folder))
+                .hasMessage("scene.json:1:45: scene[0].mesh: must be triangles, at least one of them with an area,"
+                        + " was \"flat.obj\"");
     }
 
     @Test
@@ -64,7 +76,6 @@ class MeshFileTest {
                 "f one two three     | 6: \"f one two three\" cannot be understood; a vertex is written like",
                 "f 0 1 2             | 6: \"f 0 1 2\" cannot be understood; a vertex is written like \"v 0 1.5 -2\", a face"
                         + " like \"f 1 2 3\" with vertices counted from 1",
-                "# nothing           | 6: there is no face; an OBJ file has lines such as \"f 1 2 3\"",
             })
     void aMistakeIsReportedWithItsLine(String line, String message) {
         assertThatThrownBy(() -> read(SQUARE + line + "\n"))
