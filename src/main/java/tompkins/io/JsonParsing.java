@@ -177,9 +177,32 @@ final class JsonParsing {
 
     private SceneFileException failure(String path, JacksonException syntax) {
         TokenStreamLocation place = syntax.getLocation();
-        int line = place == null ? line() : place.getLineNr();
-        int column = place == null ? column() : place.getColumnNr();
+        if (place != null && SyntaxMistake.isInNumber(syntax)) {
+            return numberFailure(path, place);
+        }
+        boolean here = place == null || SyntaxMistake.isInComment(syntax);
+        int line = here ? line() : place.getLineNr();
+        int column = here ? Math.max(1, column()) : place.getColumnNr();
         return failure(path, SyntaxMistake.message(syntax, parser), new JsonNull(line, column));
+    }
+
+    /** The failure for a number that holds, or ends before, a place. */
+    private SceneFileException numberFailure(String path, TokenStreamLocation place) {
+        int found = (int) place.getCharOffset();
+        int start = found;
+        while (start > 0 && isOfNumber(text.charAt(start - 1))) {
+            start--;
+        }
+        int end = found;
+        while (end < text.length() && isOfNumber(text.charAt(end))) {
+            end++;
+        }
+        JsonNull number = new JsonNull(place.getLineNr(), place.getColumnNr() - (found - start));
+        return failure(path, SyntaxMistake.ofNumber(text.substring(start, end)), number);
+    }
+
+    private static boolean isOfNumber(char letter) {
+        return Character.isLetterOrDigit(letter) || "+-.".indexOf(letter) >= 0;
     }
 
     private SceneFileException failure(String path, String message, JsonValue place) {

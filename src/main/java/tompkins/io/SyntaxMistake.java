@@ -28,14 +28,15 @@ final class SyntaxMistake {
 
     /** What the library says, or a part of it, and what that means; the first that fits counts. */
     private static final List<Map.Entry<String, String>> MEANINGS = List.of(
-            Map.entry("('.' (code 46)): expected a valid value", NUMBERS),
             Map.entry("hex-digit", "after \\u in a text there must be four digits from 0 to 9 or a to f"),
             Map.entry("double-quote to start property name", "a key must stand in double quotes"),
             Map.entry("colon to separate", "a colon must stand between a key and its value"),
             Map.entry("comma to separate", "a comma must stand between two values; it is missing before this place"),
-            Map.entry("expected a valid value", "a value must stand here; " + VALUES),
-            Map.entry("in numeric value", NUMBERS),
-            Map.entry("Invalid numeric value", NUMBERS));
+            Map.entry("expected a valid value", "a value must stand here; " + VALUES));
+
+    /** What the library says of numbers. */
+    private static final List<String> OF_NUMBERS =
+            List.of("('.' (code 46)): expected a valid value", "in numeric value", "Invalid numeric value");
 
     private SyntaxMistake() {}
 
@@ -45,8 +46,26 @@ final class SyntaxMistake {
                 || syntax.getOriginalMessage().startsWith("Unexpected end-of-input");
     }
 
+    /** Whether the text ends in a comment; the library knows only the value before it. */
+    static boolean isInComment(JacksonException syntax) {
+        return syntax.getOriginalMessage().endsWith("in a comment");
+    }
+
+    /** Whether a number is wrong; the library knows a place in it or behind it. */
+    static boolean isInNumber(JacksonException syntax) {
+        return OF_NUMBERS.stream().anyMatch(syntax.getOriginalMessage()::contains);
+    }
+
+    /** What is wrong with a number that is written like this. */
+    static String ofNumber(String number) {
+        return NOT_JSON + NUMBERS + ", found " + Problems.shortened(number);
+    }
+
     static String message(JacksonException syntax, JsonParser parser) {
         String message = syntax.getOriginalMessage();
+        if (isInComment(syntax)) {
+            return "the text ends too early: a comment begins behind this place, and its */ is missing";
+        }
         if (isEndOfText(syntax)) {
             return "the text ends too early" + unclosed(parser);
         }

@@ -118,11 +118,17 @@ class SceneMistakesTest {
             {"scene": [,]}                | f:1:12: scene: not valid JSON: a value must stand here; allowed are texts in \
             quotes, numbers, true, false, lists [ ] and objects { }, found ,
             {"background": {"colour": .5}} | f:1:27: background: not valid JSON: a number must be written like 0.5, -2 or \
-            1e-9, found .
-            {"background": {"colour": 1e}} | f:1:28: background: not valid JSON: a number must be written like 0.5, -2 or \
-            1e-9, found }
-            {"background": {"colour": 05}} | f:1:28: background: not valid JSON: a number must be written like 0.5, -2 or \
-            1e-9
+            1e-9, found .5
+            {"background": {"colour": 1e}} | f:1:27: background: not valid JSON: a number must be written like 0.5, -2 or \
+            1e-9, found 1e
+            {"background": {"colour": -05}} | f:1:27: background: not valid JSON: a number must be written like 0.5, -2 or \
+            1e-9, found -05
+            {"background": {"colour": [1, 2.]}} | f:1:31: background.colour: not valid JSON: a number must be written \
+            like 0.5, -2 or 1e-9, found 2.
+            {"title": "a" /* b /* c "d"   | f:1:11: the text ends too early: a comment begins behind this place, and its \
+            */ is missing
+            /* b                          | f:1:1: the text ends too early: a comment begins behind this place, and its \
+            */ is missing
             {"title": "C:\\data"}         | f:1:15: title: not valid JSON: a text must not contain \\d; a backslash itself is \
             written \\\\
             {"title": "\\u12x"}           | f:1:16: title: not valid JSON: after \\u in a text there must be four digits from \
