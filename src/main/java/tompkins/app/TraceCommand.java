@@ -13,6 +13,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import tompkins.io.RayLifeWriter;
 import tompkins.io.StudioReader;
+import tompkins.property.NumberText;
 import tompkins.spacetime.Event;
 import tompkins.studio.Studio;
 import tompkins.trace.RayLife;
@@ -21,7 +22,9 @@ import tompkins.trace.RayLife;
 @Command(
         name = "trace",
         mixinStandardHelpOptions = true,
-        description = "Shows the life of one ray: its events and directions in both frames, its hits, its colour.")
+        description = "Shows the life of one ray: its events and directions in both frames, its hits, its colour. Where"
+                + " it splits, as in glass, all hits of the weaker branch come first; the share is the most of the"
+                + " pixel's light that the ray of a hit can still bring.")
 final class TraceCommand implements Callable<Integer> {
 
     /** Half of the way from the centre of the lens to its right edge. */
@@ -107,13 +110,14 @@ final class TraceCommand implements Callable<Integer> {
         out.println(format("gamma                           %.12g", life.gamma()));
         for (RayLife.Encounter hit : life.hits()) {
             out.println(format(
-                    "hit  %s (%s) in the %s frame at %s, t = %.9g, distance %.9g",
+                    "hit  %s (%s) in the %s frame at %s, t = %.9g, distance %.9g, share %s",
                     hit.object(),
                     hit.surface().getClass().getSimpleName(),
                     hit.frame().name().toLowerCase(Locale.ROOT),
                     text(hit.event().position()),
                     hit.event().time(),
-                    hit.distance()));
+                    hit.distance(),
+                    NumberText.plain(hit.share(), 4)));
         }
         if (life.hits().isEmpty()) {
             out.println("hits nothing: the background");

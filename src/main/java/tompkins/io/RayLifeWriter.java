@@ -64,6 +64,7 @@ public final class RayLifeWriter {
         write(json, "position", hit.event().x(), hit.event().y(), hit.event().z());
         write(json, "time", hit.event().time());
         write(json, "distance", hit.distance());
+        write(json, "share", hit.share());
         json.writeStringProperty("surface", hit.surface().getClass().getSimpleName());
         json.writeEndObject();
     }

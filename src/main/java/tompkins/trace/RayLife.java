@@ -20,7 +20,7 @@ import tompkins.surface.Surface;
  * @param sceneDirection unit direction in the scene frame, or null
  * @param frequencyRatio frequency of the light that the camera sees divided by that in the scene frame; 1 without crossing
  * @param gamma Lorentz factor of the camera
- * @param hits everything that was hit, in the order of tracing
+ * @param hits everything that was hit, in the order of tracing: where a ray splits, first all of its weaker branch
  * @param colour the colour of the sample, before exposure
  * @param counts what went wrong on the way
  */
@@ -42,9 +42,11 @@ public record RayLife(
      * @param frame the frame of place, time and distance
      * @param event where and when
      * @param distance distance from the start of the ray that hit
+     * @param share the largest share of the sample's light that the ray that hit can still bring; where a ray splits, it tells its
+     *     branches apart
      * @param surface the surface
      */
-    public record Encounter(String object, Frame frame, Event event, double distance, Surface surface) {}
+    public record Encounter(String object, Frame frame, Event event, double distance, double share, Surface surface) {}
 
     /**
      * Follows one sample.
@@ -97,7 +99,7 @@ public record RayLife(
         @Override
         public void hits(Frame frame, Ray ray, Hit hit, Surface surface) {
             Event event = inFrame(frame, hit.x, hit.y, hit.z, hit.time);
-            hits.add(new Encounter(hit.boundary.description(), frame, event, hit.distance, surface));
+            hits.add(new Encounter(hit.boundary.description(), frame, event, hit.distance, ray.weight, surface));
         }
 
         private Event inFrame(Frame frame, double x, double y, double z, double time) {

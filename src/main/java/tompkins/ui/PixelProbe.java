@@ -137,6 +137,9 @@ final class PixelProbe implements AutoCloseable {
                     hit.object(),
                     Numbers.brief(hit.distance()),
                     Numbers.brief(hit.event())));
+            if (hit.share() < 1) {
+                lines.add(Texts.get("probe.share", Numbers.brief(hit.share(), 4)));
+            }
         }
         if (!crossed && life.sceneStart() != null) {
             addCrossing(lines, life);

@@ -50,6 +50,31 @@ class TraceCommandTest {
                 .contains("\"object\" : \"plane\"", "\"frame\" : \"scene\"", "\"surface\" : \"ColouredSurface\"");
     }
 
+    /** Glass of index 1.5 reflects ((1.5 - 1)/(1.5 + 1))^2 = 0.04 of the light that meets it straight. */
+    @Test
+    void whereTheRaySplitsTheSharesTellItsBranchesApart() throws IOException {
+        Path scene = Files.writeString(folder.resolve("glass.json"), """
+                {
+                  "settings": { "width": 1, "height": 1 },
+                  "scene": [
+                    { "type": "Plane", "description": "glass", "point": [0, 0, 5], "normal": [0, 0, 1],
+                      "surface": { "type": "Refractive" } },
+                    { "type": "Plane", "description": "behind", "point": [0, 0, -3], "normal": [0, 0, 1] },
+                    { "type": "Plane", "description": "ahead", "point": [0, 0, 9], "normal": [0, 0, 1] },
+                  ],
+                }
+                """);
+
+        String text = ProgramRun.of("trace", scene, "--pixel", "0,0").out();
+        String json = ProgramRun.of("trace", scene, "--pixel", "0,0", "--json").out();
+
+        assertThat(text.lines().filter(line -> line.startsWith("hit")).map(line -> line.replaceAll(" .*,", "")))
+                .containsExactly("hit share 1", "hit share 0.04", "hit share 0.96");
+        assertThat(numbers(json, "glass", "share").get(0)).isEqualTo(1);
+        assertThat(numbers(json, "behind", "share").get(0)).isCloseTo(0.04, within(1e-16));
+        assertThat(numbers(json, "ahead", "share").get(0)).isCloseTo(0.96, within(1e-15));
+    }
+
     @Test
     void refusesPixelsOutsideThePictureAndPointsOutsideTheLens() {
         ProgramRun outside = ProgramRun.of("trace", "scenes/fig1b.json", "--pixel", "640,0");

@@ -4,15 +4,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.awt.geom.Point2D;
+import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import tompkins.sceneobject.Plane;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
 import tompkins.surface.LorentzWindow;
+import tompkins.surface.Mirror;
 import tompkins.trace.RenderPlan;
 
 /** What the probe says is held against closed formulas: aberration, the light cone, Doppler's factor. */
@@ -89,6 +93,19 @@ class PixelProbeTest {
         assertThat(reading.object()).isNull();
         assertThat(reading.inScene()).isNull();
         assertThat(PixelProbe.story(reading)).contains("background");
+    }
+
+    /** What the mirror sends on meets the wall behind the camera. */
+    @Test
+    void theStoryTellsTheShareOfARayThatIsNotTheWholeLight() {
+        Vector3d forwards = new Vector3d(0, 0, 1);
+        Studio studio = Studio.DEFAULT.withScene(List.of(
+                new Plane("near", new Vector3d(0, 0, 5), forwards, new Mirror(0.25)),
+                new Plane("far", new Vector3d(0, 0, -5), forwards, ColouredSurface.DEFAULT)));
+        List<String> story = PixelProbe.story(read(studio, 320, 240));
+        assertThat(story).containsOnlyOnce("with at most 0.25 of the light");
+        int share = story.indexOf("with at most 0.25 of the light");
+        assertThat(story.get(share - 1)).startsWith("Hits far after 10,");
     }
 
     @Test
