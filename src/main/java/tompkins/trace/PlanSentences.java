@@ -2,8 +2,8 @@ package tompkins.trace;
 
 import java.util.List;
 import java.util.Locale;
-import tompkins.ray.Ray;
 import tompkins.camera.ThinLensCamera;
+import tompkins.ray.Ray;
 import tompkins.sceneobject.ObjectTree;
 import tompkins.sceneobject.Primitive;
 import tompkins.shutter.AperturePlaneShutter;
