@@ -30,9 +30,8 @@ final class ColourEditor implements ValueEditor {
         this.commit = commit;
         panel.setOpaque(false);
         JButton patch = new JButton(new Patch());
-        patch.setName(Texts.get("colour.choose", Wording.label(property)));
-        patch.getAccessibleContext().setAccessibleName(patch.getName());
-        patch.setToolTipText(patch.getName());
+        String name = Texts.get("colour.choose", Wording.label(property));
+        Naming.name(patch, name, name);
         patch.addActionListener(event -> choose(patch, note));
         fields = new VectorFields(
                 property,

@@ -58,12 +58,10 @@ final class ComparePanel {
         Records.records(Shutter.class).forEach(shutters::addItem);
         shutters.setRenderer(ValueEditors.renderer(shutter -> Wording.label((Class<?>) shutter)));
         name(shutters, "compare.shutter");
-        peek.setName(Texts.get("compare.peek"));
-        peek.setToolTipText(Tips.html(Texts.get("compare.peekTip")));
+        name(peek, "compare.peek");
         peek.getModel()
                 .addChangeListener(event -> peeking.accept(peek.getModel().isPressed()));
-        keep.setName(Texts.get("compare.keep"));
-        keep.setToolTipText(Tips.html(Texts.get("compare.keepTip")));
+        name(keep, "compare.keep");
         keep.addActionListener(event -> {
             keptName = keeping.get();
             others.setSelectedItem(Other.KEPT_PICTURE);
@@ -82,10 +80,8 @@ final class ComparePanel {
         update();
     }
 
-    private static void name(JComboBox<?> box, String key) {
-        box.setName(Texts.get(key));
-        box.getAccessibleContext().setAccessibleName(Texts.get(key));
-        box.setToolTipText(Tips.html(Texts.get(key + "Tip")));
+    private static void name(JComponent component, String key) {
+        Naming.name(component, Texts.get(key), Texts.get(key + "Tip"));
     }
 
     private JPanel views() {
@@ -94,8 +90,7 @@ final class ComparePanel {
         ButtonGroup group = new ButtonGroup();
         for (Comparison view : List.of(Comparison.SPLIT, Comparison.BESIDE, Comparison.DIFFERENCE)) {
             JRadioButton button = new JRadioButton(Wording.label(view), view == Comparison.SPLIT);
-            button.setName(button.getText());
-            button.setToolTipText(Tips.html(Texts.get("compare.tip." + view)));
+            Naming.name(button, button.getText(), Texts.get("compare.tip." + view));
             button.addActionListener(event -> update());
             group.add(button);
             row.add(button);

@@ -48,9 +48,7 @@ final class DirectionSphere extends JPanel {
     DirectionSphere(BiConsumer<Vector3dc, Object> turned, Runnable released) {
         this.turned = turned;
         setOpaque(false);
-        setName(Texts.get("direction.name"));
-        getAccessibleContext().setAccessibleName(Texts.get("direction.name"));
-        setToolTipText(Tips.html(Texts.get("direction.tip")));
+        Naming.name(this, Texts.get("direction.name"), Texts.get("direction.tip"));
         setFocusable(true);
         MouseAdapter mouse = new MouseAdapter() {
             @Override

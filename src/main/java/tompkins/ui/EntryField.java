@@ -39,10 +39,7 @@ final class EntryField {
         this.commit = commit;
         field = new JTextField();
         field.putClientProperty(EntryField.class, this);
-        field.setName(name);
-        field.setToolTipText(tip.isEmpty() ? null : Tips.html(tip));
-        field.getAccessibleContext().setAccessibleName(name);
-        field.getAccessibleContext().setAccessibleDescription(tip);
+        Naming.name(field, name, tip);
         field.addActionListener(event -> commit());
         field.addFocusListener(new FocusAdapter() {
             @Override

@@ -54,8 +54,7 @@ final class LensPanel {
                 Texts.get("lens.samplesTip"),
                 new Range(1, 256, 4),
                 value -> model.studio().withSettings(model.studio().settings().withSamples((int) Math.rint(value))));
-        pick.setName(Texts.get("lens.pick"));
-        pick.setToolTipText(Tips.html(Texts.get("lens.pickTip")));
+        Naming.name(pick, Texts.get("lens.pick"), Texts.get("lens.pickTip"));
         pick.addActionListener(event -> picking.accept(pick.isSelected()));
         aperture.addTo(panel);
         focus.addTo(panel);

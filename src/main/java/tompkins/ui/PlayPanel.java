@@ -126,9 +126,7 @@ final class PlayPanel {
     }
 
     private static void name(JComponent component, String key) {
-        component.setName(Texts.get(key));
-        component.getAccessibleContext().setAccessibleName(Texts.get(key));
-        component.setToolTipText(Tips.html(Texts.get(key + "Tip")));
+        Naming.name(component, Texts.get(key), Texts.get(key + "Tip"));
     }
 
     JComponent component() {

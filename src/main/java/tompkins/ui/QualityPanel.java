@@ -50,8 +50,7 @@ final class QualityPanel {
         this.choose = choose;
         asScene.setName(Texts.get("quality.asScene"));
         asScene.addActionListener(event -> set(null));
-        measure.setName(Texts.get("quality.measure"));
-        measure.setToolTipText(Tips.html(Texts.get("quality.measureTip")));
+        Naming.name(measure, Texts.get("quality.measure"), Texts.get("quality.measureTip"));
         measure.addActionListener(event -> new ChartWindow(SwingUtilities.getWindowAncestor(panel)).start());
         panel.add(chosen.component(), "wmin 0");
         panel.add(asScene, "wmin 0");

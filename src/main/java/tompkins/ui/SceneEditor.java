@@ -62,8 +62,7 @@ final class SceneEditor {
 
     private static JButton button(String key) {
         JButton button = new JButton(Texts.get("tree." + key));
-        button.setName(button.getText());
-        button.setToolTipText(Tips.html(Texts.get("tree." + key + "Tip")));
+        Naming.name(button, button.getText(), Texts.get("tree." + key + "Tip"));
         return button;
     }
 

@@ -39,8 +39,7 @@ final class ShutterPanel {
     ShutterPanel(StudioModel model) {
         this.model = model;
         Records.records(Shutter.class).forEach(models::addItem);
-        models.setName(Texts.get("shutter.name"));
-        models.getAccessibleContext().setAccessibleName(Texts.get("shutter.name"));
+        Naming.name(models, Texts.get("shutter.name"), "");
         models.setRenderer(new ModelRenderer());
         models.setMaximumRowCount(models.getItemCount());
         models.addActionListener(event -> updating.unless(this::choose));

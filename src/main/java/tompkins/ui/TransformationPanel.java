@@ -15,8 +15,7 @@ final class TransformationPanel {
         ButtonGroup group = new ButtonGroup();
         for (TransformationLaw law : TransformationLaw.values()) {
             JRadioButton button = new JRadioButton(Texts.get("law." + law.name()));
-            button.setName(button.getText());
-            button.setToolTipText(Tips.html(Texts.get("law." + law.name() + ".tip")));
+            Naming.name(button, button.getText(), Texts.get("law." + law.name() + ".tip"));
             button.addActionListener(event -> model.set(model.studio().withTransformation(law)));
             group.add(button);
             panel.add(button);

@@ -115,9 +115,7 @@ final class ValueEditors {
 
     private static ValueEditor check(String label, String tip, Note note, Consumer<Object> commit) {
         JCheckBox box = new JCheckBox();
-        box.setName(label);
-        box.getAccessibleContext().setAccessibleName(label);
-        box.setToolTipText(Tips.html(tip));
+        Naming.name(box, label, tip);
         box.addActionListener(event -> {
             if (!attempt(note, () -> commit.accept(box.isSelected()))) {
                 box.setSelected(!box.isSelected());
@@ -129,9 +127,7 @@ final class ValueEditors {
     private static ValueEditor choice(Class<?> type, String label, String tip, Note note, Consumer<Object> commit) {
         JComboBox<Object> box = new JComboBox<>(type.getEnumConstants());
         box.setRenderer(renderer(value -> Wording.label((Enum<?>) value)));
-        box.setName(label);
-        box.getAccessibleContext().setAccessibleName(label);
-        box.setToolTipText(Tips.html(tip));
+        Naming.name(box, label, tip);
         Updating updating = new Updating();
         box.addActionListener(event ->
                 updating.unless(() -> attempt(note, () -> commit.accept(box.getSelectedItem()))));

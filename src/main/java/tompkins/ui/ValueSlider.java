@@ -21,10 +21,7 @@ final class ValueSlider {
      */
     ValueSlider(String name, String tip, Range range, BiConsumer<Double, Object> moved, Runnable released) {
         this.range = range;
-        slider.setName(name);
-        slider.setToolTipText(tip.isEmpty() ? null : Tips.html(tip));
-        slider.getAccessibleContext().setAccessibleName(name);
-        slider.getAccessibleContext().setAccessibleDescription(tip);
+        Naming.name(slider, name, tip);
         slider.addChangeListener(event -> {
             if (updating) {
                 return;

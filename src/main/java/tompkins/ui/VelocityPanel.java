@@ -72,9 +72,8 @@ final class VelocityPanel {
         ButtonGroup group = new ButtonGroup();
         for (SpeedScale each : SpeedScale.values()) {
             JToggleButton button = new JToggleButton(Texts.get("scale." + each.name()), each == scale);
-            button.setName(Texts.get("scale." + each.name() + ".name"));
-            button.getAccessibleContext().setAccessibleName(button.getName());
-            button.setToolTipText(Tips.html(button.getName() + ", " + each.range()));
+            String name = Texts.get("scale." + each.name() + ".name");
+            Naming.name(button, name, name + ", " + each.range());
             button.putClientProperty(
                     "FlatLaf.style", "selectedBackground: $Component.accentColor; selectedForeground: #fff");
             button.addActionListener(event -> {
@@ -113,8 +112,7 @@ final class VelocityPanel {
 
     private JButton button(String key, Runnable action) {
         JButton button = new JButton(Texts.get("velocity." + key));
-        button.setName(Texts.get("velocity." + key));
-        button.setToolTipText(Tips.html(Texts.get("velocity." + key + ".tip")));
+        Naming.name(button, button.getText(), Texts.get("velocity." + key + ".tip"));
         button.addActionListener((ActionEvent event) -> action.run());
         return button;
     }

@@ -38,12 +38,9 @@ final class WindowPanel {
     WindowPanel(StudioModel model) {
         this.model = model;
         kinds.setRenderer(ValueEditors.renderer(kind -> Wording.label((Kind) kind)));
-        kinds.setName(Texts.get("window.name"));
-        kinds.getAccessibleContext().setAccessibleName(Texts.get("window.name"));
-        kinds.setToolTipText(Tips.html(Texts.get("window.tip")));
+        Naming.name(kinds, Texts.get("window.name"), Texts.get("window.tip"));
         kinds.addActionListener(event -> updating.unless(() -> choose((Kind) kinds.getSelectedItem())));
-        match.setName(Texts.get("window.match"));
-        match.setToolTipText(Tips.html(Texts.get("window.matchTip")));
+        Naming.name(match, Texts.get("window.match"), Texts.get("window.matchTip"));
         match.addActionListener(event -> matchCamera());
         panel.add(kinds, "wmin 0");
         panel.add(match);
