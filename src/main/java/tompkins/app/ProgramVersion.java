@@ -1,17 +1,13 @@
 package tompkins.app;
 
 import picocli.CommandLine.IVersionProvider;
+import tompkins.io.SelfDescription;
 
-/** The version of the program, as its jar says. */
+/** The version of the program, and of Java. */
 final class ProgramVersion implements IVersionProvider {
-
-    private static final String UNPACKED = "(not packaged)";
 
     @Override
     public String[] getVersion() {
-        String version = ProgramVersion.class.getPackage().getImplementationVersion();
-        return new String[] {
-            "Tompkins " + (version == null ? UNPACKED : version), "Java " + System.getProperty("java.version")
-        };
+        return new String[] {SelfDescription.program(), "Java " + System.getProperty("java.version")};
     }
 }

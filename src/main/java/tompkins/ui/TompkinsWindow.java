@@ -21,6 +21,7 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.WindowConstants;
+import tompkins.io.SelfDescription;
 import tompkins.studio.Studio;
 
 /** The window of Tompkins: the photograph, and a narrow panel with what it depends on. */
@@ -285,11 +286,10 @@ public final class TompkinsWindow {
 
         @Override
         public void showAbout() {
-            String version = TompkinsWindow.class.getPackage().getImplementationVersion();
             Messages.tell(
                     frame,
                     Texts.get("menu.about"),
-                    Texts.get("help.about", version == null ? "" : version, System.getProperty("java.version")));
+                    Texts.get("help.about", SelfDescription.program(), System.getProperty("java.version")));
         }
 
         @Override

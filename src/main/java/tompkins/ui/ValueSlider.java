@@ -10,8 +10,8 @@ final class ValueSlider {
 
     private final JSlider slider = new JSlider(0, STEPS, 0);
     private final Object gesture = new Object();
+    private final Updating updating = new Updating();
     private Range range;
-    private boolean updating;
 
     /**
      * A slider.
@@ -22,15 +22,12 @@ final class ValueSlider {
     ValueSlider(String name, String tip, Range range, BiConsumer<Double, Object> moved, Runnable released) {
         this.range = range;
         Naming.name(slider, name, tip);
-        slider.addChangeListener(event -> {
-            if (updating) {
-                return;
-            }
+        slider.addChangeListener(event -> updating.unless(() -> {
             moved.accept(this.range.value((double) slider.getValue() / STEPS), gesture);
             if (!slider.getValueIsAdjusting()) {
                 released.run();
             }
-        });
+        }));
     }
 
     JSlider slider() {
@@ -47,9 +44,7 @@ final class ValueSlider {
     /** Shows a value, without telling anybody. */
     void show(double value) {
         if (!slider.getValueIsAdjusting()) {
-            updating = true;
-            slider.setValue((int) Math.round(range.place(value) * STEPS));
-            updating = false;
+            updating.during(() -> slider.setValue((int) Math.round(range.place(value) * STEPS)));
         }
     }
 }
