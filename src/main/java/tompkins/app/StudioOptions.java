@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import picocli.CommandLine.Option;
+import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
@@ -103,20 +104,11 @@ final class StudioOptions {
         for (Class<?> type : Shutter.class.getPermittedSubclasses()) {
             if (plain(type.getSimpleName()).equals(plain(name) + "shutter")
                     || plain(type.getSimpleName()).equals(plain(name))) {
-                return type.isInstance(present) ? present : defaultOf(type);
+                return type.isInstance(present) ? present : (Shutter) Descriptions.standard(type);
             }
         }
         throw new MistakeException(
                 "--shutter must be one of " + String.join(", ", new ShutterNames()) + "; was " + name);
-    }
-
-    /** The value with which a model starts. */
-    static Shutter defaultOf(Class<?> type) {
-        try {
-            return (Shutter) type.getField("DEFAULT").get(null);
-        } catch (ReflectiveOperationException missing) {
-            throw new IllegalStateException(type + " has no DEFAULT", missing);
-        }
     }
 
     private static String plain(String name) {

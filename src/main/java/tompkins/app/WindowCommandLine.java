@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.joml.Vector3dc;
+import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
 import tompkins.render.Quality;
@@ -82,7 +83,7 @@ final class WindowCommandLine implements CommandLineWriter {
 
     /** The shutter that the command has before it reads an opening time. */
     private static Shutter withoutTime(Shutter now, Shutter before) {
-        return now.getClass() == before.getClass() ? before : StudioOptions.defaultOf(now.getClass());
+        return now.getClass() == before.getClass() ? before : (Shutter) Descriptions.standard(now.getClass());
     }
 
     /** Whether the options can say all that has changed. */

@@ -14,6 +14,7 @@ import tompkins.io.JsonValue.JsonList;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.JsonText;
 import tompkins.io.JsonValue.Member;
+import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
@@ -44,7 +45,7 @@ final class DescriptionReader {
      * @return null if a mistake was noted
      */
     private Object read(Type type, JsonValue value, String path) {
-        Optional<Class<?>> element = DescriptionTypes.elementType(type);
+        Optional<Class<?>> element = Descriptions.elementType(type);
         return element.isPresent() ? list(element.get(), value, path) : read((Class<?>) type, value, path);
     }
 
@@ -127,7 +128,7 @@ final class DescriptionReader {
         String name = type.value() instanceof JsonText text ? text.text() : null;
         int index = names.indexOf(name);
         if (index >= 0) {
-            return record(DescriptionTypes.members(family).get(index), object, path, List.of(TYPE));
+            return record(Descriptions.members(family).get(index), object, path, List.of(TYPE));
         }
         String hint = name == null ? "" : Spelling.hint(name, names);
         problems.add(
@@ -147,19 +148,20 @@ final class DescriptionReader {
         List<String> keys = new ArrayList<>(otherKeys);
         keys.addAll(DescriptionTypes.keys(type));
         boolean clear = Refusal.noteUnknownKeys(problems, object, path, keys);
-        RecordComponent[] components = type.getRecordComponents();
-        Object[] arguments = new Object[components.length];
+        List<RecordComponent> components = Descriptions.components(type);
+        Object[] arguments = new Object[components.size()];
         Set<String> replaced = new HashSet<>();
-        Object standard = DescriptionTypes.standard(type);
-        for (int i = 0; i < components.length; i++) {
-            String key = components[i].getName();
+        Object standard = Descriptions.standard(type);
+        for (int i = 0; i < components.size(); i++) {
+            RecordComponent component = components.get(i);
+            String key = component.getName();
             Member member = object.members().get(key);
             if (member != null) {
                 String inner = path.isEmpty() ? key : path + "." + key;
-                arguments[i] = read(components[i].getGenericType(), member.value(), inner);
+                arguments[i] = read(component.getGenericType(), member.value(), inner);
             }
             if (arguments[i] == null) {
-                arguments[i] = DescriptionTypes.value(components[i], standard);
+                arguments[i] = Descriptions.value(component, standard);
                 if (member != null) {
                     replaced.add(key);
                 }
@@ -178,18 +180,19 @@ final class DescriptionReader {
             Class<?> type, Object[] arguments, Object standard, JsonObject object, String path, Set<String> replaced) {
         while (true) {
             try {
-                return DescriptionTypes.make(type, arguments);
+                return Descriptions.make(type, arguments);
             } catch (InvalidPropertyException invalid) {
                 String key = Refusal.component(invalid);
                 int index = DescriptionTypes.keys(type).indexOf(key);
-                RecordComponent component = index < 0 ? null : type.getRecordComponents()[index];
+                RecordComponent component =
+                        index < 0 ? null : Descriptions.components(type).get(index);
                 if (replaced.isEmpty() || invalid.isByItself()) {
                     Refusal.note(problems, invalid, object, path);
                 }
                 if (!replaced.add(key) || component == null) {
                     return null;
                 }
-                arguments[index] = DescriptionTypes.value(component, standard);
+                arguments[index] = Descriptions.value(component, standard);
             }
         }
     }

@@ -11,6 +11,7 @@ import java.util.function.Predicate;
 import org.joml.Vector2ic;
 import org.joml.Vector3dc;
 import org.joml.Vector3ic;
+import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.ray.FileContent;
 import tompkins.spacetime.Velocity;
@@ -27,7 +28,7 @@ final class DescriptionWriter {
 
     /** A value as the component of type {@code type} that it is. */
     Object tree(Type type, Object value) {
-        Optional<Class<?>> element = DescriptionTypes.elementType(type);
+        Optional<Class<?>> element = Descriptions.elementType(type);
         if (element.isPresent()) {
             return ((List<?>) value)
                     .stream().map(each -> tree(element.get(), each)).toList();
@@ -62,10 +63,10 @@ final class DescriptionWriter {
         if (named) {
             members.put(DescriptionReader.TYPE, record.getClass().getSimpleName());
         }
-        Object standard = DescriptionTypes.standard(record.getClass());
-        for (RecordComponent component : record.getClass().getRecordComponents()) {
-            Object value = DescriptionTypes.value(component, record);
-            if (!value.equals(DescriptionTypes.value(component, standard))) {
+        Object standard = Descriptions.standard(record.getClass());
+        for (RecordComponent component : Descriptions.components(record.getClass())) {
+            Object value = Descriptions.value(component, record);
+            if (!value.equals(Descriptions.value(component, standard))) {
                 members.put(component.getName(), tree(component.getGenericType(), value));
             }
         }

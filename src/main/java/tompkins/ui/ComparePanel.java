@@ -13,6 +13,7 @@ import javax.swing.JPanel;
 import javax.swing.JRadioButton;
 import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
+import tompkins.property.Descriptions;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
@@ -55,7 +56,7 @@ final class ComparePanel {
         this.changed = changed;
         others.setRenderer(ValueEditors.renderer(other -> Wording.label((Other) other)));
         name(others, "compare.name");
-        Records.records(Shutter.class).forEach(shutters::addItem);
+        Descriptions.members(Shutter.class).forEach(shutters::addItem);
         shutters.setRenderer(ValueEditors.renderer(shutter -> Wording.label((Class<?>) shutter)));
         name(shutters, "compare.shutter");
         name(peek, "compare.peek");

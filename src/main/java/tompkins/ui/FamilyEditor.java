@@ -4,6 +4,7 @@ import java.util.function.Consumer;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
+import tompkins.property.Descriptions;
 
 /** Controls for a record of a sealed family: a combo box of its types, and under it the form of the chosen one. */
 final class FamilyEditor implements ValueEditor {
@@ -19,7 +20,7 @@ final class FamilyEditor implements ValueEditor {
     FamilyEditor(Class<?> family, String name, Note note, Consumer<Object> commit) {
         this.commit = commit;
         this.note = note;
-        Records.records(family).forEach(types::addItem);
+        Descriptions.members(family).forEach(types::addItem);
         types.setRenderer(ValueEditors.renderer(type -> Wording.label((Class<?>) type)));
         types.setName(name);
         types.getAccessibleContext().setAccessibleName(name);
@@ -40,7 +41,7 @@ final class FamilyEditor implements ValueEditor {
 
     private void choose() {
         Class<?> chosen = (Class<?>) types.getSelectedItem();
-        if (chosen != shownType && !ValueEditors.attempt(note, () -> commit.accept(Records.defaultOf(chosen)))) {
+        if (chosen != shownType && !ValueEditors.attempt(note, () -> commit.accept(Descriptions.standard(chosen)))) {
             updating.during(() -> types.setSelectedItem(shownType));
         }
     }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Vector3d;
 import tompkins.camera.Camera;
+import tompkins.property.Descriptions;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.Velocity;
@@ -38,9 +39,9 @@ final class FrontWindow {
     }
 
     private static Optional<Surface> window(SceneObject object) {
-        return Records.components(object.getClass()).stream()
+        return Descriptions.components(object.getClass()).stream()
                 .filter(component -> component.getName().equals(SURFACE))
-                .map(component -> (Surface) Records.get(object, component))
+                .map(component -> (Surface) Descriptions.value(component, object))
                 .filter(surface -> surface instanceof LorentzWindow || surface instanceof GalileoWindow)
                 .findFirst();
     }

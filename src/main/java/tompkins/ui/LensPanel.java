@@ -7,6 +7,7 @@ import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.property.Descriptions;
 import tompkins.property.NumberText;
 import tompkins.studio.Studio;
 
@@ -108,7 +109,7 @@ final class LensPanel {
         }
         focus.setRange(distances());
         focus.show(NumberText.rounded(camera.focusDistance(), 9));
-        field.show((double) Records.get(camera, Records.component(camera.getClass(), "horizontalAngleDegrees")));
+        field.show((double) Descriptions.value(Records.component(camera.getClass(), "horizontalAngleDegrees"), camera));
         exposure.show(camera.exposureStops());
         samples.show(studio.settings().samples());
     }

@@ -7,6 +7,7 @@ import java.util.Objects;
 import java.util.function.BiFunction;
 import java.util.function.ToDoubleFunction;
 import org.joml.Vector3dc;
+import tompkins.property.Descriptions;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
@@ -88,9 +89,9 @@ record NumberProperty(
                 collect(list.get(i), path.then(i), name + " \u203a " + StudioTree.name(list.get(i)), properties);
             }
         } else if (value instanceof Record) {
-            for (RecordComponent component : value.getClass().getRecordComponents()) {
+            for (RecordComponent component : Descriptions.components(value.getClass())) {
                 String label = name + " \u203a " + Wording.label(component.getName());
-                collect(Records.get(value, component), path.then(component.getName()), label, properties);
+                collect(Descriptions.value(component, value), path.then(component.getName()), label, properties);
             }
         }
     }

@@ -9,6 +9,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import tompkins.property.Descriptions;
 
 /**
  * A form for a record, made from its components: names become labels, meanings tooltips, types controls. A value that the
@@ -29,7 +30,7 @@ final class RecordForm {
      */
     RecordForm(Class<?> type, Predicate<RecordComponent> which, Consumer<Object> commit) {
         panel.setOpaque(false);
-        for (RecordComponent component : type.getRecordComponents()) {
+        for (RecordComponent component : Descriptions.components(type)) {
             if (which.test(component)) {
                 add(component, commit);
             }
@@ -60,6 +61,6 @@ final class RecordForm {
     /** Shows a record of the form's type. */
     void show(Object shown) {
         value = shown;
-        editors.forEach((component, editor) -> editor.show(Records.get(shown, component)));
+        editors.forEach((component, editor) -> editor.show(Descriptions.value(component, shown)));
     }
 }

@@ -14,6 +14,7 @@ import javax.swing.JSplitPane;
 import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
 import tompkins.camera.ThinLensCamera;
+import tompkins.property.Descriptions;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
@@ -167,8 +168,10 @@ final class SceneEditor {
 
     private void offerTypes() {
         JPopupMenu menu = new JPopupMenu();
-        Class<?> family = isElement() ? (Class<?>) line.type() : Branches.elementType(line.type());
-        for (Class<?> type : Records.records(family)) {
+        Class<?> family = isElement()
+                ? (Class<?>) line.type()
+                : Descriptions.elementType(line.type()).orElseThrow();
+        for (Class<?> type : Descriptions.members(family)) {
             JMenuItem item = new JMenuItem(Wording.label(type));
             item.setToolTipText(Tips.html(Wording.meaning(type)));
             item.addActionListener(event -> addElement(type));
@@ -181,7 +184,7 @@ final class SceneEditor {
     void addElement(Class<?> type) {
         StudioPath path = listPath();
         int place = isElement() ? place() + 1 : list().size();
-        List<?> longer = inserted(list(), place, Records.defaultOf(type));
+        List<?> longer = inserted(list(), place, Descriptions.standard(type));
         if (ValueEditors.attempt(note, () -> model.set(path.with(model.studio(), longer)))) {
             tree.select(path.then(place));
         }

@@ -3,6 +3,7 @@ package tompkins.ui;
 import java.lang.reflect.RecordComponent;
 import java.util.List;
 import org.joml.Vector3dc;
+import tompkins.property.Descriptions;
 import tompkins.ray.MeshData;
 import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
@@ -36,8 +37,8 @@ final class SceneSize {
         }
         double largest = 0;
         if (value instanceof Record && !(value instanceof Surface)) {
-            for (RecordComponent component : Records.components(value.getClass())) {
-                largest = Math.max(largest, largest(Records.get(value, component)));
+            for (RecordComponent component : Descriptions.components(value.getClass())) {
+                largest = Math.max(largest, largest(Descriptions.value(component, value)));
             }
         }
         return largest;

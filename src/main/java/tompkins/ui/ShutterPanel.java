@@ -3,7 +3,6 @@ package tompkins.ui;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Component;
-import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -12,6 +11,7 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.ListCellRenderer;
 import javax.swing.UIManager;
+import tompkins.property.Descriptions;
 import tompkins.property.Require;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.Event;
@@ -38,7 +38,7 @@ final class ShutterPanel {
 
     ShutterPanel(StudioModel model) {
         this.model = model;
-        Records.records(Shutter.class).forEach(models::addItem);
+        Descriptions.members(Shutter.class).forEach(models::addItem);
         Naming.name(models, Texts.get("shutter.name"), "");
         models.setRenderer(new ModelRenderer());
         models.setMaximumRowCount(models.getItemCount());
@@ -112,7 +112,7 @@ final class ShutterPanel {
     }
 
     static boolean hasOpeningTime(Class<?> shutter) {
-        return List.of(shutter.getRecordComponents()).stream()
+        return Descriptions.components(shutter).stream()
                 .anyMatch(component -> component.getName().equals("openingTime"));
     }
 

@@ -3,6 +3,7 @@ package tompkins.ui;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.Camera;
+import tompkins.property.Descriptions;
 import tompkins.property.NumberText;
 import tompkins.shutter.LensRay;
 import tompkins.shutter.Shutter;
@@ -20,7 +21,7 @@ final class Shutters {
      */
     static Studio replaced(Studio studio, Class<?> model) {
         Camera camera = studio.camera();
-        Shutter shutter = (Shutter) Records.defaultOf(model);
+        Shutter shutter = (Shutter) Descriptions.standard(model);
         LensRay axis = camera.centralRay(focusPoint(camera));
         SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
         double before = camera.shutter().transmissionTime(axis, sceneFromCamera);

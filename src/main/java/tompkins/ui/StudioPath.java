@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.property.Descriptions;
 
 /**
  * The way to a part of a studio: names of components, places in lists, and x, y, z in vectors.
@@ -54,7 +55,7 @@ record StudioPath(List<Object> steps) {
         if (part instanceof Vector3dc vector) {
             return vector.get(AXES.indexOf((String) step));
         }
-        return Records.get(part, Records.component(part.getClass(), (String) step));
+        return Descriptions.value(Records.component(part.getClass(), (String) step), part);
     }
 
     /**

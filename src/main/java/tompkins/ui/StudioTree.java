@@ -12,6 +12,7 @@ import javax.swing.tree.DefaultMutableTreeNode;
 import javax.swing.tree.DefaultTreeModel;
 import javax.swing.tree.TreePath;
 import javax.swing.tree.TreeSelectionModel;
+import tompkins.property.Descriptions;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
@@ -115,15 +116,15 @@ final class StudioTree {
     private static DefaultMutableTreeNode node(Object value, StudioPath path, Type type, String label) {
         DefaultMutableTreeNode node = new DefaultMutableTreeNode(new Line(path, type, label));
         if (value instanceof List<?> list) {
-            Class<?> elements = Branches.elementType(type);
+            Class<?> elements = Descriptions.elementType(type).orElseThrow();
             for (int i = 0; i < list.size(); i++) {
                 node.add(node(list.get(i), path.then(i), elements, name(list.get(i))));
             }
             return node;
         }
-        for (RecordComponent component : value.getClass().getRecordComponents()) {
+        for (RecordComponent component : Descriptions.components(value.getClass())) {
             if (Branches.isBranch(component.getGenericType())) {
-                Object part = Records.get(value, component);
+                Object part = Descriptions.value(component, value);
                 String title = Wording.label(component.getName());
                 node.add(node(
                         part,

@@ -12,6 +12,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.joml.Vector3i;
 import org.joml.Vector3ic;
+import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
@@ -48,7 +49,7 @@ final class RandomDescriptions {
                 values[i] = attempt % 20 != 0 && isNested(components[i]) ? values[i] : value(components[i], depth);
             }
             try {
-                return DescriptionTypes.make(type, values);
+                return Descriptions.make(type, values);
             } catch (InvalidPropertyException refused) {
                 // the next attempt is another one
             }
@@ -61,7 +62,7 @@ final class RandomDescriptions {
     }
 
     private Object value(RecordComponent component, int depth) {
-        Optional<Class<?>> element = DescriptionTypes.elementType(component.getGenericType());
+        Optional<Class<?>> element = Descriptions.elementType(component.getGenericType());
         if (element.isPresent()) {
             int length = depth < DEEPEST ? random.nextInt(3) : 0;
             return Stream.generate(() -> value(element.get(), depth + 1))
@@ -73,9 +74,9 @@ final class RandomDescriptions {
 
     private Object value(Type type, int depth) {
         if (type instanceof Class<?> family && DescriptionTypes.isFamily(family)) {
-            List<Class<?>> members = DescriptionTypes.members(family);
+            List<Class<?>> members = Descriptions.members(family);
             Class<?> member = members.get(random.nextInt(members.size()));
-            return depth < DEEPEST ? record(member, depth + 1) : DescriptionTypes.standard(members.get(0));
+            return depth < DEEPEST ? record(member, depth + 1) : Descriptions.standard(members.get(0));
         }
         if (type instanceof Class<?> constants && constants.isEnum()) {
             return constants.getEnumConstants()[random.nextInt(constants.getEnumConstants().length)];

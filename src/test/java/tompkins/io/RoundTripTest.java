@@ -25,6 +25,7 @@ import tompkins.image.PictureFile;
 import tompkins.image.PictureFormat;
 import tompkins.image.ToneCurve;
 import tompkins.light.LightSource;
+import tompkins.property.Descriptions;
 import tompkins.ray.PixelPicture;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -67,14 +68,14 @@ class RoundTripTest {
         Stream<Class<?>> families = Stream.of(
                 SceneObject.class, Surface.class, LightSource.class, Shutter.class, Camera.class, Background.class);
         return Stream.concat(
-                families.flatMap(family -> DescriptionTypes.members(family).stream()),
+                families.flatMap(family -> Descriptions.members(family).stream()),
                 Stream.of(RenderSettings.class, Studio.class));
     }
 
     @ParameterizedTest
     @MethodSource("types")
     void defaultIsReadBack(Class<?> type) {
-        assertReadBack(studioWith(DescriptionTypes.standard(type)));
+        assertReadBack(studioWith(Descriptions.standard(type)));
     }
 
     @ParameterizedTest
@@ -124,7 +125,7 @@ class RoundTripTest {
             return studio.withSettings(settings);
         }
         return description instanceof Background background
-                ? (Studio) DescriptionTypes.make(Studio.class, withBackground(background))
+                ? Descriptions.make(Studio.class, withBackground(background))
                 : (Studio) description;
     }
 
@@ -132,7 +133,7 @@ class RoundTripTest {
         return Stream.of(Studio.class.getRecordComponents())
                 .map(component -> component.getType() == Background.class
                         ? background
-                        : DescriptionTypes.value(component, Studio.DEFAULT))
+                        : Descriptions.value(component, Studio.DEFAULT))
                 .toArray();
     }
 

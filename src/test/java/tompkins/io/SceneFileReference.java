@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import tompkins.property.Descriptions;
 import tompkins.property.Meaning;
 import tompkins.ray.MeshData;
 import tompkins.ray.PixelPicture;
@@ -89,11 +90,10 @@ public final class SceneFileReference {
         while (!open.isEmpty()) {
             Class<?> type = open.remove();
             if (found.add(type)) {
-                List<Class<?>> records =
-                        DescriptionTypes.isFamily(type) ? DescriptionTypes.members(type) : List.of(type);
+                List<Class<?>> records = DescriptionTypes.isFamily(type) ? Descriptions.members(type) : List.of(type);
                 records.stream()
                         .flatMap(record -> Arrays.stream(record.getRecordComponents()))
-                        .map(component -> DescriptionTypes.elementType(component.getGenericType())
+                        .map(component -> Descriptions.elementType(component.getGenericType())
                                 .orElse(component.getType()))
                         .filter(ValueKind::hasSection)
                         .forEach(open::add);
@@ -108,7 +108,7 @@ public final class SceneFileReference {
         text.append(usual.map(type -> "Without a `\"type\"`, a `" + type.getSimpleName() + "`.")
                 .orElse("The key `\"type\"` must be there."));
         text.append(" There are:\n\n");
-        for (Class<?> type : DescriptionTypes.members(family)) {
+        for (Class<?> type : Descriptions.members(family)) {
             String name = type.getSimpleName();
             text.append("- [")
                     .append(name)
@@ -116,7 +116,7 @@ public final class SceneFileReference {
                     .append(ValueKind.anchor(name))
                     .append(")\n");
         }
-        for (Class<?> type : DescriptionTypes.members(family)) {
+        for (Class<?> type : Descriptions.members(family)) {
             text.append("\n### ").append(type.getSimpleName()).append("\n\n");
             text.append(meaning(type)).append(".\n");
             appendKeys(text, type);
@@ -129,7 +129,7 @@ public final class SceneFileReference {
             return;
         }
         text.append("\n| key | value | meaning | unit | default |\n| --- | --- | --- | --- | --- |\n");
-        Object standard = DescriptionTypes.standard(type);
+        Object standard = Descriptions.standard(type);
         for (RecordComponent component : type.getRecordComponents()) {
             Meaning meaning = component.getAnnotation(Meaning.class);
             text.append("| `").append(component.getName()).append("` | ");
@@ -141,7 +141,7 @@ public final class SceneFileReference {
     }
 
     private static String standard(RecordComponent component, Object description) {
-        Object value = DescriptionTypes.value(component, description);
+        Object value = Descriptions.value(component, description);
         if (value.equals(PixelPicture.WHITE)) {
             return "one white pixel";
         }
@@ -162,7 +162,7 @@ public final class SceneFileReference {
     private static Map<String, Object> example(Class<?> type) {
         Map<String, Object> members = new LinkedHashMap<>();
         members.put(DescriptionReader.TYPE, type.getSimpleName());
-        Object standard = DescriptionTypes.standard(type);
+        Object standard = Descriptions.standard(type);
         for (RecordComponent component : type.getRecordComponents()) {
             Class<?> kind = component.getType();
             boolean usual = DescriptionTypes.isFamily(kind)
@@ -181,8 +181,8 @@ public final class SceneFileReference {
         if (component.getType() == MeshData.class) {
             return MESH;
         }
-        Object value = DescriptionTypes.value(component, description);
-        Optional<Class<?>> element = DescriptionTypes.elementType(component.getGenericType());
+        Object value = Descriptions.value(component, description);
+        Optional<Class<?>> element = Descriptions.elementType(component.getGenericType());
         if (element.isPresent() && ((List<?>) value).isEmpty()) {
             String first = DescriptionTypes.memberNames(element.get()).get(0);
             return List.of(Map.of(DescriptionReader.TYPE, first));

@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.joml.Vector2ic;
 import org.joml.Vector3dc;
 import org.joml.Vector3ic;
+import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
 import tompkins.ray.PixelPicture;
@@ -30,7 +31,7 @@ final class ValueKind {
 
     /** The kind of a component's value, as Markdown. */
     static String of(RecordComponent component) {
-        Optional<Class<?>> element = DescriptionTypes.elementType(component.getGenericType());
+        Optional<Class<?>> element = Descriptions.elementType(component.getGenericType());
         if (element.isPresent()) {
             return "list of [" + words(element.get().getSimpleName()) + "s](#" + section(element.get()) + ")";
         }

@@ -33,6 +33,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.property.Descriptions;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
@@ -107,7 +108,7 @@ class LayoutTest {
                 .map(JToggleButton.class::cast)
                 .filter(button -> button.getIcon() != null)
                 .forEach(heading -> heading.setSelected(true));
-        for (Class<?> shutter : Records.records(Shutter.class)) {
+        for (Class<?> shutter : Descriptions.members(Shutter.class)) {
             model.set(Shutters.replaced(model.studio(), shutter));
             Components.layOut(column, side.width() - BAR);
             assertThat(problems(column)).as(shutter.getSimpleName()).isEmpty();

@@ -18,6 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.camera.Camera;
 import tompkins.light.LightSource;
+import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -46,7 +47,7 @@ class RecordFormTest {
             Studio.class);
 
     static Stream<Class<?>> allTypes() {
-        return FAMILIES.stream().flatMap(family -> Records.records(family).stream());
+        return FAMILIES.stream().flatMap(family -> Descriptions.members(family).stream());
     }
 
     /** Every property of every type is in its form, or is a branch of the tree. */
@@ -56,7 +57,7 @@ class RecordFormTest {
         List<Object> committed = new ArrayList<>();
         RecordForm form =
                 new RecordForm(type, component -> !Branches.isBranch(component.getGenericType()), committed::add);
-        form.show(Records.defaultOf(type));
+        form.show(Descriptions.standard(type));
         List<String> labels = Components.all((Container) form.component())
                 .filter(JLabel.class::isInstance)
                 .map(label -> ((JLabel) label).getText())
@@ -76,7 +77,7 @@ class RecordFormTest {
         List<Object> committed = new ArrayList<>();
         RecordForm form =
                 new RecordForm(type, component -> !Branches.isBranch(component.getGenericType()), committed::add);
-        form.show(Records.defaultOf(type));
+        form.show(Descriptions.standard(type));
         Components.all((Container) form.component())
                 .filter(JTextField.class::isInstance)
                 .forEach(field -> ((JTextField) field).postActionEvent());

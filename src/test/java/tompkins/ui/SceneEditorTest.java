@@ -12,6 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.LightSource;
+import tompkins.property.Descriptions;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Hidden;
@@ -51,7 +52,7 @@ class SceneEditorTest {
     }
 
     static List<Class<?>> objects() {
-        return Records.records(SceneObject.class);
+        return Descriptions.members(SceneObject.class);
     }
 
     @Test
@@ -70,18 +71,18 @@ class SceneEditorTest {
         choose("Scene");
         editor.addElement(type);
         assertThat(model.studio().scene()).hasSize(3);
-        assertThat(model.studio().scene().get(2)).isEqualTo(Records.defaultOf(type));
+        assertThat(model.studio().scene().get(2)).isEqualTo(Descriptions.standard(type));
         assertThat(Components.all(panel).count()).isPositive();
     }
 
     @Test
     void everyKindOfLightCanBeAdded() {
-        for (Class<?> type : Records.records(LightSource.class)) {
+        for (Class<?> type : Descriptions.members(LightSource.class)) {
             choose("Lights");
             editor.addElement(type);
         }
         assertThat(model.studio().lights())
-                .hasSize(2 + Records.records(LightSource.class).size());
+                .hasSize(2 + Descriptions.members(LightSource.class).size());
     }
 
     @Test

@@ -1,0 +1,86 @@
+package tompkins.property;
+
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.RecordComponent;
+import java.lang.reflect.Type;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/**
+ * Reads and builds descriptions without knowing them: they are records, sealed families of records, and lists of both. A new
+ * one needs no line in scene files or in the editor.
+ */
+public final class Descriptions {
+
+    /** Asking a class for its components takes microseconds, and scenes have many objects. */
+    private static final ClassValue<List<RecordComponent>> COMPONENTS = new ClassValue<>() {
+        @Override
+        protected List<RecordComponent> computeValue(Class<?> type) {
+            return List.of(type.getRecordComponents());
+        }
+    };
+
+    private Descriptions() {}
+
+    /** The components of a record type, in their order. */
+    public static List<RecordComponent> components(Class<?> type) {
+        return COMPONENTS.get(type);
+    }
+
+    /** The value of a component. */
+    public static Object value(RecordComponent component, Object description) {
+        try {
+            return component.getAccessor().invoke(description);
+        } catch (ReflectiveOperationException hidden) {
+            throw new IllegalStateException(component + " cannot be read", hidden);
+        }
+    }
+
+    /**
+     * A record from the values of its components.
+     *
+     * @throws InvalidPropertyException if the record does not accept them
+     */
+    public static <R> R make(Class<R> type, Object... values) {
+        Class<?>[] types =
+                components(type).stream().map(RecordComponent::getType).toArray(Class<?>[]::new);
+        try {
+            return type.getConstructor(types).newInstance(values);
+        } catch (InvocationTargetException refused) {
+            if (refused.getCause() instanceof RuntimeException exception) {
+                throw exception;
+            }
+            throw new IllegalStateException(type + " cannot be made", refused);
+        } catch (ReflectiveOperationException hidden) {
+            throw new IllegalStateException(type + " cannot be made", hidden);
+        }
+    }
+
+    /** The constant {@code DEFAULT} of a record type: with it a new description starts. */
+    public static Object standard(Class<?> type) {
+        try {
+            return type.getField("DEFAULT").get(null);
+        } catch (ReflectiveOperationException missing) {
+            throw new IllegalStateException(type + " has no DEFAULT", missing);
+        }
+    }
+
+    /** The records of a sealed family, in the order in which it names them; the type itself if it is a record. */
+    public static List<Class<?>> members(Class<?> family) {
+        return family.isRecord()
+                ? List.of(family)
+                : Arrays.stream(family.getPermittedSubclasses())
+                        .<Class<?>>flatMap(type -> type.isSealed() ? members(type).stream() : Stream.of(type))
+                        .toList();
+    }
+
+    /** The type of the elements if a type is a list. */
+    public static Optional<Class<?>> elementType(Type type) {
+        return type instanceof ParameterizedType generic && generic.getRawType() == List.class
+                ? Optional.of((Class<?>) generic.getActualTypeArguments()[0])
+                : Optional.empty();
+    }
+}
