@@ -48,18 +48,18 @@ final class PlayPanel {
     private Studio offeredOf;
     private double from;
     private double to;
-    private double seconds = 4;
+    private double seconds;
     private double time;
     private long lastTick;
 
     /** The panel; {@code export} takes a studio and the animation of it that is to be saved. */
     PlayPanel(StudioModel model, BiConsumer<Studio, Animation> export) {
         this.model = model;
-        fromField = field("play.from", number -> from = allowed("from", number));
-        toField = field("play.to", number -> to = allowed("to", number));
+        fromField = field("play.from", number -> setFrom(allowed("from", number)));
+        toField = field("play.to", number -> setTo(allowed("to", number)));
         secondsField =
-                field("play.seconds", number -> seconds = Require.within("seconds", number, 0.1, LONGEST_SECONDS));
-        secondsField.show(seconds);
+                field("play.seconds", number -> setSeconds(Require.within("seconds", number, 0.1, LONGEST_SECONDS)));
+        setSeconds(4);
         name(properties, "play.property");
         properties.addActionListener(event -> updating.unless(this::suggestValues));
         name(courses, "play.course");
@@ -196,11 +196,24 @@ final class PlayPanel {
     }
 
     private void suggest(double first, double last) {
-        from = first;
-        to = last;
-        fromField.show(first);
-        toField.show(last);
+        setFrom(first);
+        setTo(last);
         note.setText("");
+    }
+
+    private void setFrom(double number) {
+        from = number;
+        fromField.show(number);
+    }
+
+    private void setTo(double number) {
+        to = number;
+        toField.show(number);
+    }
+
+    private void setSeconds(double number) {
+        seconds = number;
+        secondsField.show(number);
     }
 
     private NumberProperty property() {

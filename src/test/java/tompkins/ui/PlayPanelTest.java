@@ -138,6 +138,18 @@ class PlayPanelTest {
     }
 
     @Test
+    void keysGoOnFromWhatWasTakenLast() {
+        JTextField to = Components.find(panel, JTextField.class, "to");
+        Components.press(to, "UP");
+        Components.press(to, "UP");
+        assertThat(to.getText()).isEqualTo("0.992");
+        Components.enter(panel, "to", "0.5");
+        Components.enter(panel, "to", "soon");
+        Components.press(to, "ESCAPE");
+        assertThat(to.getText()).isEqualTo("0.5");
+    }
+
+    @Test
     void camerasAndShuttersBringTheirOwnNumbers() {
         Studio studio = model.studio();
         model.set(studio.withCamera(studio.camera().withShutter(DetectorPlaneShutter.DEFAULT)));
