@@ -67,28 +67,24 @@ public record PanoramicCamera(
 
     @Override
     public PanoramicCamera withShutter(Shutter newShutter) {
-        return new PanoramicCamera(
-                position,
-                viewDirection,
-                topDirection,
-                horizontalAngleDegrees,
-                verticalAngleDegrees,
-                focusDistance,
-                exposureStops,
-                newShutter);
+        return with(focusDistance, newShutter);
     }
 
     @Override
     public PanoramicCamera focusedAt(double distance) {
+        return with(distance, shutter);
+    }
+
+    private PanoramicCamera with(double newFocusDistance, Shutter newShutter) {
         return new PanoramicCamera(
                 position,
                 viewDirection,
                 topDirection,
                 horizontalAngleDegrees,
                 verticalAngleDegrees,
-                distance,
+                newFocusDistance,
                 exposureStops,
-                shutter);
+                newShutter);
     }
 
     @Override

@@ -87,16 +87,7 @@ public record ThinLensCamera(
 
     @Override
     public ThinLensCamera withShutter(Shutter newShutter) {
-        return new ThinLensCamera(
-                position,
-                viewDirection,
-                topDirection,
-                horizontalAngleDegrees,
-                verticalAngleDegrees,
-                apertureRadius,
-                focus,
-                exposureStops,
-                newShutter);
+        return with(focus, newShutter);
     }
 
     @Override
@@ -112,6 +103,10 @@ public record ThinLensCamera(
         }
         Vector3d view = Vectors.unit(viewDirection);
         Vector3d point = new Vector3d(view).mul(distance).add(position);
+        return with(new Plane("focus", point, view, ColouredSurface.DEFAULT), shutter);
+    }
+
+    private ThinLensCamera with(SceneObject newFocus, Shutter newShutter) {
         return new ThinLensCamera(
                 position,
                 viewDirection,
@@ -119,9 +114,9 @@ public record ThinLensCamera(
                 horizontalAngleDegrees,
                 verticalAngleDegrees,
                 apertureRadius,
-                new Plane("focus", point, view, ColouredSurface.DEFAULT),
+                newFocus,
                 exposureStops,
-                shutter);
+                newShutter);
     }
 
     @Override
