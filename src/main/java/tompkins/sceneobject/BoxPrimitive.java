@@ -1,9 +1,9 @@
 package tompkins.sceneobject;
 
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
-import tompkins.ray.SurfaceCoordinates;
 
 /** A box in space, of any orientation. Its parts are its faces: 2 axis for the lower one, 2 axis + 1 for the upper one. */
 final class BoxPrimitive extends Primitive {
@@ -13,6 +13,9 @@ final class BoxPrimitive extends Primitive {
     private final Vector3d centre;
     private final Vector3d[] axes;
     private final double[] half;
+
+    // of each face; null if the surface asks for no coordinates
+    private final FaceCoordinates[] faces;
 
     BoxPrimitive(Box box, Placement placement) {
         super(box.description(), box.surface());
@@ -26,6 +29,19 @@ final class BoxPrimitive extends Primitive {
         half = new double[] {
             size.x / 2 * placement.scale(), size.y / 2 * placement.scale(), size.z / 2 * placement.scale()
         };
+        faces = surface().usesCoordinates() ? faces(size, placement) : null;
+    }
+
+    private static FaceCoordinates[] faces(Vector3dc size, Placement placement) {
+        FaceCoordinates[] faces = new FaceCoordinates[6];
+        for (int face = 0; face < faces.length; face++) {
+            int axis = face / 2;
+            int upAxis = axis == 1 ? 2 : 1;
+            int rightAxis = 3 - axis - upAxis;
+            Vector3d outwards = new Vector3d().setComponent(axis, face % 2 == 0 ? -1 : 1);
+            faces[face] = FaceCoordinates.across(outwards, size.get(rightAxis), size.get(upAxis), placement);
+        }
+        return faces;
     }
 
     /** A ray that starts on a face meets the box again only if it goes inwards, and then on another face. */
@@ -88,20 +104,7 @@ final class BoxPrimitive extends Primitive {
                 side * normal.z,
                 this,
                 face,
-                surface().usesCoordinates() ? coordinates(face, x, y, z) : null);
-    }
-
-    private SurfaceCoordinates coordinates(int face, double x, double y, double z) {
-        int axis = face / 2;
-        int upAxis = axis == 1 ? 2 : 1;
-        int rightAxis = 3 - axis - upAxis;
-        double side = face % 2 == 0 ? -1 : 1;
-        // as Vectors.upOnFace says of the faces before the box is placed
-        Vector3d up = new Vector3d(axes[upAxis]).mul(axis == 1 ? side : 1);
-        Vector3d right = new Vector3d(axes[axis]).mul(side).cross(up).div(2 * half[rightAxis]);
-        up.div(2 * half[upAxis]);
-        return new SurfaceCoordinates(
-                right.dot(x, y, z) + 0.5, up.dot(x, y, z) + 0.5, right.x, right.y, right.z, up.x, up.y, up.z);
+                faces == null ? null : faces[face].at(x, y, z));
     }
 
     @Override

@@ -1,7 +1,6 @@
 package tompkins.sceneobject;
 
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
 import tompkins.math.Precise;
 import tompkins.math.Vectors;
 import tompkins.ray.Hit;
@@ -32,8 +31,8 @@ final class CylinderPrimitive extends Primitive {
 
     // null if the surface asks for no coordinates
     private final RoundCoordinates round;
-    private final Vector3dc upOnStart;
-    private final Vector3dc upOnEnd;
+    private final FaceCoordinates startFace;
+    private final FaceCoordinates endFace;
 
     CylinderPrimitive(Cylinder cylinder, Placement placement) {
         super(cylinder.description(), cylinder.surface());
@@ -52,9 +51,10 @@ final class CylinderPrimitive extends Primitive {
         caps = cylinder.caps();
         boolean usesCoordinates = surface().usesCoordinates();
         round = usesCoordinates ? RoundCoordinates.around(toEnd, placement) : null;
-        Vector3d unit = Vectors.unit(toEnd);
-        upOnEnd = usesCoordinates ? placement.direction(Vectors.upOnFace(unit)) : null;
-        upOnStart = usesCoordinates ? placement.direction(Vectors.upOnFace(unit.negate())) : null;
+        double width = 2 * cylinder.radius();
+        endFace = usesCoordinates ? FaceCoordinates.across(Vectors.unit(toEnd), width, width, placement) : null;
+        startFace =
+                usesCoordinates ? FaceCoordinates.across(Vectors.unit(toEnd).negate(), width, width, placement) : null;
     }
 
     @Override
@@ -190,10 +190,10 @@ final class CylinderPrimitive extends Primitive {
         double alongStart = alongAxis(wx, wy, wz);
         double slope = alongAxis(ray.dx, ray.dy, ray.dz);
         if (caps && cap(ray, START_CAP, wx, wy, wz, -alongStart / slope) == distance) {
-            return capHit(ray, distance, START_CAP, -1 / length, memory);
+            return capHit(ray, distance, START_CAP, memory);
         }
         if (caps && cap(ray, END_CAP, wx, wy, wz, (squaredLength - alongStart) / slope) == distance) {
-            return capHit(ray, distance, END_CAP, 1 / length, memory);
+            return capHit(ray, distance, END_CAP, memory);
         }
         double along = (alongStart + distance * slope) / squaredLength;
         Vector3d normal = new Vector3d(
@@ -220,24 +220,16 @@ final class CylinderPrimitive extends Primitive {
                 round == null ? null : round.at(normal, radius, along, length));
     }
 
-    private Hit capHit(Ray ray, double distance, int part, double scale, Hit memory) {
-        SurfaceCoordinates coordinates = null;
-        if (round != null) {
-            Vector3d outwards = new Vector3d(axisX, axisY, axisZ).mul(scale);
-            coordinates = capCoordinates(ray, distance, outwards, part == START_CAP ? upOnStart : upOnEnd);
-        }
+    private Hit capHit(Ray ray, double distance, int part, Hit memory) {
+        double scale = (part == START_CAP ? -1 : 1) / length;
+        FaceCoordinates face = part == START_CAP ? startFace : endFace;
+        SurfaceCoordinates coordinates = face == null
+                ? null
+                : face.at(
+                        ray.x + distance * ray.dx - startX,
+                        ray.y + distance * ray.dy - startY,
+                        ray.z + distance * ray.dz - startZ);
         return memory.set(ray, distance, axisX * scale, axisY * scale, axisZ * scale, this, part, coordinates);
-    }
-
-    private SurfaceCoordinates capCoordinates(Ray ray, double distance, Vector3dc outwards, Vector3dc upOnCap) {
-        Vector3d right = outwards.cross(upOnCap, new Vector3d()).div(2 * radius);
-        Vector3d up = upOnCap.div(2 * radius, new Vector3d());
-        Vector3d offset = new Vector3d(
-                ray.x + distance * ray.dx - startX,
-                ray.y + distance * ray.dy - startY,
-                ray.z + distance * ray.dz - startZ);
-        return new SurfaceCoordinates(
-                offset.dot(right) + 0.5, offset.dot(up) + 0.5, right.x, right.y, right.z, up.x, up.y, up.z);
     }
 
     @Override
