@@ -36,6 +36,20 @@ final class SceneFolder {
 
     /** The bytes of a file with a name relative to the folder; the noun says what file is meant. */
     byte[] bytes(String name, String noun) throws IOException {
+        Path file = find(name, noun);
+        try {
+            return Files.readAllBytes(file);
+        } catch (IOException failure) {
+            throw new IOException("cannot be read: " + FileFailure.reason(failure), failure);
+        }
+    }
+
+    /**
+     * Where a file with a name relative to the folder lies, links followed; the noun says what file is meant.
+     *
+     * @throws IOException with a message for the user, if the name leaves the folder, or no file that may be read has it
+     */
+    Path find(String name, String noun) throws IOException {
         String allowed =
                 "must be the name of " + noun + " in the folder of the scene file or below, with / between the parts";
         Path file = file(name, allowed);
@@ -54,11 +68,7 @@ final class SceneFolder {
         if (Files.size(real) > LARGEST_FILE) {
             throw new IOException("must have at most " + LARGEST_FILE + " bytes, has " + Files.size(real));
         }
-        try {
-            return Files.readAllBytes(real);
-        } catch (IOException failure) {
-            throw new IOException("cannot be read: " + FileFailure.reason(failure), failure);
-        }
+        return real;
     }
 
     private Path file(String name, String allowed) throws IOException {

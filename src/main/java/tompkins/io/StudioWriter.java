@@ -19,6 +19,8 @@ import tompkins.studio.Studio;
 /** Writes studios as scene files. What {@link StudioReader} makes of them is equal to the studio, to the last bit. */
 public final class StudioWriter {
 
+    private static final String A_FILE = "a file";
+
     private StudioWriter() {}
 
     /** The text of a scene file that names its pictures and meshes; they must lie beside it when it is read. */
@@ -34,18 +36,14 @@ public final class StudioWriter {
     /** The names of the files that {@link #writeSelfContained} only names, since they are too large to be held; each once. */
     public static List<String> filesOnlyNamed(Studio studio) {
         Set<String> names = new LinkedHashSet<>();
-        text(studio, content -> {
-            if (!isKept(content)) {
-                names.add(content.name());
-            }
-            return false;
-        });
+        text(studio, notingLarge(names, small -> false));
         return List.copyOf(names);
     }
 
     /** The text that {@link #save} writes to a file. */
     public static String write(Studio studio, Path file) {
-        return text(studio, isNotIn(new SceneFolder(file.toAbsolutePath().getParent())));
+        Predicate<FileContent> kept = StudioWriter::isKept;
+        return text(studio, kept.and(isNotIn(folderOf(file))));
     }
 
     /**
@@ -56,12 +54,16 @@ public final class StudioWriter {
      *     large to be held does not lie under its folder, or the text is too long for a scene file
      */
     public static void save(Studio studio, Path file) throws IOException {
-        byte[] text = write(studio, file).getBytes(StandardCharsets.UTF_8);
+        SceneFolder folder = folderOf(file);
+        Set<String> large = new LinkedHashSet<>();
+        byte[] text = text(studio, notingLarge(large, isNotIn(folder))).getBytes(StandardCharsets.UTF_8);
         if (text.length > SceneText.LARGEST) {
             throw new IOException(file + ": not saved: a scene file may have at most " + SceneText.LARGEST
                     + " bytes, with its pictures it would have " + text.length + "; put them into its folder first");
         }
-        requireNamedFiles(studio, file);
+        for (String name : large) {
+            requireIn(folder, name, file);
+        }
         try (PendingFile pending = PendingFile.file(file)) {
             Files.write(pending.path(), text);
             pending.commit();
@@ -70,24 +72,36 @@ public final class StudioWriter {
         }
     }
 
-    private static void requireNamedFiles(Studio studio, Path file) throws IOException {
-        Path folder = file.toAbsolutePath().getParent();
-        for (String name : filesOnlyNamed(studio)) {
-            try {
-                new SceneFolder(folder).bytes(name, "a file");
-            } catch (IOException missing) {
-                throw new IOException(
-                        file + ": not saved: " + name + " is too large to be held by a scene file, and does not lie in "
-                                + folder + "; copy it there first",
-                        missing);
-            }
+    private static SceneFolder folderOf(Path file) {
+        return new SceneFolder(file.toAbsolutePath().getParent());
+    }
+
+    private static void requireIn(SceneFolder folder, String name, Path file) throws IOException {
+        try {
+            folder.find(name, A_FILE);
+        } catch (IOException missing) {
+            throw new IOException(
+                    file + ": not saved: " + name + " is too large to be held by a scene file, and does not lie in "
+                            + file.toAbsolutePath().getParent() + "; copy it there first",
+                    missing);
         }
+    }
+
+    /** Notes the names of what is too large to be embedded, and asks about the others. */
+    private static Predicate<FileContent> notingLarge(Set<String> names, Predicate<FileContent> embedded) {
+        return content -> {
+            if (isKept(content)) {
+                return embedded.test(content);
+            }
+            names.add(content.name());
+            return false;
+        };
     }
 
     private static Predicate<FileContent> isNotIn(SceneFolder folder) {
         return content -> {
             try {
-                return isKept(content) && !Arrays.equals(folder.bytes(content.name(), "a file"), content.file());
+                return !Arrays.equals(folder.bytes(content.name(), A_FILE), content.file());
             } catch (IOException missing) {
                 return true;
             }
