@@ -48,14 +48,18 @@ class StudyCommandTest {
         assertThat(Files.readString(folder.resolve("stability.md"))).contains("**no: something is broken**");
     }
 
+    /** What a study says, without its last end of line, that ends with a code when it should write to a folder. */
+    private static String refusal(Path to, int code) {
+        ProgramRun run = ProgramRun.of("study", "stability", "-o", to);
+        assertThat(run.code()).isEqualTo(code);
+        return run.err().strip();
+    }
+
     @Test
     void folderThatCannotBeMadeIsNamedWithTheReason() throws IOException {
         Path file = Files.writeString(folder.resolve("stability"), "a file where the folder of the charts goes");
 
-        ProgramRun run = ProgramRun.of("study", "stability", "-o", folder);
-
-        assertThat(run.code()).isEqualTo(Failures.FAILURE);
-        assertThat(run.err().strip())
+        assertThat(refusal(folder, Failures.FAILURE))
                 .isEqualTo(file + ": cannot be read or written: there is a file of this name already");
     }
 
@@ -63,10 +67,8 @@ class StudyCommandTest {
     void aChartThatCannotBeWrittenIsNamedAndLeavesNothingBehind() throws IOException {
         Path chart = Files.createDirectories(folder.resolve("stability/stability-rest.png"));
 
-        ProgramRun run = ProgramRun.of("study", "stability", "-o", folder);
-
-        assertThat(run.code()).isEqualTo(Failures.FAILURE);
-        assertThat(run.err().strip()).isEqualTo(chart + ": cannot be written: it is a folder; name a file in it");
+        assertThat(refusal(folder, Failures.FAILURE))
+                .isEqualTo(chart + ": cannot be written: it is a folder; name a file in it");
         assertThat(chart).isEmptyDirectory();
         assertThat(folder.resolve("stability")).isDirectoryNotContaining("glob:**.part");
     }
@@ -75,10 +77,7 @@ class StudyCommandTest {
     void aPageThatCannotBeWrittenIsAMistakeBeforeAnythingIsMeasured() throws IOException {
         Path page = Files.createDirectory(folder.resolve("stability.md"));
 
-        ProgramRun run = ProgramRun.of("study", "stability", "-o", folder);
-
-        assertThat(run.code()).isEqualTo(Failures.MISTAKE);
-        assertThat(run.err().strip()).startsWith(page + ": cannot be written: ");
+        assertThat(refusal(folder, Failures.MISTAKE)).startsWith(page + ": cannot be written: ");
         assertThat(folder.resolve("stability")).doesNotExist();
     }
 
@@ -86,10 +85,7 @@ class StudyCommandTest {
     void aFolderThatDoesNotExistIsAMistake() throws IOException {
         Path file = Files.writeString(folder.resolve("mine.txt"), "mine");
         for (Path none : List.of(file, file.resolve("x"), folder.resolve("none"))) {
-            ProgramRun run = ProgramRun.of("study", "stability", "-o", none);
-
-            assertThat(run.code()).isEqualTo(Failures.MISTAKE);
-            assertThat(run.err().strip()).isEqualTo("-o must name a folder that exists, was " + none);
+            assertThat(refusal(none, Failures.MISTAKE)).isEqualTo("-o must name a folder that exists, was " + none);
         }
         assertThat(folder).isDirectoryContaining(file::equals).isDirectoryNotContaining(path -> !path.equals(file));
         assertThat(Files.readString(file)).isEqualTo("mine");
@@ -102,11 +98,9 @@ class StudyCommandTest {
         Files.writeString(
                 figures, Files.readString(figures).replaceFirst("(?m)^(rest,the program,)[^,]*", "$1garbage"));
 
-        ProgramRun run = ProgramRun.of("study", "stability", "-o", folder);
-
-        assertThat(run.code()).isEqualTo(Failures.FAILURE);
-        assertThat(run.err().strip()).startsWith(figures + ": no figures of a study: rest,the program,garbage,");
-        assertThat(run.err()).doesNotContain("\tat ");
+        assertThat(refusal(folder, Failures.FAILURE))
+                .startsWith(figures + ": no figures of a study: rest,the program,garbage,")
+                .doesNotContain("\tat ");
     }
 
     /** One ray goes through every 8th pixel of every 8th row for the first preview. */

@@ -101,13 +101,17 @@ class MeshFileTest {
                 .isEqualTo(studio);
     }
 
-    @Test
-    void aLargeMeshIsOnlyNamed(@TempDir Path folder) throws IOException {
+    /** A scene in a folder with a mesh, large.obj, that is too large to be kept. */
+    private static Studio withLargeMesh(Path folder) throws IOException {
         String comments = "# nothing to see here\n".repeat(60_000);
         Files.writeString(folder.resolve("large.obj"), comments + SQUARE + "f 1 2 3 4\n");
         String text = "{\"scene\": [{\"type\": \"TriangleMesh\", \"mesh\": \"large.obj\"}]}";
+        return StudioReader.read(text, "scene.json", folder);
+    }
 
-        Studio studio = StudioReader.read(text, "scene.json", folder);
+    @Test
+    void aLargeMeshIsOnlyNamed(@TempDir Path folder) throws IOException {
+        Studio studio = withLargeMesh(folder);
         String whole = StudioWriter.writeSelfContained(studio);
 
         assertThat(whole).hasSizeLessThan(1000).contains("large.obj");
@@ -122,10 +126,7 @@ class MeshFileTest {
 
     @Test
     void aSceneIsSavedOnlyWhereItsLargeMeshIsFound(@TempDir Path folder) throws IOException {
-        String comments = "# nothing to see here\n".repeat(60_000);
-        Files.writeString(folder.resolve("large.obj"), comments + SQUARE + "f 1 2 3 4\n");
-        Studio studio = StudioReader.read(
-                "{\"scene\": [{\"type\": \"TriangleMesh\", \"mesh\": \"large.obj\"}]}", "scene.json", folder);
+        Studio studio = withLargeMesh(folder);
 
         Path beside = folder.resolve("beside.json");
         StudioWriter.save(studio, beside);
