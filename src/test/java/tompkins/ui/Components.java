@@ -41,6 +41,18 @@ final class Components {
         return found.stream();
     }
 
+    /** Those of a type that are on the screen. */
+    static <C extends Component> Stream<C> showing(Container root, Class<C> type) {
+        return all(root).filter(Component::isShowing).filter(type::isInstance).map(type::cast);
+    }
+
+    /** The texts of the messages that are on the screen. */
+    static Stream<String> messages(Container root) {
+        return showing(root, JTextArea.class)
+                .filter(text -> "message".equals(text.getName()))
+                .map(JTextArea::getText);
+    }
+
     private static void collect(Component component, List<Component> found) {
         found.add(component);
         if (component instanceof JMenu menu) {

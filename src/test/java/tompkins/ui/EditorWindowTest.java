@@ -8,11 +8,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JButton;
 import javax.swing.JDialog;
-import javax.swing.JFileChooser;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTree;
@@ -55,8 +53,8 @@ class EditorWindowTest {
     }
 
     private boolean isOpen() {
-        return Components.all(driver.window().frame())
-                .anyMatch(part -> part instanceof JDialog && "editor".equals(part.getName()) && part.isShowing());
+        return Components.showing(driver.window().frame(), JDialog.class)
+                .anyMatch(dialog -> "editor".equals(dialog.getName()));
     }
 
     private JTextField radius() {
@@ -90,9 +88,8 @@ class EditorWindowTest {
         choosePicture(wrong);
         WindowDriver.await(
                 "the refusal",
-                () -> Components.all(driver.window().frame())
-                        .anyMatch(part ->
-                                part instanceof JTextArea text && text.getText().contains("wrong.png: not a picture")));
+                () -> Components.showing(driver.window().frame(), JTextArea.class)
+                        .anyMatch(text -> text.getText().contains("wrong.png: not a picture")));
         assertThat(driver.studio().scene()).containsExactly(pictured(PictureSurface.DEFAULT));
 
         Path right = folder.resolve("right.png");
@@ -113,15 +110,8 @@ class EditorWindowTest {
 
     private void choosePicture(Path picture) {
         WindowDriver.later(driver.find(JButton.class, "Picture")::doClick);
-        WindowDriver.await("the file chooser", () -> chooser().findAny().isPresent());
-        assertThat(chooser().findAny().orElseThrow().getCurrentDirectory()).isEqualTo(folder.toFile());
+        assertThat(driver.chooser().getCurrentDirectory()).isEqualTo(folder.toFile());
         driver.choose(picture);
-    }
-
-    private Stream<JFileChooser> chooser() {
-        return Components.all(driver.window().frame())
-                .filter(part -> part instanceof JFileChooser && part.isShowing())
-                .map(JFileChooser.class::cast);
     }
 
     @Test

@@ -40,18 +40,8 @@ class SaveDialogTest {
         WindowDriver.await(file.toString(), () -> what.getText().equals("Saved " + file));
     }
 
-    private JFileChooser chooser() {
-        WindowDriver.await("the file chooser", this::isChooserOpen);
-        return driver.find(JFileChooser.class, "chooser");
-    }
-
-    private boolean isChooserOpen() {
-        return Components.all(driver.window().frame())
-                .anyMatch(part -> part instanceof JFileChooser && part.isShowing());
-    }
-
     private void chooseFormat(String description) {
-        JFileChooser chooser = chooser();
+        JFileChooser chooser = driver.chooser();
         WindowDriver.onEventThread(() -> {
             List.of(chooser.getChoosableFileFilters()).stream()
                     .filter(filter -> description.equals(filter.getDescription()))
@@ -109,14 +99,14 @@ class SaveDialogTest {
         });
         for (String item : List.of("menu.saveScene", "menu.savePhotograph")) {
             driver.menu(item);
-            assertThat(chooser().getSelectedFile())
+            assertThat(driver.chooser().getSelectedFile())
                     .isEqualTo(folder.resolve("Fig-1-b").toFile());
             driver.answer("Cancel");
-            WindowDriver.await("the end of the file chooser", () -> !isChooserOpen());
+            WindowDriver.await("the end of the file chooser", () -> !driver.isChooserOpen());
         }
         driver.menu("menu.playPanel");
         driver.answer(Texts.get("play.export"));
-        assertThat(chooser().getCurrentDirectory()).isEqualTo(folder.toFile());
+        assertThat(driver.chooser().getCurrentDirectory()).isEqualTo(folder.toFile());
         driver.answer("Cancel");
     }
 }

@@ -233,17 +233,14 @@ final class WindowDriver implements AutoCloseable {
     }
 
     private Optional<JButton> showing(String text) {
-        return Components.all(window.frame())
-                .filter(JButton.class::isInstance)
-                .map(JButton.class::cast)
-                .filter(button -> button.isShowing() && text.equals(button.getText()))
+        return Components.showing(window.frame(), JButton.class)
+                .filter(button -> text.equals(button.getText()))
                 .findFirst();
     }
 
     /** Waits for the file chooser and chooses a file. */
     void choose(Path file) {
-        await("the file chooser", () -> chooser().isPresent());
-        JFileChooser chooser = onEventThread(() -> chooser().orElseThrow());
+        JFileChooser chooser = chooser();
         onEventThread(() -> {
             chooser.setSelectedFile(file.toFile());
             later(chooser::approveSelection);
@@ -251,12 +248,15 @@ final class WindowDriver implements AutoCloseable {
         });
     }
 
-    private Optional<JFileChooser> chooser() {
-        return Components.all(window.frame())
-                .filter(JFileChooser.class::isInstance)
-                .map(JFileChooser.class::cast)
-                .filter(JFileChooser::isShowing)
-                .findFirst();
+    /** Waits for the file chooser. */
+    JFileChooser chooser() {
+        await("the file chooser", this::isChooserOpen);
+        return find(JFileChooser.class, "chooser");
+    }
+
+    /** Whether the file chooser is on the screen. */
+    boolean isChooserOpen() {
+        return Components.showing(window.frame(), JFileChooser.class).findAny().isPresent();
     }
 
     /** Presses a key with modifiers. */

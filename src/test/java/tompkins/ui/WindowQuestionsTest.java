@@ -326,10 +326,8 @@ class WindowQuestionsTest {
     }
 
     private Stream<JDialog> task() {
-        return Components.all(driver.window().frame())
-                .filter(JDialog.class::isInstance)
-                .map(JDialog.class::cast)
-                .filter(dialog -> "task".equals(dialog.getName()) && dialog.isShowing());
+        return Components.showing(driver.window().frame(), JDialog.class)
+                .filter(dialog -> "task".equals(dialog.getName()));
     }
 
     @Test
@@ -361,8 +359,8 @@ class WindowQuestionsTest {
         driver.key(KeyEvent.VK_F1);
         WindowDriver.await(
                 "the keys",
-                () -> Components.all(driver.window().frame())
-                        .anyMatch(part -> "keys".equals(part.getName()) && part.isShowing()));
+                () -> Components.showing(driver.window().frame(), JPanel.class)
+                        .anyMatch(panel -> "keys".equals(panel.getName())));
         JPanel table = driver.find(JPanel.class, "keys");
         assertThat(Components.all(table).filter(JLabel.class::isInstance).map(label -> ((JLabel) label).getText()))
                 .containsAll(keys);
