@@ -70,6 +70,16 @@ public record Studio(
         Require.present("settings", settings);
     }
 
+    /** The title up to a colon, which its explanation follows. */
+    public String shortTitle() {
+        return title.replaceFirst("(?s):.*", "");
+    }
+
+    /** Whether another studio holds equal objects and lights. */
+    public boolean hasSameObjects(Studio other) {
+        return scene.equals(other.scene) && cameraFrame.equals(other.cameraFrame) && lights.equals(other.lights);
+    }
+
     /** The change from the camera frame to the scene frame. */
     public SpaceTimeTransformation sceneFromCamera() {
         return transformation.sceneFromCamera(velocity);

@@ -64,12 +64,9 @@ record NumberProperty(
         return properties;
     }
 
-    /** Whether nothing changed in a studio that could make its numbers others: seen without looking into long lists. */
+    /** Whether nothing changed in a studio that could make its numbers others. */
     static boolean unchanged(Studio before, Studio now) {
-        return before.camera() == now.camera()
-                && before.cameraFrame() == now.cameraFrame()
-                && before.scene() == now.scene()
-                && before.lights() == now.lights();
+        return before.camera() == now.camera() && before.hasSameObjects(now);
     }
 
     private static void collect(Object value, StudioPath path, String name, List<NumberProperty> properties) {

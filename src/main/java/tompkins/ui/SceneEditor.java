@@ -85,9 +85,7 @@ final class SceneEditor {
             return;
         }
         boolean sameTree = shown != null
-                && studio.scene() == shown.scene()
-                && studio.cameraFrame() == shown.cameraFrame()
-                && studio.lights() == shown.lights()
+                && studio.hasSameObjects(shown)
                 && focus(studio) == focus(shown)
                 && studio.title().equals(shown.title());
         shown = studio;
