@@ -147,9 +147,7 @@ final class PhotographView implements AutoCloseable {
         keptPicture = canvas.shown().now();
         Studio kept = keptPicture == null ? model.studio() : keptPicture.studio();
         return Texts.get(
-                "compare.kept",
-                kept.title().replaceFirst("(?s):.*", ""),
-                Numbers.brief(kept.velocity().speed()));
+                "compare.kept", kept.shortTitle(), Numbers.brief(kept.velocity().speed()));
     }
 
     /** Marks a place of the picture and tells the life of its ray; of no place if it is null. */
@@ -189,11 +187,10 @@ final class PhotographView implements AutoCloseable {
     private final class ProbeMouse implements PictureCanvas.Mouse {
 
         @Override
-        public void over(Point2D place) {
+        public void over(Point2D place, Picture seen) {
             if (place == null || lastPlan == null) {
                 listener.read(null);
             } else {
-                Picture seen = canvas.shownAt(place);
                 // a kept picture may have another size
                 double scale = (double) seen.image().width() / lastPlan.width();
                 Point2D there = new Point2D.Double(scale * place.getX(), scale * place.getY());

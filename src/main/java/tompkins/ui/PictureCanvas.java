@@ -31,8 +31,8 @@ final class PictureCanvas extends JPanel {
     /** Told what the mouse does on the picture; places in pixels of the picture. */
     interface Mouse {
 
-        /** The mouse is over a place of the picture, or null if it has left it. */
-        void over(Point2D place);
+        /** The mouse is over a place of the picture that is seen there; both are null if it has left the pictures. */
+        void over(Point2D place, Picture seen);
 
         /** The mouse was clicked. */
         void clicked(Point2D place);
@@ -50,7 +50,6 @@ final class PictureCanvas extends JPanel {
     private boolean otherAlone;
     private double divider = 0.5;
     private boolean draggingDivider;
-    private boolean mouseOverOther;
     private Point2D pin;
     private boolean picking;
     private Mouse mouse;
@@ -311,11 +310,15 @@ final class PictureCanvas extends JPanel {
         return new Point2D.Double(column + 0.5, row + 0.5);
     }
 
-    /** The picture that the mouse is over: beyond the divider it is the other one. */
-    Picture shownAt(Point2D place) {
+    /** The picture that is seen at a point of this component, beyond the divider the other one; null if there is none. */
+    Picture shownAt(Point point) {
+        Point2D place = pictureAt(point);
+        if (place == null) {
+            return null;
+        }
         boolean beyond =
                 splits() && place.getX() > divider * shown.now().image().width();
-        return beyond || mouseOverOther || showsOtherAlone() ? shown.other() : shown.now();
+        return beyond || isOverOther(point) || showsOtherAlone() ? shown.other() : shown.now();
     }
 
     private final class CanvasMouse extends MouseAdapter {
@@ -346,13 +349,12 @@ final class PictureCanvas extends JPanel {
                 setCursor(Cursor.getPredefinedCursor(
                         nearDivider(event) ? Cursor.E_RESIZE_CURSOR : Cursor.DEFAULT_CURSOR));
             }
-            mouseOverOther = isOverOther(event.getPoint());
-            mouse.over(pictureAt(event.getPoint()));
+            mouse.over(pictureAt(event.getPoint()), shownAt(event.getPoint()));
         }
 
         @Override
         public void mouseExited(MouseEvent event) {
-            mouse.over(null);
+            mouse.over(null, null);
         }
 
         @Override

@@ -103,18 +103,15 @@ class PhotographViewTest {
         PictureCanvas canvas = view.canvas();
         onEventThread(() -> {
             assertThat(canvas.pictureBounds()).isEqualTo(new Rectangle(0, 0, 64, 48));
-            assertThat(pictureUnder(10, 20)).isSameAs(canvas.shown().now());
+            assertThat(canvas.shownAt(new Point(10, 20)))
+                    .isSameAs(canvas.shown().now());
             assertThat(canvas.pictureAt(new Point(10, 20))).isEqualTo(new Point2D.Double(10.5, 20.5));
-            assertThat(pictureUnder(72 + 10, 20)).isSameAs(canvas.shown().other());
+            assertThat(canvas.shownAt(new Point(72 + 10, 20)))
+                    .isSameAs(canvas.shown().other());
             assertThat(canvas.pictureAt(new Point(72 + 10, 20))).isEqualTo(new Point2D.Double(10.5, 20.5));
             assertThat(canvas.pictureAt(new Point(68, 20))).isNull();
+            assertThat(canvas.shownAt(new Point(68, 20))).isNull();
         });
-    }
-
-    private Picture pictureUnder(int x, int y) {
-        PictureCanvas canvas = view.canvas();
-        canvas.dispatchEvent(new MouseEvent(canvas, MouseEvent.MOUSE_MOVED, 0, 0, x, y, 0, false));
-        return canvas.shownAt(canvas.pictureAt(new Point(x, y)));
     }
 
     private Picture other() {
