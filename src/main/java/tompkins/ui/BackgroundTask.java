@@ -3,7 +3,10 @@ package tompkins.ui;
 import java.awt.Window;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
@@ -75,6 +78,23 @@ final class BackgroundTask implements Progress {
         Thread thread = new Thread(() -> task.run(work, timer, done), "tompkins-task");
         thread.setDaemon(true);
         thread.start();
+    }
+
+    /**
+     * Starts work that finds something and changes nothing, so that it can be cancelled up to its end. Called by the event thread.
+     *
+     * @param done takes on the event thread what was found
+     */
+    static <T> void find(Window owner, String title, Callable<T> work, Consumer<T> done) {
+        AtomicReference<T> found = new AtomicReference<>();
+        start(
+                owner,
+                title,
+                task -> {
+                    found.set(work.call());
+                    task.requireWanted();
+                },
+                () -> done.accept(found.get()));
     }
 
     /**

@@ -103,10 +103,7 @@ final class FileActions {
     /** An example that was only looked at from elsewhere or in other motion comes back by undo: nothing to ask about. */
     private void leaveForAnother(Runnable next) {
         Studio opened = model.opened();
-        boolean looked = model.file() == null
-                && model.studio().scene().equals(opened.scene())
-                && model.studio().cameraFrame().equals(opened.cameraFrame())
-                && model.studio().lights().equals(opened.lights());
+        boolean looked = model.file() == null && model.studio().hasSameObjects(opened);
         if (looked) {
             next.run();
         } else {
@@ -125,18 +122,10 @@ final class FileActions {
     }
 
     private void read(Path file) {
-        Studio[] loaded = new Studio[1];
-        BackgroundTask.start(
-                frame,
-                Texts.get("file.opening", file),
-                task -> {
-                    loaded[0] = StudioReader.read(file);
-                    task.requireWanted();
-                },
-                () -> {
-                    show(loaded[0], file);
-                    settings.addRecentFile(file);
-                });
+        BackgroundTask.find(frame, Texts.get("file.opening", file), () -> StudioReader.read(file), studio -> {
+            show(studio, file);
+            settings.addRecentFile(file);
+        });
     }
 
     /** Shows an example. */
@@ -168,21 +157,13 @@ final class FileActions {
     /** Saves over a scene file; asks first if that loses what somebody wrote. */
     private void saveOver(Path file, Runnable next) {
         Studio before = held.get(file);
-        Loss[] loss = new Loss[1];
-        BackgroundTask.start(
-                frame,
-                Texts.get("file.saving", file),
-                task -> {
-                    loss[0] = Loss.of(file, before);
-                    task.requireWanted();
-                },
-                () -> {
-                    switch (loss[0]) {
-                        case NOTHING -> saveScene(file, next);
-                        case PHOTOGRAPH -> saveSceneAs(next);
-                        case HANDWRITING, OTHER_SCENE -> askAboutLoss(loss[0], file, next);
-                    }
-                });
+        BackgroundTask.find(frame, Texts.get("file.saving", file), () -> Loss.of(file, before), loss -> {
+            switch (loss) {
+                case NOTHING -> saveScene(file, next);
+                case PHOTOGRAPH -> saveSceneAs(next);
+                case HANDWRITING, OTHER_SCENE -> askAboutLoss(loss, file, next);
+            }
+        });
     }
 
     private void askAboutLoss(Loss loss, Path file, Runnable next) {
@@ -239,8 +220,7 @@ final class FileActions {
     private String fileName() {
         String name = model.file() == null
                 ? model.studio()
-                        .title()
-                        .replaceFirst("(?s):.*", "")
+                        .shortTitle()
                         .replaceAll("[^\\p{L}\\p{N}]+", "-")
                         .replaceAll("^-|-$", "")
                 : model.file().getFileName().toString().replaceAll("(?<=.)\\.[^.]*$", "");

@@ -62,26 +62,25 @@ final class FileContentEditor implements ValueEditor {
 
     /** Reads in the background: a mesh may be large. What is read for a form that is gone by then is dropped. */
     private void read(Path file, Reader reader, Note note, Consumer<Object> commit) {
-        Object[] content = new Object[1];
-        String[] problem = new String[1];
-        BackgroundTask.start(
+        BackgroundTask.find(
                 SwingUtilities.getWindowAncestor(button),
                 Texts.get("file.opening", file),
-                task -> {
-                    try {
-                        content[0] = reader.read(file);
-                        task.requireWanted();
-                    } catch (IOException e) {
-                        problem[0] = e.getMessage();
-                    }
-                },
-                () -> {
-                    if (problem[0] != null) {
-                        note.setError(problem[0]);
-                    } else if (button.isShowing()) {
-                        ValueEditors.attempt(note, () -> commit.accept(content[0]));
-                    }
-                });
+                () -> afterReading(file, reader, note, commit),
+                Runnable::run);
+    }
+
+    /** Reads a file, and gives what is to be done then. */
+    private Runnable afterReading(Path file, Reader reader, Note note, Consumer<Object> commit) {
+        try {
+            Object content = reader.read(file);
+            return () -> {
+                if (button.isShowing()) {
+                    ValueEditors.attempt(note, () -> commit.accept(content));
+                }
+            };
+        } catch (IOException problem) {
+            return () -> note.setError(problem.getMessage());
+        }
     }
 
     private static String pictureText(Object value) {

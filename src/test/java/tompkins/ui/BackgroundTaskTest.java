@@ -9,7 +9,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JFrame;
-import javax.swing.JTextArea;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -49,10 +48,7 @@ class BackgroundTaskTest {
     }
 
     private Stream<JButton> cancel() {
-        return Components.all(owner)
-                .filter(part -> part instanceof JButton button && "Cancel".equals(button.getText()))
-                .filter(part -> part.isShowing())
-                .map(JButton.class::cast);
+        return Components.showing(owner, JButton.class).filter(button -> "Cancel".equals(button.getText()));
     }
 
     private void cancelWhileItRuns() {
@@ -78,12 +74,31 @@ class BackgroundTaskTest {
 
     @Test
     void whatIsNoLongerWantedIsNotDone() {
-        start(task -> {
-            assertThat(late.await(60, TimeUnit.SECONDS)).isTrue();
-            task.requireWanted();
-        });
+        find();
         cancelWhileItRuns();
         assertThat(ended).isEmpty();
+    }
+
+    @Test
+    void whatIsFoundAndStillWantedIsTaken() {
+        find();
+        late.countDown();
+        awaitEnd();
+        assertThat(ended).containsExactly("found");
+    }
+
+    private void find() {
+        WindowDriver.onEventThread(() -> {
+            BackgroundTask.find(
+                    owner,
+                    "work",
+                    () -> {
+                        assertThat(late.await(60, TimeUnit.SECONDS)).isTrue();
+                        return "found";
+                    },
+                    ended::add);
+            return null;
+        });
     }
 
     @Test
@@ -91,15 +106,9 @@ class BackgroundTaskTest {
         start(task -> {
             throw new LinkageError("a class is missing");
         });
-        WindowDriver.await("the message", () -> messages().anyMatch("a class is missing"::equals));
+        WindowDriver.await("the message", () -> Components.messages(owner).anyMatch("a class is missing"::equals));
         assertThat(WindowDriver.onEventThread(() -> BackgroundTask.showRunning(owner)))
                 .isFalse();
         assertThat(ended).isEmpty();
-    }
-
-    private Stream<String> messages() {
-        return Components.all(owner)
-                .filter(part -> "message".equals(part.getName()) && part.isShowing())
-                .map(part -> ((JTextArea) part).getText());
     }
 }
