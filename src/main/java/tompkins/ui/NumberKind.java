@@ -16,7 +16,10 @@ enum NumberKind {
 
         @Override
         String text(Number number) {
-            return Numbers.text(NumberText.rounded(number.doubleValue(), SHOWN_DIGITS));
+            double value = number.doubleValue();
+            return Double.isFinite(value)
+                    ? Numbers.text(NumberText.rounded(value, SHOWN_DIGITS))
+                    : Numbers.brief(value);
         }
 
         @Override

@@ -53,12 +53,10 @@ final class NumberRow {
         slider.setRange(range);
     }
 
-    /** Shows a value; NaN for none. */
+    /** Shows a value, which may be infinite; NaN for none. */
     void show(double value) {
-        if (Double.isFinite(value)) {
-            slider.show(value);
-            field.show(value);
-        }
+        slider.show(value);
+        field.show(value);
     }
 
     void setEnabled(boolean enabled) {

@@ -1,8 +1,8 @@
 package tompkins.ui;
 
-import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.Camera;
+import tompkins.math.Vectors;
 import tompkins.property.Descriptions;
 import tompkins.property.NumberText;
 import tompkins.shutter.LensRay;
@@ -22,7 +22,7 @@ final class Shutters {
     static Studio replaced(Studio studio, Class<?> model) {
         Camera camera = studio.camera();
         Shutter shutter = (Shutter) Descriptions.standard(model);
-        LensRay axis = camera.centralRay(focusPoint(camera));
+        LensRay axis = axis(camera);
         SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
         double before = camera.shutter().transmissionTime(axis, sceneFromCamera);
         double opening = shutter.openingTime() + before - shutter.transmissionTime(axis, sceneFromCamera);
@@ -30,11 +30,11 @@ final class Shutters {
         return studio.withCamera(camera.withShutter(opened));
     }
 
-    private static Vector3dc focusPoint(Camera camera) {
+    /** The ray in the middle of the picture, focused where the camera is; at infinity if nothing is in focus. */
+    private static LensRay axis(Camera camera) {
+        Vector3dc view = Vectors.unit(camera.viewDirection());
         double distance = camera.focusDistance();
-        return new Vector3d(camera.viewDirection())
-                .normalize()
-                .mul(distance > 0 && Double.isFinite(distance) ? distance : 1)
-                .add(camera.position());
+        double inverseDistance = Double.isNaN(distance) ? 0 : 1 / distance;
+        return new LensRay(camera.position(), camera.position(), view, inverseDistance, view);
     }
 }

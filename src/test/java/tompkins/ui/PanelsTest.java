@@ -223,6 +223,17 @@ class PanelsTest {
                 .isEqualTo(new DetectorPlaneShutter(1, 1));
     }
 
+    /** Light from the focus crosses the lens at time 0, as before; of a focus behind the camera that is the time in advance. */
+    @ParameterizedTest
+    @ValueSource(doubles = {10, -5})
+    void theFocusSurfaceOpensForTheLightFromTheFocus(double focus) {
+        Studio focused = model.studio().withCamera(model.studio().camera().focusedAt(focus));
+        assertThat(Shutters.replaced(focused, FocusSurfaceShutter.class)
+                        .camera()
+                        .shutter())
+                .isEqualTo(new FocusSurfaceShutter(-focus));
+    }
+
     @Test
     void theFixedPointSurfaceDoesNotForgetTheOpeningTime() {
         Container panel = (Container) new ShutterPanel(model).component();
@@ -316,6 +327,19 @@ class PanelsTest {
         Container panel = (Container) new LensPanel(model, picking -> {}).component();
         model.set(model.studio().withCamera(model.studio().camera().focusedAt(-5)));
         assertThat(Components.find(panel, JTextField.class, "Focus").getText()).isEqualTo("-5");
+    }
+
+    @Test
+    void withoutAFocusInTheMiddleNoneIsShown() {
+        Container panel = (Container) new LensPanel(model, picking -> {}).component();
+        Sphere beside = new Sphere("focus", new Vector3d(5, 0, 10), 1, ColouredSurface.DEFAULT);
+        model.set(model.studio().withCamera(Records.with(model.studio().camera(), "focus", beside)));
+        JTextField focus = Components.find(panel, JTextField.class, "Focus");
+        assertThat(focus.getText()).isEqualTo("none");
+        Components.press(focus, "UP");
+        assertThat(Components.isMarked(focus)).isTrue();
+        Components.enter(panel, "Focus", "4");
+        assertThat(model.studio().camera().focusDistance()).isEqualTo(4);
     }
 
     @Test
