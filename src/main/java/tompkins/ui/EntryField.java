@@ -19,6 +19,7 @@ import tompkins.property.InvalidPropertyException;
 final class EntryField {
 
     private final JTextField field;
+    private final String tip;
     private final Note note;
     private final Consumer<String> commit;
     private String shown = "";
@@ -35,6 +36,7 @@ final class EntryField {
      * @param commit takes the text, or throws {@link InvalidPropertyException}
      */
     EntryField(String name, String tip, Note note, Consumer<String> commit) {
+        this.tip = tip;
         this.note = note;
         this.commit = commit;
         field = new JTextField();
@@ -132,6 +134,7 @@ final class EntryField {
     private void clear() {
         if (isWrong()) {
             field.putClientProperty("JComponent.outline", null);
+            field.getAccessibleContext().setAccessibleDescription(tip);
             note.setText("");
         }
     }

@@ -87,6 +87,18 @@ class NumberFieldTest {
         assertThat(Components.isMarked(seed)).isTrue();
     }
 
+    /** What a screen reader says of a field. */
+    @Test
+    void aRefusalDescribesTheFieldUntilTheValueIsPutRight() {
+        JTextField samples = shown("Samples");
+        String before = samples.getAccessibleContext().getAccessibleDescription();
+        assertThat(before).isNotEmpty();
+        Components.enter(panel, "Samples", "many");
+        assertThat(samples.getAccessibleContext().getAccessibleDescription()).contains("must be a whole number");
+        Components.enter(panel, "Samples", "3");
+        assertThat(samples.getAccessibleContext().getAccessibleDescription()).isEqualTo(before);
+    }
+
     @ParameterizedTest
     @CsvSource({"1e3, 1000", "640.0, 640", "' 7 ', 7", "+8, 8"})
     void wholeNumbersCanBeWrittenInOtherWays(String text, int width) {
