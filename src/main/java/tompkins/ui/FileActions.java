@@ -36,6 +36,9 @@ final class FileActions {
     /** What the scene files held when they were opened or saved last. */
     private final Map<Path, Studio> held = new HashMap<>();
 
+    /** Where a file was chosen last, as long as the scene stays; null before. */
+    private File lastFolder;
+
     FileActions(
             JFrame frame,
             StudioModel model,
@@ -84,15 +87,27 @@ final class FileActions {
         }
     }
 
-    /** A file chooser in the folder of the scene; without one, where a file was opened or saved last. */
+    /**
+     * A file chooser where a file was chosen last for this scene; before, in the folder of the scene, or, without one, where a
+     * file was opened or saved last.
+     */
     JFileChooser chooser() {
-        File folder = Stream.concat(Stream.ofNullable(model.file()), settings.recentFiles().stream())
+        File folder = lastFolder == null ? folderOfTheScene() : lastFolder;
+        JFileChooser chooser = new JFileChooser(folder);
+        chooser.setName("chooser");
+        chooser.addActionListener(event -> {
+            if (JFileChooser.APPROVE_SELECTION.equals(event.getActionCommand())) {
+                lastFolder = chooser.getCurrentDirectory();
+            }
+        });
+        return chooser;
+    }
+
+    private File folderOfTheScene() {
+        return Stream.concat(Stream.ofNullable(model.file()), settings.recentFiles().stream())
                 .map(file -> file.toAbsolutePath().getParent().toFile())
                 .findFirst()
                 .orElse(null);
-        JFileChooser chooser = new JFileChooser(folder);
-        chooser.setName("chooser");
-        return chooser;
     }
 
     /** Opens a scene file, or a photograph that holds its scene. */
@@ -136,6 +151,7 @@ final class FileActions {
     /** Shows a scene; messages and refused values of the one before it go. */
     private void show(Studio studio, Path file) {
         status.clear();
+        lastFolder = null;
         model.open(studio, file);
         held.put(file, studio);
         EntryField.in(frame).forEach(EntryField::revert);

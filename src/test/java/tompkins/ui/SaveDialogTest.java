@@ -14,6 +14,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.io.StudioWriter;
 
 /** The format in which a file is saved: the one whose ending is typed, else the chosen one. */
 @Timeout(600)
@@ -108,5 +109,31 @@ class SaveDialogTest {
         driver.answer(Texts.get("play.export"));
         assertThat(driver.chooser().getCurrentDirectory()).isEqualTo(folder.toFile());
         driver.answer("Cancel");
+    }
+
+    @Test
+    void theNextFileGoesWhereTheLastOneWentUntilAnotherSceneIsOpened() throws IOException {
+        Path exports = Files.createDirectory(folder.resolve("exports"));
+        driver.menu("menu.savePhotograph");
+        Path png = exports.resolve("first.png");
+        driver.choose(png);
+        awaitSaved(png);
+        assertThat(folderOfTheChooser("menu.savePhotograph")).isEqualTo(exports);
+        assertThat(folderOfTheChooser("menu.saveSceneAs")).isEqualTo(exports);
+
+        Path other = folder.resolve("other.json");
+        StudioWriter.save(Studios.lattice(), other);
+        driver.menu("menu.open");
+        driver.choose(other);
+        WindowDriver.await("the scene", () -> driver.window().model().studio().equals(Studios.lattice()));
+        assertThat(folderOfTheChooser("menu.savePhotograph")).isEqualTo(folder);
+    }
+
+    private Path folderOfTheChooser(String item) {
+        driver.menu(item);
+        Path current = driver.chooser().getCurrentDirectory().toPath();
+        driver.answer("Cancel");
+        WindowDriver.await("the end of the file chooser", () -> !driver.isChooserOpen());
+        return current;
     }
 }
