@@ -176,8 +176,9 @@ final class Film {
         int count = samples(pixel);
         // most pictures of a window have one: no division where there is nothing to divide
         double scale = count == 1 ? exposure : exposure / count;
-        light[place] = (float) (sums[3 * pixel] * scale);
-        light[place + 1] = (float) (sums[3 * pixel + 1] * scale);
-        light[place + 2] = (float) (sums[3 * pixel + 2] * scale);
+        for (int channel = 0; channel < 3; channel++) {
+            // light is finite, but exposure may lift it above what a picture can hold
+            light[place + channel] = (float) Math.min(Float.MAX_VALUE, sums[3 * pixel + channel] * scale);
+        }
     }
 }

@@ -34,6 +34,14 @@ class FilmTest {
         assertThat(film.image(1).value(0, 0, 0)).isCloseTo(1e30f, withinPercentage(1));
     }
 
+    /** The brightest light that a scene may have, and as many stops as a camera may have. */
+    @Test
+    void exposureDoesNotMakeLightInfinite() {
+        Film film = new Film(1, 1, true);
+        film.add(0, 0, Colour.grey(Math.scalb(1.0, 104)));
+        assertThat(film.image(Math.scalb(1.0, 100)).value(0, 0, 0)).isEqualTo(Float.MAX_VALUE);
+    }
+
     @Test
     void withoutSamplesAPixelIsBlack() {
         LinearImage image = new Film(2, 2, true).image(1);
