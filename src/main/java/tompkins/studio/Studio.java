@@ -21,7 +21,9 @@ public record Studio(
         @Meaning("Heading under which the window's menu of examples lists the scene")
         String topic,
 
-        @Meaning("What there is to see") String remarks,
+        @Meaning(value = "What there is to see", prose = true)
+        String remarks,
+
         @Meaning("The objects at rest in the scene frame") List<SceneObject> scene,
 
         @Meaning("The objects that move with the camera, such as windows in front of the lens")

@@ -10,45 +10,55 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.AbstractAction;
 import javax.swing.JTextField;
+import javax.swing.text.JTextComponent;
 import tompkins.property.InvalidPropertyException;
 
 /**
- * A field for a value that is written as text. It is taken when Enter is pressed or the focus leaves. A wrong value is marked
- * with what is allowed, and stays until it is put right or the value changes elsewhere.
+ * A field for a value that is written as text. It is taken when Enter is pressed (with Ctrl where Enter begins another line) or
+ * the focus leaves. A wrong value is marked with what is allowed, and stays until it is put right or the value changes elsewhere.
  */
 final class EntryField {
 
-    private final JTextField field;
+    private final JTextComponent field;
     private final String tip;
     private final Note note;
     private final Consumer<String> commit;
     private String shown = "";
 
-    /** What the field makes of the text: it holds no line ends. */
+    /** What the field makes of the text: of one line it holds no line ends. */
     private String displayed = "";
 
     /**
-     * A field.
+     * Makes a component a field for a value.
      *
      * @param name what a screen reader calls it
      * @param tip its meaning, unit and range
      * @param note where messages go; fields may share one
      * @param commit takes the text, or throws {@link InvalidPropertyException}
      */
-    EntryField(String name, String tip, Note note, Consumer<String> commit) {
+    EntryField(JTextComponent field, String name, String tip, Note note, Consumer<String> commit) {
+        this.field = field;
         this.tip = tip;
         this.note = note;
         this.commit = commit;
-        field = new JTextField();
         field.putClientProperty(EntryField.class, this);
         Naming.name(field, name, tip);
-        field.addActionListener(event -> commit());
         field.addFocusListener(new FocusAdapter() {
             @Override
             public void focusLost(FocusEvent event) {
                 if (!event.isTemporary()) {
                     commit();
                 }
+            }
+        });
+        if (field instanceof JTextField line) {
+            line.addActionListener(event -> commit());
+        }
+        field.getInputMap().put(Keys.CONTROL_ENTER, "take");
+        field.getActionMap().put("take", new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                commit();
             }
         });
         field.getInputMap().put(Keys.ESCAPE, "revert");
@@ -65,7 +75,7 @@ final class EntryField {
         });
     }
 
-    JTextField field() {
+    JTextComponent field() {
         return field;
     }
 
@@ -78,7 +88,7 @@ final class EntryField {
     }
 
     private static Stream<EntryField> of(Component component) {
-        if (component instanceof JTextField text
+        if (component instanceof JTextComponent text
                 && text.getClientProperty(EntryField.class) instanceof EntryField field) {
             return Stream.of(field);
         }

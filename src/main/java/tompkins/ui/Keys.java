@@ -6,10 +6,13 @@ import javax.swing.JComponent;
 import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
 
-/** Keys of a whole window. */
+/** Keys that mean the same everywhere. */
 final class Keys {
 
     static final KeyStroke ESCAPE = KeyStroke.getKeyStroke("ESCAPE");
+
+    /** Takes what was typed where Enter begins another line. */
+    static final KeyStroke CONTROL_ENTER = KeyStroke.getKeyStroke("ctrl ENTER");
 
     private Keys() {}
 

@@ -10,14 +10,14 @@ import javax.swing.KeyStroke;
 final class NumberField {
 
     private final NumberKind kind;
+    private final JTextField field = new JTextField(6);
     private final EntryField entry;
     private Number value = 0;
 
     /** A field as {@link EntryField}, for the property of the given name. */
     NumberField(NumberKind kind, String property, String name, String tip, Note note, Consumer<? super Number> commit) {
         this.kind = kind;
-        entry = new EntryField(name, tip, note, text -> commit.accept(kind.parse(property, text)));
-        entry.field().setColumns(6);
+        entry = new EntryField(field, name, tip, note, text -> commit.accept(kind.parse(property, text)));
         step("UP", 1);
         step("DOWN", -1);
         step("shift UP", 10);
@@ -25,18 +25,18 @@ final class NumberField {
     }
 
     private void step(String key, int steps) {
-        field().getInputMap().put(KeyStroke.getKeyStroke(key), key);
-        field().getActionMap().put(key, new AbstractAction() {
+        field.getInputMap().put(KeyStroke.getKeyStroke(key), key);
+        field.getActionMap().put(key, new AbstractAction() {
             @Override
             public void actionPerformed(ActionEvent event) {
-                entry.field().setText(kind.stepped(value, steps));
+                field.setText(kind.stepped(value, steps));
                 entry.commit();
             }
         });
     }
 
     JTextField field() {
-        return entry.field();
+        return field;
     }
 
     /** Shows a number; the digits that do not fit stay in the model. */

@@ -10,6 +10,7 @@ import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JList;
 import javax.swing.JPanel;
+import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import org.joml.Vector2i;
 import org.joml.Vector2ic;
@@ -18,6 +19,7 @@ import org.joml.Vector3dc;
 import org.joml.Vector3i;
 import org.joml.Vector3ic;
 import tompkins.property.InvalidPropertyException;
+import tompkins.property.Meaning;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
 import tompkins.ray.PixelPicture;
@@ -49,7 +51,9 @@ final class ValueEditors {
             return number(new NumberField(NumberKind.LONG, name, label, tip, note, commit));
         }
         if (type == String.class) {
-            return text(new EntryField(label, tip, note, commit::accept));
+            return component.getAnnotation(Meaning.class).prose()
+                    ? text(new EntryField(new ProseArea(), label, tip, note, commit::accept), true)
+                    : text(new EntryField(new JTextField(), label, tip, note, commit::accept), false);
         }
         if (type == boolean.class) {
             return check(label, tip, note, commit);
@@ -95,8 +99,8 @@ final class ValueEditors {
         return editor(field.field(), value -> field.show((Number) value));
     }
 
-    private static ValueEditor text(EntryField field) {
-        return editor(field.field(), value -> field.show((String) value));
+    private static ValueEditor text(EntryField field, boolean isTall) {
+        return new PlainEditor(field.field(), isTall, value -> field.show((String) value));
     }
 
     private static ValueEditor vector(VectorFields fields) {
@@ -159,16 +163,14 @@ final class ValueEditors {
     }
 
     private static ValueEditor editor(JComponent component, Consumer<Object> show) {
-        return new ValueEditor() {
-            @Override
-            public JComponent component() {
-                return component;
-            }
+        return new PlainEditor(component, false, show);
+    }
 
-            @Override
-            public void show(Object value) {
-                show.accept(value);
-            }
-        };
+    private record PlainEditor(JComponent component, boolean isTall, Consumer<Object> shows) implements ValueEditor {
+
+        @Override
+        public void show(Object value) {
+            shows.accept(value);
+        }
     }
 }

@@ -4,6 +4,7 @@ import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
@@ -20,6 +21,7 @@ final class VelocityEditor implements ValueEditor {
     VelocityEditor(String tip, Note note, Consumer<Object> commit) {
         panel.setOpaque(false);
         speed = new EntryField(
+                new JTextField(),
                 Texts.get("speed.name"),
                 tip + ". " + Texts.get("speed.tip"),
                 note,

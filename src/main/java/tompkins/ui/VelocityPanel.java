@@ -6,6 +6,7 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
@@ -39,13 +40,13 @@ final class VelocityPanel {
         this.model = model;
         slider = new ValueSlider(
                 Texts.get("speed.slider"), Texts.get("speed.sliderTip"), RAPIDITIES, this::slide, model::endGesture);
-        speed = new EntryField(Texts.get("speed.name"), Texts.get("speed.tip"), note, this::enterSpeed);
+        speed = new EntryField(
+                new JTextField(7), Texts.get("speed.name"), Texts.get("speed.tip"), note, this::enterSpeed);
         sphere = new DirectionSphere(this::turn, model::endGesture);
         direction = new VectorFields("direction", NumberKind.DOUBLE, 3, Texts.get("direction.tip"), note, vector -> {
             Velocity now = velocity();
             take(Velocity.of(scaleOf(now), scaleOf(now).valueOf(now), vector));
         });
-        speed.field().setColumns(7);
         JPanel speedRow = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 6", "[grow,fill][pref!]"));
         speedRow.setOpaque(false);
         speedRow.add(slider.slider(), "wmin 40");

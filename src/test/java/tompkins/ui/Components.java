@@ -12,6 +12,7 @@ import javax.swing.JMenu;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
+import javax.swing.text.JTextComponent;
 
 /** Finds components by their names, uses them as a hand does, and lays them out without a display. */
 final class Components {
@@ -79,7 +80,7 @@ final class Components {
     }
 
     /** Presses a key in a field, such as "UP" or "shift DOWN". */
-    static void press(JTextField field, String key) {
+    static void press(JTextComponent field, String key) {
         Object action = field.getInputMap().get(KeyStroke.getKeyStroke(key));
         field.getActionMap().get(action).actionPerformed(new ActionEvent(field, ActionEvent.ACTION_PERFORMED, key));
     }

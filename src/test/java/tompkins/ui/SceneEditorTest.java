@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Container;
 import java.util.List;
 import javax.swing.JButton;
+import javax.swing.JTextArea;
 import javax.swing.JTree;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -63,6 +64,21 @@ class SceneEditorTest {
         Components.enter(panel, "Speed", "0.5");
         assertThat(model.studio().velocity().speed()).isEqualTo(0.5);
         assertThat(FrontWindow.matches(model.studio())).isTrue();
+    }
+
+    @Test
+    void remarksMayHaveSeveralLinesWhichAreSeenAtOnce() {
+        tree.setSelectionRow(0);
+        JTextArea remarks = Components.find(panel, JTextArea.class, "Remarks");
+        int height = remarks.getPreferredSize().height;
+        String text = "First.\n\nSecond.\n\nThird.";
+        remarks.setText(text);
+        Components.press(remarks, "ctrl ENTER");
+        assertThat(model.studio().remarks()).isEqualTo(text);
+        assertThat(remarks.getPreferredSize().height).isGreaterThan(height);
+        remarks.setText("Something else");
+        Components.press(remarks, "ESCAPE");
+        assertThat(remarks.getText()).isEqualTo(text);
     }
 
     @ParameterizedTest
