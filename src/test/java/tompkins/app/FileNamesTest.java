@@ -1,6 +1,7 @@
 package tompkins.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static tompkins.app.ProgramRun.FIG1B;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -10,10 +11,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Names of files that cannot be taken as they are, and the command that explains the others. */
+/** Names of files that cannot be taken as they are. */
 class FileNamesTest {
-
-    private static final String FIG1B = "scenes/fig1b.json";
 
     @ParameterizedTest
     @ValueSource(strings = {"", "render", "check", "explain", "render scenes/fig1b.json -o", "study tree -o"})
@@ -26,6 +25,18 @@ class FileNamesTest {
         assertThat(run.code()).isEqualTo(Failures.MISTAKE);
         assertThat(run.out()).isEmpty();
         assertThat(run.err().lines().findFirst().orElseThrow()).endsWith(": \"\": no file can have this name");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"%s", "%s more words", "check %s", "render scenes/fig1b.json -o %s", "study tree -o %s"})
+    void aNameThatNoFileCanHaveIsShownWithoutItsControlCharacters(String line) {
+        Object[] words = line.replace("%s", "a\0b\u001b\u009bc").split(" ");
+
+        ProgramRun run = ProgramRun.of(words);
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.out()).isEmpty();
+        assertThat(run.err().lines().findFirst().orElseThrow()).endsWith(": a?b??c: no file can have this name");
     }
 
     /** The program looks for files in the folder where it was started, so that the file has to lie there. */
@@ -47,20 +58,27 @@ class FileNamesTest {
     }
 
     @Test
-    void helpIsACommandToo() {
-        assertThat(ProgramRun.of("help").out())
-                .isEqualTo(ProgramRun.of("--help").out());
-        assertThat(ProgramRun.of("help", "render").out())
-                .isEqualTo(ProgramRun.of("render", "--help").out())
-                .contains("--samples");
-        assertThat(ProgramRun.of("help", "render").code()).isZero();
-        assertThat(ProgramRun.of("help", "rendr").code()).isEqualTo(Failures.MISTAKE);
-        assertThat(ProgramRun.of("help", "rendr").err()).contains("rendr");
-    }
-
-    @Test
     void missingSceneIsStillMissing() {
         assertThat(ProgramRun.of("render", "--samples", 2).err()).contains("SCENE");
         assertThat(ProgramRun.of("check", FIG1B).code()).isZero();
+    }
+
+    @Test
+    void aMissingSceneIsNamed() {
+        for (String command : new String[] {"render", "check", "explain"}) {
+            ProgramRun run = ProgramRun.of(command, "scenes/no-such.json");
+            assertThat(run.code()).isEqualTo(2);
+            assertThat(run.err()).contains("no-such.json").doesNotContain("\tat ");
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "render", "check", "explain"})
+    void theRootOfAllFoldersIsNoScene(String command) {
+        ProgramRun run = command.isEmpty() ? ProgramRun.of("/") : ProgramRun.of(command, "/");
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err().strip())
+                .endsWith(Path.of("/") + ": is a folder; a scene file or a saved photograph is needed");
     }
 }

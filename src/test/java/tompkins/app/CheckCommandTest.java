@@ -1,0 +1,71 @@
+package tompkins.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tompkins.app.ProgramRun.FIG1B;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What {@code tompkins check} finds in scene files and saved photographs. */
+class CheckCommandTest {
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void checkTellsOfAPictureThatIsCutThoughItsSceneIsSound() throws IOException {
+        Path photograph = folder.resolve("photograph.png");
+        ProgramRun.of("render", FIG1B, "-o", photograph, "--size", "64x48");
+        byte[] bytes = Files.readAllBytes(photograph);
+        Path cut = Files.write(folder.resolve("cut.png"), Arrays.copyOf(bytes, bytes.length - 500));
+
+        ProgramRun run = ProgramRun.of("check", cut, photograph);
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.out().strip()).isEqualTo(photograph + ": no mistakes");
+        assertThat(run.err().strip())
+                .isEqualTo(
+                        cut + ": the picture is damaged: the file ends too early or contradicts itself; its scene has"
+                                + " no mistakes: render takes the picture again");
+        Path again = folder.resolve("again.png");
+        ProgramRun.of("render", cut, "-o", again);
+        assertThat(Files.readAllBytes(again)).isEqualTo(bytes);
+    }
+
+    @Test
+    void checkWarnsOfLostDigits() throws IOException {
+        Path fast = Files.writeString(folder.resolve("fast.json"), "{ \"velocity\": { \"gamma\": 1e7 } }");
+
+        ProgramRun run = ProgramRun.of("check", fast, FIG1B);
+
+        assertThat(run.code()).isZero();
+        assertThat(run.out().lines()).hasSize(2);
+        // 8 gamma u = 8 x 1e7 x 1.1e-16
+        assertThat(run.err().strip())
+                .isEqualTo(fast + ": warning: gamma 1.00e+07 is above 1e+06; directions may be wrong by more than"
+                        + " 9e-09 radians");
+    }
+
+    @Test
+    void everyMistakeOfAFileIsReportedAtItsPlace() throws IOException {
+        Path scene = Files.writeString(folder.resolve("wrong.json"), """
+                {
+                  "velocity": [0, 0, 1.5],
+                  "camera": { "aperturRadius": 0.1 },
+                }
+                """);
+
+        ProgramRun run = ProgramRun.of("check", scene, FIG1B);
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err())
+                .contains("wrong.json:2:")
+                .contains("wrong.json:3:")
+                .contains("apertureRadius");
+        assertThat(run.out()).contains("fig1b.json: no mistakes");
+    }
+}

@@ -1,0 +1,157 @@
+package tompkins.app;
+
+import static org.assertj.core.api.Assertions.as;
+import static org.assertj.core.api.Assertions.assertThat;
+import static tompkins.app.ProgramRun.FIG1B;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.assertj.core.api.InstanceOfAssertFactories;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What {@code tompkins explain} says of a picture, what it warns of, and what it foretells. */
+class ExplainCommandTest {
+
+    @TempDir
+    private Path folder;
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "scenes/fig1b.json | --samples 1 | One sample for each pixel, in its centre.",
+                "scenes/fig1b.json | --samples 5 | 5 samples for each pixel, spread evenly over the pixel.",
+                "scenes/fig3a.json | --samples 5 | 5 samples for each pixel, spread evenly over pixel and lens.",
+                "scenes/fig1b.json | --error 0.25 | until the estimated error is 0.25.",
+                "scenes/fig3a.json | --seconds 1 | spread evenly over pixel and lens, until 1 s are over."
+            })
+    void explainTellsOfTheSamplesThatAreTaken(String scene, String wish, String said) {
+        String[] words = wish.split(" ");
+
+        String out = ProgramRun.of("explain", scene, words[0], words[1]).out();
+
+        assertThat(out).contains(said);
+        assertThat(out.lines().filter(line -> line.toLowerCase(Locale.ROOT).contains("sample")))
+                .as("the sentence, and the cost")
+                .hasSize(2);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"--error=2", "--error=NaN", "--seconds=0", "--samples=0", "--beta=0,0,1"})
+    void explainSaysNothingBesideAMistake(String wish) {
+        ProgramRun run = ProgramRun.of("explain", FIG1B, wish);
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.out()).isEmpty();
+        assertThat(run.err()).startsWith(wish.substring(0, wish.indexOf('=')) + " must be ");
+        assertThat(run.err().lines()).hasSize(1);
+    }
+
+    @Test
+    void explainSaysWhatThereIsToSee() {
+        assertThat(ProgramRun.of("explain", FIG1B).out().lines().skip(1))
+                .first(as(InstanceOfAssertFactories.STRING))
+                .startsWith("The same moment and the same place as Fig. 1(a)");
+    }
+
+    /** Beyond a window a ray goes on from where it left it, which differs from pixel to pixel. */
+    @ParameterizedTest
+    @CsvSource({"scenes/fig1b.json, true", "scenes/surface-lorentz-window.json, false"})
+    void onlyABarePinholeKeepsItsPointOfView(String scene, boolean keeps) {
+        assertThat(ProgramRun.of("explain", scene).out().contains("the point of view does not"))
+                .isEqualTo(keeps);
+    }
+
+    /** What needs no focus says nothing of a missing one. */
+    @ParameterizedTest
+    @CsvSource(
+            nullValues = "nothing",
+            delimiter = '|',
+            value = {
+                "'apertureRadius': 0, 'shutter': {'type': 'AperturePlaneShutter'}   | nothing",
+                "'apertureRadius': 0.1, 'shutter': {'type': 'AperturePlaneShutter'} | everything is focused at infinity.",
+                "'apertureRadius': 0, 'shutter': {'type': 'FocusSurfaceShutter'}    | no ray crosses the shutter.",
+                "'apertureRadius': 0.1, 'shutter': {'type': 'FixedPointSurfaceShutter'} | no ray crosses the shutter."
+            },
+            quoteCharacter = '~')
+    void explainWarnsOfAFocusWithoutSurface(String camera, String warning) throws IOException {
+        for (String focus : new String[] {"{'type': 'Group'}", "{'type': 'Hidden'}", "{'type': 'Sphere'}"}) {
+            String text = "{'camera': {'focus': " + focus + ", " + camera + "}}";
+            Path scene = Files.writeString(folder.resolve("focus.json"), text.replace('\'', '"'));
+
+            String out = ProgramRun.of("explain", scene, "--size", "8x6").out();
+
+            boolean warns = warning != null && !focus.contains("Sphere");
+            assertThat(out.contains("- Warning: the focus has no surface")).isEqualTo(warns);
+            assertThat(out).contains(warns ? "so that " + warning : "as far as its rays cross the shutter");
+        }
+    }
+
+    /** Straight behind the pinhole of a panoramic camera all pixels have the same time. */
+    @Test
+    void explainPromisesNoDifferentPlacesWhereThereMayBeOne() throws IOException {
+        Path scene = Files.writeString(folder.resolve("panorama.json"), """
+                { "velocity": [0, 0, 0.5],
+                  "camera": { "type": "PanoramicCamera", "shutter": { "type": "DetectorPlaneShutter" } } }
+                """);
+
+        assertThat(ProgramRun.of("explain", scene, "--size", "8x6").out())
+                .contains("different pixels may see the scene from different places");
+    }
+
+    @Test
+    void explainReadsWellForAnEmptyScene() throws IOException {
+        Path empty = Files.writeString(folder.resolve("empty.json"), "{}");
+
+        String out = ProgramRun.of("explain", empty).out();
+
+        assertThat(out).contains("The scene holds no objects").doesNotContain("primitive");
+    }
+
+    @Test
+    void explainSaysExactlyHowManySamplesAPictureHas() {
+        String one = ProgramRun.of("explain", "scenes/smallest.json", "--size", "100x70")
+                .out();
+        assertThat(one).contains("with 7000 samples, 1 for each pixel.");
+        String many = ProgramRun.of("explain", "scenes/smallest.json", "--size", "200x300", "--samples", 64)
+                .out();
+        assertThat(many).contains("with 3.84 million samples, 64 for each pixel.");
+    }
+
+    /** The time is written without a power of ten, however long it is. */
+    @Test
+    void explainSaysHowLongAWantedErrorTakes() {
+        String out = ProgramRun.of("explain", "scenes/smallest.json", "--size", "100x70", "--error", "0.00001")
+                .out();
+        assertThat(out)
+                .containsPattern("it will take about [0-9.]+ s with [0-9.]+( million)? samples, [0-9.]+ for each");
+    }
+
+    /** Light that is split at each of 90 spheres: no block of pixels ends soon. */
+    @ParameterizedTest
+    @CsvSource({"scene, about [0-9.]+ s with", "cameraFrame, too long to foretell: .* not one sample was complete"})
+    void explainTellsOfAPictureThatIsTooSlowToForetell(String list, String cost) throws IOException {
+        String spheres = IntStream.range(0, 90)
+                .mapToObj(i -> String.format(
+                        Locale.ROOT,
+                        "{\"type\": \"Sphere\", \"centre\": [0.05, 0.02, 0.1], \"radius\": %.2f,"
+                                + " \"surface\": {\"type\": \"Refractive\", \"indexRatio\": %s}}",
+                        0.5 + 0.04 * i,
+                        i % 2 == 0 ? "0.45" : "2.4"))
+                .collect(Collectors.joining(", "));
+        Path scene = Files.writeString(folder.resolve("glass.json"), "{\"" + list + "\": [" + spheres + "]}");
+
+        ProgramRun run = ProgramRun.of("explain", scene, "--error=0.002");
+
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(run.out()).containsPattern("On this machine it will take " + cost);
+    }
+}

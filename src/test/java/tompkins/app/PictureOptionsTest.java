@@ -1,0 +1,142 @@
+package tompkins.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tompkins.app.ProgramRun.FIG1B;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Options of the commands that take or explain a picture: what they change, and how mistakes in them are named. */
+class PictureOptionsTest {
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void optionsChangeThePicture() throws IOException {
+        Path plain = folder.resolve("plain.png");
+        ProgramRun.of("render", "scenes/fig3a.json", "-o", plain, "--size", "64x48", "--samples", 2);
+        String[][] changes = {
+            {"--beta", "0,0,0.5"},
+            {"--time", "1.3"},
+            {"--shutter", "focus-surface"},
+            {"--seed", "5"},
+            {"--samples", "3"},
+            {"--tone", "srgb"},
+            {"--size", "64x50"},
+            {"--format", "png16"}
+        };
+        for (String[] change : changes) {
+            Path changed = folder.resolve("changed.png");
+            ProgramRun run = change[0].equals("--samples") || change[0].equals("--size")
+                    ? ProgramRun.of("render", "scenes/fig3a.json", "-o", changed, "--force", change[0], change[1])
+                    : ProgramRun.of(
+                            "render",
+                            "scenes/fig3a.json",
+                            "-o",
+                            changed,
+                            "--force",
+                            "--size",
+                            "64x48",
+                            "--samples",
+                            2,
+                            change[0],
+                            change[1]);
+            assertThat(run.code()).as(run.err()).isZero();
+            assertThat(Files.readAllBytes(changed)).as(change[0]).isNotEqualTo(Files.readAllBytes(plain));
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--beta 0,0,1 | --beta must be shorter than 1",
+                "--beta 0.6,0.8,0 | shorter than 1",
+                "--beta 0,-.99999999999999999,0 | was [0, -1, 0] with length 1; -.99999999999999999 was rounded to 1",
+                "--beta 0,0,NaN | 3 numbers with commas between them, such as --beta=0,0,0.9, was 0,0,NaN",
+                "--beta 1,2 | 3 numbers with commas between them, such as --beta=0,0,0.9, was 1,2",
+                "--size 640 | 640x480",
+                "--size 0x480 | --size 0x480: width must be a whole number from 1 to 65535, was 0",
+                "--size 60000x60000 | 100000000 pixels",
+                "--samples 0 | --samples must be a whole number from 1 to 1048576, was 0",
+                "--error 2 | --error must be from 0.000001 to 1, was 2",
+                "--error -1e-7 | --error must be from 0.000001 to 1, was -1e-7",
+                "--seconds 0 | --seconds must be from 0.01 to 1000000, was 0",
+                "--samples many | --samples must be a whole number, such as --samples=8, was many",
+                "--samples 1.5 | --samples must be a whole number, such as --samples=8, was 1.5",
+                "--samples 99999999999 | --samples must be smaller, was 99999999999",
+                "--threads -99999999999 | --threads must be larger, was -99999999999",
+                "--samples --force | --samples needs a whole number, such as --samples=8",
+                "--error scenes/fig1b.json | --error must be a number, such as --error=0.002, was scenes/fig1b.json; "
+                        + "without a number it must come after SCENE",
+                "--seconds long | --seconds must be a number, such as --seconds=0.5, was long",
+                "--time now | --time must be a number, such as --time=0.5, was now",
+                "--seed 1.5 | --seed must be a whole number, such as --seed=8, was 1.5",
+                "--seed 99999999999999999999 | from -9223372036854775808 to 9223372036854775807",
+                "--threads --force | --threads needs a whole number, such as --threads=8",
+                "--force=maybe --error | --force is given without a value, was maybe",
+                "--format jpeg | --format must be one of png, png16, tiff, tiff_float, hdr, was jpeg",
+                "--shutter rolling | aperture-plane",
+                "--time NaN | --time must be a finite number, was NaN",
+                "--threads 0 | --threads must be a whole number from 1 to 1024, was 0",
+                "--threads 1025 | --threads must be a whole number from 1 to 1024, was 1025",
+                "--tone loud | --tone must be one of linear, srgb, was loud",
+                "--speed 3 | unknown option --speed; did you mean \"--seed\"?",
+                "--format hdr | .hdr"
+            })
+    void mistakesInOptionsAreNamed(String options, String said) {
+        String[] words = options.trim().split(" ");
+        Path picture = folder.resolve("never.png");
+
+        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", picture, words[0], words[1]);
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err()).contains(said.trim()).doesNotContain("Exception").doesNotContain("\tat ");
+        assertThat(picture).doesNotExist();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "--samples 4 --error",
+                "--samples 4 --seconds 1",
+                "--samples 4 --samples 5",
+                "--error 0.1 --seconds 1"
+            })
+    void onlyOneWishForTheQualityMayBeGiven(String wishes) {
+        Path picture = folder.resolve("never.png");
+        for (String command : new String[] {"render", "explain"}) {
+            List<Object> words = new ArrayList<>(List.of(command, FIG1B));
+            if (command.equals("render")) {
+                words.addAll(List.of("-o", picture));
+            }
+            words.addAll(List.of(wishes.split(" ")));
+
+            ProgramRun run = ProgramRun.of(words.toArray());
+
+            assertThat(run.code()).isEqualTo(2);
+            assertThat(run.out()).isEmpty();
+            assertThat(run.err().lines()).hasSize(2);
+            assertThat(run.err()).contains("only one of --samples, --error, --seconds may be given");
+            assertThat(picture).doesNotExist();
+        }
+    }
+
+    @Test
+    void shutterWithoutOpeningTimeTakesNone() {
+        ProgramRun run = ProgramRun.of("explain", FIG1B, "--shutter", "fixed-point-surface", "--time", 3);
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err().strip()).isEqualTo("--time: the fixed-point-surface shutter has no opening time");
+        assertThat(ProgramRun.of("explain", FIG1B, "--time", 0).code()).isZero();
+    }
+}

@@ -1,0 +1,151 @@
+package tompkins.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tompkins.app.ProgramRun.FIG1B;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What {@code tompkins render} takes, and takes again to the same bytes, and what it says of scenes it cannot save whole. */
+class RenderCommandTest {
+
+    /** Place of the bits of a channel in a PNG file. */
+    private static final int PNG_BIT_DEPTH = 24;
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void renderingASavedPhotographGivesTheSameBytes() throws IOException {
+        for (String name : new String[] {"first.png", "first.tif", "first.hdr"}) {
+            Path first = folder.resolve(name);
+            Path second = folder.resolve("again-" + name);
+            ProgramRun run = ProgramRun.of(
+                    "render", FIG1B, "-o", first, "--size", "64x48", "--samples", 3, "--beta", "0,0.3,0.5");
+            assertThat(run.code()).as(run.err()).isZero();
+            assertThat(run.out()).contains(first.toString(), ", 3 samples a pixel");
+
+            assertThat(ProgramRun.of("render", first, "-o", second).code()).isZero();
+
+            assertThat(Files.readAllBytes(second)).isEqualTo(Files.readAllBytes(first));
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "png16, first.png, again.png, png16",
+        "tiff_float, first.tif, again.tiff, tiff_float",
+        "tiff, first.tif, again.tif, tiff",
+        "hdr, first.hdr, again.pic, hdr",
+        "tiff_float, first.tif, again.png, png",
+        "png16, first.png, again.tif, tiff"
+    })
+    void aPhotographThatIsTakenAgainKeepsItsFormatWhereItsNameAllows(
+            String format, String first, String again, String expected) throws IOException {
+        Path before = folder.resolve(first);
+        ProgramRun one = ProgramRun.of("render", FIG1B, "-o", before, "--size", "32x24", "--format", format);
+        assertThat(one.out()).contains(", 1 sample a pixel");
+
+        ProgramRun run = ProgramRun.of("render", before, "-o", folder.resolve(again));
+
+        assertThat(run.code()).as(run.err()).isZero();
+        Path wanted = folder.resolve("wanted-" + again);
+        ProgramRun.of("render", FIG1B, "-o", wanted, "--size", "32x24", "--format", expected);
+        assertThat(Files.readAllBytes(folder.resolve(again))).isEqualTo(Files.readAllBytes(wanted));
+        ProgramRun other = ProgramRun.of("render", before, "-o", folder.resolve("plain.png"), "--format", "png");
+        assertThat(other.code()).isZero();
+        assertThat(Files.readAllBytes(folder.resolve("plain.png"))[PNG_BIT_DEPTH])
+                .isEqualTo((byte) 8);
+    }
+
+    @Test
+    void aSceneThatIsTooLongForAPhotographIsRefusedBeforeItIsRendered() throws IOException {
+        Path scene = Files.writeString(
+                folder.resolve("long.json"),
+                "{ \"remarks\": \"" + "many words ".repeat(1_600_000)
+                        + "\", \"settings\": { \"width\": 5000, \"height\": 5000, \"samples\": 1000000 } }");
+
+        ProgramRun run = ProgramRun.of("render", scene, "-o", folder.resolve("never.png"));
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err().lines()).hasSize(1);
+        assertThat(run.err()).contains("long.json: the scene must be at most 16777216 characters long");
+        assertThat(folder.resolve("never.png")).doesNotExist();
+    }
+
+    @Test
+    void aMeshThatIsTooLargeToTravelInsideIsNamedInANote() throws IOException {
+        for (int size : new int[] {1 << 10, 2 << 20}) {
+            Files.writeString(folder.resolve("mesh.obj"), "v 0 0 5\nv 1 0 5\nv 0 1 5\nf 1 2 3\n# " + "x".repeat(size));
+            Path scene = Files.writeString(folder.resolve("mesh.json"), """
+                    { "settings": { "width": 8, "height": 6 }, "scene": [
+                      { "type": "TriangleMesh", "mesh": "mesh.obj" }, { "type": "TriangleMesh", "mesh": "mesh.obj" }] }
+                    """);
+
+            ProgramRun run = ProgramRun.of("render", scene, "-o", folder.resolve("mesh.png"), "--force");
+
+            assertThat(run.code()).as(run.err()).isZero();
+            assertThat(run.err().lines()).hasSize(size > 1 << 20 ? 1 : 0);
+            assertThat(run.err().isEmpty() || run.err().startsWith("note: the photograph names mesh.obj,"))
+                    .isTrue();
+        }
+    }
+
+    @Test
+    void numberOfThreadsDoesNotChangeTheBytes() throws IOException {
+        byte[] expected = null;
+        for (int threads : new int[] {1, 2, 7}) {
+            Path picture = folder.resolve(threads + ".png");
+            ProgramRun.of(
+                    "render",
+                    "scenes/fig3a.json",
+                    "-o",
+                    picture,
+                    "--size",
+                    "96x72",
+                    "--samples",
+                    4,
+                    "--threads",
+                    threads);
+            byte[] bytes = Files.readAllBytes(picture);
+            assertThat(bytes).isEqualTo(expected == null ? bytes : expected);
+            expected = bytes;
+        }
+    }
+
+    @Test
+    void allScenesAreLookedAtBeforeTheFirstPictureIsTaken() throws IOException {
+        Path broken = Files.writeString(folder.resolve("broken.json"), "{ \"title\": 3 }");
+        Path pictures = Files.createDirectory(folder.resolve("pictures"));
+
+        ProgramRun run = ProgramRun.of("render", FIG1B, broken, "-o", pictures, "--size", "8x6");
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.out()).isEmpty();
+        assertThat(run.err().strip()).isEqualTo(broken + ":1:12: title: must be a text in quotes, was 3");
+        assertThat(pictures).isEmptyDirectory();
+    }
+
+    static Stream<Path> scenes() throws IOException {
+        try (Stream<Path> files = Files.list(Path.of("scenes"))) {
+            return files.filter(file -> file.toString().endsWith(".json")).sorted().toList().stream();
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void everySceneRendersWithoutWarning(Path scene) {
+        ProgramRun run = ProgramRun.of("render", scene, "-o", folder, "--size", "48x36", "--samples", 2);
+
+        assertThat(run.code()).isZero();
+        assertThat(run.err()).isEmpty();
+        assertThat(ProgramRun.of("explain", scene, "--size", "48x36").out()).contains("camera");
+    }
+}

@@ -1,0 +1,80 @@
+package tompkins.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tompkins.app.ProgramRun.FIG1B;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What belongs to no single command: words that mean nothing, the help, and the version. */
+class TompkinsCommandTest {
+
+    @Test
+    void aWordThatIsNeitherCommandNorFileIsRefused() {
+        ProgramRun run = ProgramRun.of("rendr");
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.out()).isEmpty();
+        assertThat(run.err().lines()).hasSize(1);
+        assertThat(run.err()).startsWith("rendr: ").contains("command", "render, check, explain, trace, study");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "rendr | rendr: there is neither a file nor a command of this name; the commands are render, check, "
+                        + "explain, trace, study, help; did you mean \"render\"?",
+                "foo | the commands are render, check, explain, trace, study",
+                "foo bar | foo: there is neither a file nor a command of this name; the commands are",
+                "rendr --size 4x4 scenes/fig1b.json | rendr: there is neither a file nor a command of this name",
+                "--size 4x4 scenes/fig1b.json | --size is an option of render, explain, trace; write the command before it",
+                "scenes/fig1b.json --beta=0,0,0 | --beta is an option of render, explain, trace",
+                "README.md more words | tompkins: too many arguments: more words",
+                "-x | tompkins: unknown option -x",
+                "study tree a b | tompkins study: too many arguments: b"
+            })
+    void wordsThatMeanNothingAreNamedWithWhatThereIs(String line, String said) {
+        ProgramRun run = ProgramRun.of((Object[]) line.trim().split(" "));
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.out()).isEmpty();
+        assertThat(run.err()).contains(said.trim()).doesNotContain("Did you mean", "Unmatched");
+        assertThat(run.err().contains("did you mean")).isEqualTo(line.startsWith("rendr"));
+    }
+
+    /** What a run prints, without its line ends. */
+    private static String words(ProgramRun run) {
+        return run.out().replaceAll("\\s+", " ");
+    }
+
+    @Test
+    void helpAndVersion() {
+        assertThat(ProgramRun.of("--help").out()).contains("render", "check", "explain", "trace");
+        for (String command : new String[] {"render", "check", "explain", "trace"}) {
+            ProgramRun run = ProgramRun.of(command, "--help");
+            assertThat(run.code()).isZero();
+            assertThat(run.out()).contains("SCENE");
+        }
+        assertThat(words(ProgramRun.of("render", "--help")))
+                .contains("model of the shutter: aperture-plane, detector-plane, lens-hologram,"
+                        + " focus-surface, arbitrary-plane, fixed-point-surface");
+        assertThat(words(ProgramRun.of("study", "--help")))
+                .contains("NAME aperture, antialiasing, precision, tree, depth, preview, stability, all");
+        assertThat(ProgramRun.of("--version").out()).contains("Tompkins");
+        assertThat(ProgramRun.of("rendr", FIG1B).code()).isEqualTo(2);
+    }
+
+    @Test
+    void helpIsACommandToo() {
+        assertThat(ProgramRun.of("help").out())
+                .isEqualTo(ProgramRun.of("--help").out());
+        assertThat(ProgramRun.of("help", "render").out())
+                .isEqualTo(ProgramRun.of("render", "--help").out())
+                .contains("--samples");
+        assertThat(ProgramRun.of("help", "render").code()).isZero();
+        assertThat(ProgramRun.of("help", "rendr").code()).isEqualTo(Failures.MISTAKE);
+        assertThat(ProgramRun.of("help", "rendr").err()).contains("rendr");
+    }
+}
