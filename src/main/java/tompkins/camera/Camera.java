@@ -39,8 +39,11 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
     /** Whether different points of the lens take different pictures. */
     boolean hasWideLens();
 
-    /** The ray through the centre of the lens that belongs to a point in front of the camera, focused on that point. */
-    LensRay centralRay(Vector3dc point);
+    /**
+     * The ray through the centre of the lens in a direction (of any length), focused where the camera is focused there; at infinity
+     * if nothing is in focus there.
+     */
+    LensRay chiefRay(Vector3dc direction);
 
     /**
      * The camera, ready to take a picture.

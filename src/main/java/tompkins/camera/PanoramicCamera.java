@@ -93,10 +93,9 @@ public record PanoramicCamera(
     }
 
     @Override
-    public LensRay centralRay(Vector3dc point) {
-        Vector3d toPoint = point.sub(position, new Vector3d());
-        Vector3d chief = Vectors.unit(toPoint);
-        return new LensRay(position, position, chief, 1 / toPoint.length(), chief);
+    public LensRay chiefRay(Vector3dc direction) {
+        Vector3d chief = Vectors.unit(direction);
+        return new LensRay(position, position, chief, 1 / focusDistance, chief);
     }
 
     @Override

@@ -92,7 +92,12 @@ public record ThinLensCamera(
 
     @Override
     public double focusDistance() {
-        return 1 / new FocusSurface(focus).inverseDistance(position, Vectors.unit(viewDirection));
+        return 1 / inverseFocusDistance(Vectors.unit(viewDirection));
+    }
+
+    /** NaN if nothing is in focus in a direction. */
+    private double inverseFocusDistance(Vector3dc chief) {
+        return new FocusSurface(focus).inverseDistance(position, chief);
     }
 
     /** The same camera, focused on the plane across its view at a distance, which may lie behind it. */
@@ -125,10 +130,10 @@ public record ThinLensCamera(
     }
 
     @Override
-    public LensRay centralRay(Vector3dc point) {
-        Vector3d toPoint = point.sub(position, new Vector3d());
-        Vector3d forward = Vectors.unit(viewDirection);
-        return new LensRay(position, position, Vectors.unit(toPoint), 1 / toPoint.length(), forward);
+    public LensRay chiefRay(Vector3dc direction) {
+        Vector3d chief = Vectors.unit(direction);
+        double inverse = shutter.needsFocus() ? inverseFocusDistance(chief) : 0;
+        return new LensRay(position, position, chief, Double.isNaN(inverse) ? 0 : inverse, Vectors.unit(viewDirection));
     }
 
     @Override

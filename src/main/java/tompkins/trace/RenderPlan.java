@@ -2,6 +2,7 @@ package tompkins.trace;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.CameraRays;
 import tompkins.camera.PixelSampler;
@@ -78,12 +79,12 @@ public final class RenderPlan {
 
     /** The event, in the scene frame, at which a point that is fixed to the camera is photographed through the lens centre. */
     private Event imagePoint(Vector3dc point) {
-        if (point.distance(studio.camera().position()) == 0) {
+        Vector3d fromLens = point.sub(studio.camera().position(), new Vector3d());
+        if (fromLens.length() == 0) {
             return lensInScene();
         }
-        LensRay ray = studio.camera().centralRay(point);
-        double time = studio.camera().shutter().transmissionTime(ray, sceneFromCamera)
-                - point.distance(studio.camera().position());
+        LensRay ray = studio.camera().chiefRay(fromLens);
+        double time = studio.camera().shutter().transmissionTime(ray, sceneFromCamera) - fromLens.length();
         return sceneFromCamera.transform(new Event(point.x(), point.y(), point.z(), time));
     }
 

@@ -1,13 +1,9 @@
 package tompkins.ui;
 
-import org.joml.Vector3dc;
 import tompkins.camera.Camera;
-import tompkins.math.Vectors;
 import tompkins.property.Descriptions;
 import tompkins.property.NumberText;
-import tompkins.shutter.LensRay;
 import tompkins.shutter.Shutter;
-import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.studio.Studio;
 
 /** Puts one shutter model in the place of another. */
@@ -22,19 +18,14 @@ final class Shutters {
     static Studio replaced(Studio studio, Class<?> model) {
         Camera camera = studio.camera();
         Shutter shutter = (Shutter) Descriptions.standard(model);
-        LensRay axis = axis(camera);
-        SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
-        double before = camera.shutter().transmissionTime(axis, sceneFromCamera);
-        double opening = shutter.openingTime() + before - shutter.transmissionTime(axis, sceneFromCamera);
+        double opening = shutter.openingTime()
+                + timeInTheMiddle(studio, camera)
+                - timeInTheMiddle(studio, camera.withShutter(shutter));
         Shutter opened = Double.isFinite(opening) ? shutter.openedAt(NumberText.rounded(opening, 9)) : shutter;
         return studio.withCamera(camera.withShutter(opened));
     }
 
-    /** The ray in the middle of the picture, focused where the camera is; at infinity if nothing is in focus. */
-    private static LensRay axis(Camera camera) {
-        Vector3dc view = Vectors.unit(camera.viewDirection());
-        double distance = camera.focusDistance();
-        double inverseDistance = Double.isNaN(distance) ? 0 : 1 / distance;
-        return new LensRay(camera.position(), camera.position(), view, inverseDistance, view);
+    private static double timeInTheMiddle(Studio studio, Camera camera) {
+        return camera.shutter().transmissionTime(camera.chiefRay(camera.viewDirection()), studio.sceneFromCamera());
     }
 }

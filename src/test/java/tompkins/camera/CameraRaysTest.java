@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
@@ -152,13 +153,15 @@ class CameraRaysTest {
         assertThat(camera.hasWideLens()).isTrue();
         assertThat(thinLens(0, 0, AperturePlaneShutter.DEFAULT).hasWideLens()).isFalse();
         assertThat(PanoramicCamera.DEFAULT.hasWideLens()).isFalse();
-        for (Camera each : List.of(camera, panoramic(AperturePlaneShutter.DEFAULT))) {
-            LensRay ray = each.centralRay(new Vector3d(1, 2, 6));
+        Map<Camera, Double> inverseDistances =
+                Map.of(camera, 0.6 / 20, panoramic(AperturePlaneShutter.DEFAULT), 1.0 / 4);
+        inverseDistances.forEach((each, inverseDistance) -> {
+            LensRay ray = each.withShutter(new FocusSurfaceShutter(0)).chiefRay(new Vector3d(0, 4, 3));
             assertThat(ray.centre()).isEqualTo(POSITION).isEqualTo(ray.pupilPoint());
             assertThat(ray.chiefDirection().distance(0, 0.8, 0.6)).isLessThan(SMALL);
-            assertThat(ray.inverseFocusDistance()).isCloseTo(0.2, within(SMALL));
+            assertThat(ray.inverseFocusDistance()).isCloseTo(inverseDistance, within(SMALL));
             assertThat(each.withShutter(new FocusSurfaceShutter(3)).shutter()).isEqualTo(new FocusSurfaceShutter(3));
-        }
+        });
     }
 
     private static PanoramicCamera panoramic(Shutter shutter) {
