@@ -13,6 +13,7 @@ import tompkins.camera.PanoramicCamera;
 import tompkins.image.LinearImage;
 import tompkins.ray.Colour;
 import tompkins.shutter.AperturePlaneShutter;
+import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.SkyBackground;
 import tompkins.studio.Studio;
@@ -54,6 +55,18 @@ class AberrationTest {
         RayLife ray = moving.trace(270, 90);
         assertThat(ray.cameraDirection().distance(1, 0, 0)).isLessThan(1e-15);
         assertThat(ray.sceneDirection().distance(Math.sqrt(1 - 0.81), 0, -0.9)).isLessThan(1e-15);
+    }
+
+    /** Waves that run with speed 1 in the frame of the camera, from sources that come towards it with beta cos(angle). */
+    @ParameterizedTest
+    @CsvSource({"0.6, 0, 2.5", "0.6, 180, 0.625", "0.6, 90, 1", "0.9, 60, 1.8181818181818181"})
+    void inNewtonsWorldFrequenciesShiftToo(double speed, double cameraDegrees, double expected) {
+        Photograph moving = new Photograph(Studio.DEFAULT
+                .withCamera(Photograph.wholeSky())
+                .withVelocity(Velocity.of(0, 0, speed))
+                .withTransformation(TransformationLaw.GALILEAN)
+                .withSettings(Studio.DEFAULT.settings().withSize(360, 180)));
+        assertThat(moving.trace(180 + cameraDegrees, 90).frequencyRatio()).isCloseTo(expected, within(1e-14));
     }
 
     /** Speed, camera angle, frequency ratio. */
