@@ -110,7 +110,8 @@ final class TraceCommand implements Callable<Integer> {
         out.println(format("gamma                           %.12g", life.gamma()));
         for (RayLife.Encounter hit : life.hits()) {
             out.println(format(
-                    "hit  %s (%s) in the %s frame at %s, t = %.9g, distance %.9g, share %s",
+                    "%shit  %s (%s) in the %s frame at %s, t = %.9g, distance %.9g, share %s",
+                    "  ".repeat(hit.branch()),
                     hit.object(),
                     hit.surface().getClass().getSimpleName(),
                     hit.frame().name().toLowerCase(Locale.ROOT),

@@ -65,6 +65,7 @@ public final class RayLifeWriter {
         write(json, "time", hit.event().time());
         write(json, "distance", hit.distance());
         write(json, "share", hit.share());
+        json.writeNumberProperty("branch", hit.branch());
         json.writeStringProperty("surface", hit.surface().getClass().getSimpleName());
         json.writeEndObject();
     }

@@ -16,7 +16,8 @@ import tompkins.surface.Surface;
  *
  * @param cameraStart the event at which the ray starts, in the camera frame
  * @param cameraDirection unit direction in which it is traced, in the camera frame
- * @param sceneStart the event at which it enters the scene frame, or null if it never does
+ * @param sceneStart the event at which its main branch enters the scene frame, or null if it never does; where a ray splits, the
+ *     main branch goes on with most of the light
  * @param sceneDirection unit direction in the scene frame, or null
  * @param frequencyRatio frequency of the light that the camera sees divided by that in the scene frame; 1 without crossing
  * @param gamma Lorentz factor of the camera
@@ -42,11 +43,17 @@ public record RayLife(
      * @param frame the frame of place, time and distance
      * @param event where and when
      * @param distance distance from the start of the ray that hit
-     * @param share the largest share of the sample's light that the ray that hit can still bring; where a ray splits, it tells its
-     *     branches apart
+     * @param share the largest share of the sample's light that the ray that hit can still bring
+     * @param branch 0 on the main branch, 1 on a weaker one that left it, 2 on a weaker one of that, and so on
      * @param surface the surface
      */
-    public record Encounter(String object, Frame frame, Event event, double distance, double share, Surface surface) {}
+    public record Encounter(
+            String object, Frame frame, Event event, double distance, double share, int branch, Surface surface) {}
+
+    /** What the main branch hit, in the order of tracing. */
+    public List<Encounter> mainHits() {
+        return hits.stream().filter(hit -> hit.branch == 0).toList();
+    }
 
     /**
      * Follows one sample.
@@ -75,9 +82,20 @@ public record RayLife(
         private Event crossing;
         private Vector3d crossingDirection;
         private double frequencyRatio = 1;
+        private int branch;
 
         Recorder(Vector3dc sceneOrigin) {
             this.sceneOrigin = sceneOrigin;
+        }
+
+        @Override
+        public void branches() {
+            branch++;
+        }
+
+        @Override
+        public void returns() {
+            branch--;
         }
 
         @Override
@@ -88,8 +106,7 @@ public record RayLife(
 
         @Override
         public void crosses(Ray ray) {
-            // a ray that is split in front of the lens may cross more than once; the first is the main one
-            if (crossing == null) {
+            if (branch == 0) {
                 crossing = inFrame(Frame.SCENE, ray.x, ray.y, ray.z, ray.time);
                 crossingDirection = new Vector3d(ray.dx, ray.dy, ray.dz);
                 frequencyRatio = 1 / ray.frequency;
@@ -99,7 +116,8 @@ public record RayLife(
         @Override
         public void hits(Frame frame, Ray ray, Hit hit, Surface surface) {
             Event event = inFrame(frame, hit.x, hit.y, hit.z, hit.time);
-            hits.add(new Encounter(hit.boundary.description(), frame, event, hit.distance, ray.weight, surface));
+            hits.add(
+                    new Encounter(hit.boundary.description(), frame, event, hit.distance, ray.weight, branch, surface));
         }
 
         private Event inFrame(Frame frame, double x, double y, double z, double time) {

@@ -72,7 +72,18 @@ final class RayTracer implements Tracer, Visibility {
     }
 
     @Override
-    public Colour colour(Ray start) {
+    public Colour colour(Ray branch) {
+        if (witness == null) {
+            return colourOf(branch);
+        }
+        witness.branches();
+        Colour colour = colourOf(branch);
+        witness.returns();
+        return colour;
+    }
+
+    /** The light that comes back along a ray that is no branch of another in this frame. */
+    Colour colourOf(Ray start) {
         if (isGivenUp(start)) {
             return Colour.BLACK;
         }
@@ -101,7 +112,7 @@ final class RayTracer implements Tracer, Visibility {
         return factor;
     }
 
-    /** As {@link #colour(Ray)}, for the ray at a place of the block for which candidates were found. */
+    /** As {@link #colourOf(Ray)}, for the ray at a place of the block for which candidates were found. */
     Colour colour(RayBlock rays, int place, Candidates candidates) {
         counts.rays++;
         if (!candidates.mayMeet(place)) {
@@ -111,14 +122,14 @@ final class RayTracer implements Tracer, Visibility {
         return colour(start, candidates.nearest(start, place, nearest), hitMemory);
     }
 
-    /** As {@link #colour(Ray)}, for one of the rays for which the nodes were found. */
+    /** As {@link #colourOf(Ray)}, for one of the rays for which the nodes were found. */
     Colour colour(RayBlock rays, int place, EntryNodes entries) {
         counts.rays++;
         Ray start = rays.copy(place, startMemory);
         return colour(start, objects.nearest(start, entries, nearest), hitMemory);
     }
 
-    /** As {@link #colour(Ray)}, for a ray of a block. */
+    /** As {@link #colourOf(Ray)}, for a ray of a block. */
     Colour colour(RayBlock rays, int place) {
         return withBeyond(follow(rays, place));
     }

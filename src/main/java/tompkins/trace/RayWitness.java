@@ -7,6 +7,12 @@ import tompkins.surface.Surface;
 /** Somebody who watches the life of a ray. What it is given it does not keep: its memory is used again. */
 interface RayWitness {
 
+    /** What follows, until {@link #returns()}, is the life of a weaker branch of a ray that was split. */
+    void branches();
+
+    /** The life of that branch is over: the branch that it came from goes on. */
+    void returns();
+
     /** A ray starts in the camera frame. */
     void starts(Ray ray);
 

@@ -88,7 +88,7 @@ public final class SampleTracer {
         if (witness != null) {
             witness.starts(ray);
         }
-        return finite(cameraTracer == null ? sceneEntry.colour(ray) : cameraTracer.colour(ray));
+        return finite(cameraTracer == null ? sceneEntry.colour(ray) : cameraTracer.colourOf(ray));
     }
 
     /**

@@ -24,7 +24,7 @@ final class SceneEntry implements Beyond {
         if (witness != null) {
             witness.crosses(crossed);
         }
-        return sceneTracer.colour(crossed);
+        return sceneTracer.colourOf(crossed);
     }
 
     /** Takes each ray of a block into the scene frame; no witness is told. */

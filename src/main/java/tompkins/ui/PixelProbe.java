@@ -40,6 +40,9 @@ final class PixelProbe implements AutoCloseable {
             double sceneAngleDegrees,
             double frequencyRatio) {}
 
+    /** Shows that what is told belongs to a weaker branch of a ray. */
+    private static final String BRANCH_INDENT = "\u2003";
+
     private record Question(RenderPlan plan, Point2D place, Consumer<Reading> answer) {}
 
     private final NewestFirst<Question> worker;
@@ -67,8 +70,8 @@ final class PixelProbe implements AutoCloseable {
         if (life == null) {
             return new Reading(column, row, null, null, null, null, Double.NaN, Double.NaN, 1);
         }
-        RayLife.Encounter end =
-                life.hits().isEmpty() ? null : life.hits().get(life.hits().size() - 1);
+        List<RayLife.Encounter> hits = life.mainHits();
+        RayLife.Encounter end = hits.isEmpty() ? null : hits.get(hits.size() - 1);
         SpaceTimeTransformation sceneFromCamera = plan.studio().sceneFromCamera();
         boolean inCameraFrame = end != null && end.frame() == Frame.CAMERA;
         Event inScene = end == null ? null : inCameraFrame ? sceneFromCamera.transform(end.event()) : end.event();
@@ -76,7 +79,8 @@ final class PixelProbe implements AutoCloseable {
                 ? null
                 : inCameraFrame ? end.event() : sceneFromCamera.inverse().transform(end.event());
         Vector3dc velocity = plan.isAtRest() ? null : plan.studio().velocity().direction();
-        String object = end == null || leavesTheScene(life) ? null : end.object();
+        // a ray that went on after its last hit, through a window or from a mirror, met nothing more
+        String object = end == null || end.surface().continuesRays() ? null : end.object();
         return new Reading(
                 column,
                 row,
@@ -87,11 +91,6 @@ final class PixelProbe implements AutoCloseable {
                 degreesBetween(life.cameraDirection(), velocity),
                 degreesBetween(life.sceneDirection(), velocity),
                 life.frequencyRatio());
-    }
-
-    /** Whether the ray went on after its last hit, through a window or from a mirror, and met nothing more. */
-    private static boolean leavesTheScene(RayLife life) {
-        return life.hits().get(life.hits().size() - 1).surface().continuesRays();
     }
 
     /** NaN if one of the directions is null. */
@@ -128,17 +127,19 @@ final class PixelProbe implements AutoCloseable {
         lines.add(Texts.get("probe.direction", Numbers.brief(life.cameraDirection())));
         boolean crossed = false;
         for (RayLife.Encounter hit : life.hits()) {
-            if (!crossed && hit.frame() == Frame.SCENE) {
+            if (!crossed && hit.branch() == 0 && hit.frame() == Frame.SCENE) {
                 crossed = true;
                 addCrossing(lines, life);
             }
-            lines.add(Texts.get(
-                    hit.frame() == Frame.SCENE ? "probe.hitScene" : "probe.hitCamera",
-                    hit.object(),
-                    Numbers.brief(hit.distance()),
-                    Numbers.brief(hit.event())));
+            String indent = BRANCH_INDENT.repeat(hit.branch());
+            lines.add(indent
+                    + Texts.get(
+                            hit.frame() == Frame.SCENE ? "probe.hitScene" : "probe.hitCamera",
+                            hit.object(),
+                            Numbers.brief(hit.distance()),
+                            Numbers.brief(hit.event())));
             if (hit.share() < 1) {
-                lines.add(Texts.get("probe.share", Numbers.brief(hit.share(), 4)));
+                lines.add(indent + Texts.get("probe.share", Numbers.brief(hit.share(), 4)));
             }
         }
         if (!crossed && life.sceneStart() != null) {

@@ -52,7 +52,7 @@ class TraceCommandTest {
 
     /** Glass of index 1.5 reflects ((1.5 - 1)/(1.5 + 1))^2 = 0.04 of the light that meets it straight. */
     @Test
-    void whereTheRaySplitsTheSharesTellItsBranchesApart() throws IOException {
+    void whereTheRaySplitsItsWeakerBranchIsIndented() throws IOException {
         Path scene = Files.writeString(folder.resolve("glass.json"), """
                 {
                   "settings": { "width": 1, "height": 1 },
@@ -68,8 +68,11 @@ class TraceCommandTest {
         String text = ProgramRun.of("trace", scene, "--pixel", "0,0").out();
         String json = ProgramRun.of("trace", scene, "--pixel", "0,0", "--json").out();
 
-        assertThat(text.lines().filter(line -> line.startsWith("hit")).map(line -> line.replaceAll(" .*,", "")))
-                .containsExactly("hit share 1", "hit share 0.04", "hit share 0.96");
+        assertThat(text.lines().filter(line -> line.contains("hit  ")).map(line -> line.replaceAll("(?<=hit).*,", "")))
+                .containsExactly("hit share 1", "  hit share 0.04", "hit share 0.96");
+        assertThat(numbers(json, "glass", "branch")).containsExactly(0.0);
+        assertThat(numbers(json, "behind", "branch")).containsExactly(1.0);
+        assertThat(numbers(json, "ahead", "branch")).containsExactly(0.0);
         assertThat(numbers(json, "glass", "share").get(0)).isEqualTo(1);
         assertThat(numbers(json, "behind", "share").get(0)).isCloseTo(0.04, within(1e-16));
         assertThat(numbers(json, "ahead", "share").get(0)).isCloseTo(0.96, within(1e-15));

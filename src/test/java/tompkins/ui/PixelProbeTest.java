@@ -10,6 +10,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Plane;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.Velocity;
@@ -17,6 +18,7 @@ import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.Mirror;
+import tompkins.surface.Refractive;
 import tompkins.trace.RenderPlan;
 
 /** What the probe says is held against closed formulas: aberration, the light cone, Doppler's factor. */
@@ -93,6 +95,25 @@ class PixelProbeTest {
         assertThat(reading.object()).isNull();
         assertThat(reading.inScene()).isNull();
         assertThat(PixelProbe.story(reading)).contains("background");
+    }
+
+    /** Of the light that a slab before the lens reflects nothing is told but in the story, under what it left. */
+    @Test
+    void behindGlassTheMainBranchIsRead() {
+        Studio studio = Studios.sphere()
+                .withCameraFrame(
+                        List.of(new Box("slab", new Vector3d(-5, -5, 2), new Vector3d(5, 5, 3), Refractive.DEFAULT)))
+                .withVelocity(Velocity.of(0, 0, 0.6));
+        PixelProbe.Reading reading = read(studio, 32, 24);
+        assertThat(reading.object()).isEqualTo("sphere");
+        assertThat(reading.frequencyRatio()).isCloseTo(2, within(1e-12));
+        assertThat(reading.sceneAngleDegrees()).isCloseTo(0, within(1e-12));
+        List<String> story = PixelProbe.story(reading);
+        int crossing = story.indexOf(
+                "Enters the scene frame at " + Numbers.brief(reading.life().sceneStart()));
+        assertThat(story.get(crossing + 1)).isEqualTo("in the direction (0, 0, 1)");
+        assertThat(story.get(crossing + 3)).startsWith("Hits sphere after");
+        assertThat(story).anyMatch(line -> line.startsWith("\u2003Hits slab"));
     }
 
     /** What the mirror sends on meets the wall behind the camera. */
