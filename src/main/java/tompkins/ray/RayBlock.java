@@ -1,5 +1,7 @@
 package tompkins.ray;
 
+import java.util.Arrays;
+
 /**
  * The rays of neighbouring samples, as arrays of numbers: what is done to all of them is done in short loops, which the compiler
  * turns into instructions for several rays at once. They start on nothing. One for each thread, filled again for each block.
@@ -80,6 +82,11 @@ public final class RayBlock {
             generation[i] = 0;
             samples[i] = i;
         }
+    }
+
+    /** Lets all rays, which have just left the camera, start in a medium with a slowness. */
+    public void startIn(double mediumSlowness) {
+        Arrays.fill(slowness, 0, count, mediumSlowness);
     }
 
     /** Lets a ray that has just left the camera take the place of an earlier one. */

@@ -31,6 +31,7 @@ public final class RenderPlan {
     private final FrameCrossing crossing;
     private final PreparedScene scene;
     private final ObjectTree cameraFrame;
+    private final double lensSlowness;
 
     private RenderPlan(Studio studio, RenderPlan previous, boolean plain) {
         this.studio = studio;
@@ -45,6 +46,8 @@ public final class RenderPlan {
         PrimitiveCollector collector = new PrimitiveCollector(point -> point);
         ObjectPreparation.add("cameraFrame", studio.cameraFrame(), collector, Placement.NONE);
         cameraFrame = new ObjectTree(collector.primitives(), plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE);
+        lensSlowness =
+                LensMedium.slowness(cameraFrame.primitives(), studio.camera().position());
     }
 
     /**
@@ -150,7 +153,7 @@ public final class RenderPlan {
                 ? null
                 : new RayTracer(
                         Frame.CAMERA, cameraFrame, studio.lights(), new LightGrid[0], entry, depth, counts, witness);
-        return new SampleTracer(sampler(), cameraRays, cameraTracer, entry, counts, witness);
+        return new SampleTracer(sampler(), cameraRays, lensSlowness, cameraTracer, entry, counts, witness);
     }
 
     /** The place from which the tracer describes the scene; usually the origin of the scene frame. */

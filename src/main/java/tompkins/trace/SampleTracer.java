@@ -25,6 +25,7 @@ public final class SampleTracer {
 
     private final PixelSampler sampler;
     private final CameraRays cameraRays;
+    private final double lensSlowness;
     private final RayTracer cameraTracer;
     private final SceneEntry sceneEntry;
     private final RayCounts counts;
@@ -40,16 +41,24 @@ public final class SampleTracer {
     private int column;
     private int row;
 
-    /** A tracer; the tracer of the camera frame is null if no objects move with the camera, the witness may be null. */
+    /**
+     * A tracer.
+     *
+     * @param lensSlowness slowness of light at the lens
+     * @param cameraTracer the tracer of the camera frame, or null if no objects move with the camera
+     * @param witness watches the rays; may be null
+     */
     SampleTracer(
             PixelSampler sampler,
             CameraRays cameraRays,
+            double lensSlowness,
             RayTracer cameraTracer,
             SceneEntry sceneEntry,
             RayCounts counts,
             RayWitness witness) {
         this.sampler = sampler;
         this.cameraRays = cameraRays;
+        this.lensSlowness = lensSlowness;
         this.cameraTracer = cameraTracer;
         this.sceneEntry = sceneEntry;
         this.counts = counts;
@@ -78,9 +87,14 @@ public final class SampleTracer {
         return single();
     }
 
+    private void start() {
+        cameraRays.make(places, rays, counts);
+        rays.startIn(lensSlowness);
+    }
+
     private Colour single() {
         counts.samples++;
-        cameraRays.make(places, rays, counts);
+        start();
         if (rays.count() == 0) {
             return Colour.BLACK;
         }
@@ -112,7 +126,7 @@ public final class SampleTracer {
             cameraTracer.beginBlock();
         }
         choosePlaces(left, top, width, height, stride, sample, taker);
-        cameraRays.make(places, rays, counts);
+        start();
         Arrays.fill(colours, 0, places.count(), Colour.BLACK);
         for (int i = 0; i < rays.count(); i++) {
             colours[rays.sample(i)] = null;

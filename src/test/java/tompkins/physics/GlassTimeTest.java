@@ -6,10 +6,14 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.ThinLensCamera;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
@@ -56,6 +60,72 @@ class GlassTimeTest {
         assertThat(life.hits())
                 .filteredOn(hit -> hit.object().equals("wall"))
                 .anySatisfy(hit -> assertThat(hit.event().time()).isCloseTo(-33, within(1e-12)));
+    }
+
+    /** Most of the light goes straight on, not back with the 4 % that the front reflects. */
+    @Test
+    void whatIsToldOfTheRayIsThatOfItsMainBranch() {
+        RayLife life = life(Velocity.of(0, 0, 0.6), 50);
+        // gamma = 5/4: z = gamma (4 - 0.6 times 5), t = gamma (-5 + 0.6 times 4)
+        assertThat(life.sceneStart().z()).isCloseTo(1.25, within(1e-12));
+        assertThat(life.sceneStart().time()).isCloseTo(-3.25, within(1e-12));
+        assertThat(life.sceneDirection().z()).isEqualTo(1);
+        assertThat(life.frequencyRatio()).isCloseTo(2, within(1e-12));
+        assertThat(life.mainHits()).extracting(RayLife.Encounter::object).containsExactly("slab", "slab", "wall");
+        assertThat(life.hits()).hasSizeGreaterThan(3).anyMatch(hit -> hit.branch() == 1);
+    }
+
+    private static RayLife fromInside(List<SceneObject> media, Vector3d view, SceneObject seen) {
+        Studio studio = Studio.DEFAULT
+                .withScene(List.of(seen))
+                .withCameraFrame(media)
+                .withCamera(new ThinLensCamera(
+                        new Vector3d(),
+                        view,
+                        new Vector3d(0, 0, 1),
+                        20,
+                        0,
+                        0,
+                        ThinLensCamera.DEFAULT.focus(),
+                        0,
+                        AperturePlaneShutter.DEFAULT))
+                .withVelocity(Velocity.of(0, 0, 0.8))
+                .withSettings(Studio.DEFAULT.settings().withSize(99, 99));
+        return RayLife.of(RenderPlan.of(studio), 49.5, 49.5, 0, 0);
+    }
+
+    /** Around the camera, glass with and without a bubble about the lens, which changes next to nothing. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1e-3})
+    void aCameraInGlassSeesWhatIsOutsideLater(double bubble) {
+        SceneObject ball = new Sphere("ball", new Vector3d(), 3, new Refractive(1.5));
+        SceneObject side = new Plane("side", new Vector3d(50, 0, 0), new Vector3d(-1, 0, 0), ColouredSurface.DEFAULT);
+        List<SceneObject> media = bubble == 0
+                ? List.of(ball)
+                : List.of(ball, new Sphere("air", new Vector3d(), bubble, new Refractive(1 / 1.5)));
+        RayLife life = fromInside(media, new Vector3d(1, 0, 0), side);
+        // x = 3 at t = -1.5 times 3, and from there at the angle of aberration: gamma = 5/3, tan = gamma 0.8
+        assertThat(life.sceneStart().z()).isCloseTo(-6, within(2 * bubble + 1e-12));
+        Event seen = life.mainHits().get(life.mainHits().size() - 1).event();
+        assertThat(seen.z()).isCloseTo(-6 - 47 * 4 / 3.0, within(2 * bubble + 1e-10));
+    }
+
+    @Test
+    void aCameraUnderWaterCountsItsWayToTheSurface() {
+        SceneObject surface = new Plane("surface", new Vector3d(0, 2, 0), new Vector3d(0, 1, 0), new Refractive(1.33));
+        SceneObject sky = new Plane("sky", new Vector3d(0, 9, 0), new Vector3d(0, -1, 0), ColouredSurface.DEFAULT);
+        SceneObject bottom =
+                new Plane("bottom", new Vector3d(0, -9, 0), new Vector3d(0, 1, 0), ColouredSurface.DEFAULT);
+        // from below and from above: z = -gamma beta t
+        assertThat(fromInside(List.of(surface), new Vector3d(1e-9, 1, 0), sky)
+                        .sceneStart()
+                        .z())
+                .isCloseTo(-4 / 3.0 * 2 * 1.33, within(1e-7));
+        SceneObject below = new Plane("surface", new Vector3d(0, -2, 0), new Vector3d(0, 1, 0), new Refractive(1.33));
+        assertThat(fromInside(List.of(below), new Vector3d(1e-9, -1, 0), bottom)
+                        .sceneStart()
+                        .z())
+                .isCloseTo(-4 / 3.0 * 2, within(1e-7));
     }
 
     @Test
