@@ -23,8 +23,8 @@ import tompkins.trace.RayLife;
         name = "trace",
         mixinStandardHelpOptions = true,
         description = "Shows the life of one ray: its events and directions in both frames, its hits, its colour. Where"
-                + " it splits, as in glass, all hits of the weaker branch come first; the share is the most of the"
-                + " pixel's light that the ray of a hit can still bring.")
+                + " it splits, as in glass, all hits of the weaker branch come first, indented; entry and frequency are those of"
+                + " the main branch. The share is the most of the pixel's light that the ray of a hit can still bring.")
 final class TraceCommand implements Callable<Integer> {
 
     /** Half of the way from the centre of the lens to its right edge. */

@@ -12,9 +12,9 @@ public enum SpeedScale {
     /** The Lorentz factor 1/sqrt(1 - beta^2), from 1. */
     @Meaning("The Lorentz factor 1/sqrt(1 - beta^2)")
     GAMMA("gamma", "1 or above"),
-    /** The rapidity artanh(beta), which adds up when velocities along one line are composed. Beyond 710 the Lorentz factor is no double. */
+    /** The rapidity artanh(beta), which adds up when velocities along one line are composed. 19.1 belongs to {@link Velocity#LARGEST_GAMMA}. */
     @Meaning("The rapidity artanh(beta), which adds up when velocities along one line are composed")
-    RAPIDITY("rapidity", "from 0 to 710"),
+    RAPIDITY("rapidity", "from 0 to 19.1"),
     /** What the speed lacks to that of light, 1 - beta, for speeds that a decimal fraction cannot hold. */
     @Meaning("What the speed lacks to that of light, 1 - beta")
     ONE_MINUS_BETA("oneMinusBeta", "above 0 and at most 1");

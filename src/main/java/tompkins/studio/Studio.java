@@ -26,7 +26,8 @@ public record Studio(
 
         @Meaning("The objects at rest in the scene frame") List<SceneObject> scene,
 
-        @Meaning("The objects that move with the camera, such as windows in front of the lens")
+        @Meaning(
+                "The objects that move with the camera, such as windows in front of the lens; seen before everything in the scene")
         List<SceneObject> cameraFrame,
 
         @Meaning("The light sources, which light both frames")

@@ -17,7 +17,8 @@ public record GalileoWindow(
         @Meaning(value = "Velocity of the change of frame", unit = "c")
         Velocity velocity,
 
-        @Meaning("The axes in which the velocity is given") WindowAxes axes,
+        @Meaning("The axes in which the velocity is given: those of the frame, or u, v and the normal of the surface")
+        WindowAxes axes,
 
         @Meaning("Share of the light that passes, from 0 to 1")
         double transmission)

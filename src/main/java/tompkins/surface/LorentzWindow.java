@@ -23,7 +23,8 @@ public record LorentzWindow(
                 unit = "c")
         Velocity velocity,
 
-        @Meaning("The axes in which the velocity is given") WindowAxes axes,
+        @Meaning("The axes in which the velocity is given: those of the frame, or u, v and the normal of the surface")
+        WindowAxes axes,
 
         @Meaning("Share of the light that passes, from 0 to 1")
         double transmission)

@@ -96,7 +96,7 @@ final class PlanSentences {
         return count == 0
                 ? "Nothing moves with the camera: rays start in the scene frame at once."
                 : format(
-                        "%d primitive%s with the camera and %s searched first.",
+                        "%d primitive%s with the camera and %s searched first: nothing of the scene is in front.",
                         count, count == 1 ? " moves" : "s move", count == 1 ? "is" : "are");
     }
 
