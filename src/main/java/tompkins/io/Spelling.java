@@ -1,12 +1,17 @@
 package tompkins.io;
 
 import java.util.Collection;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /** Finds the word that was perhaps meant. */
 public final class Spelling {
 
     private static final int LONGEST = 60;
+
+    /** Shorter words are parts of many. */
+    private static final int SHORTEST_PART = 4;
 
     private Spelling() {}
 
@@ -24,7 +29,19 @@ public final class Spelling {
                 fewest = changes;
             }
         }
-        return best == null ? "" : "; did you mean \"" + best + "\"?";
+        return Optional.ofNullable(best)
+                .or(() -> onlyWordWith(word, known))
+                .map(meant -> "; did you mean \"" + meant + "\"?")
+                .orElse("");
+    }
+
+    /** The known word of which a word is a part, if there is one alone. */
+    private static Optional<String> onlyWordWith(String part, Collection<String> known) {
+        List<String> whole = known.stream()
+                .filter(candidate ->
+                        part.length() >= SHORTEST_PART && plain(candidate).contains(plain(part)))
+                .toList();
+        return whole.size() == 1 ? Optional.of(whole.get(0)) : Optional.empty();
     }
 
     private static String plain(String word) {

@@ -40,6 +40,14 @@ class SceneMistakesTest {
             maximumDepth, toneCurve
             {"lights": [{"type": "PiontLight"}]} | f:1:22: lights[0]: unknown type "PiontLight"; allowed are AmbientLight, \
             PointLight; did you mean "PointLight"?
+            {"camera": {"aperture": 1}}   | f:1:13: camera: unknown key "aperture"; allowed are type, position, \
+            viewDirection, topDirection, horizontalAngleDegrees, verticalAngleDegrees, apertureRadius, focus, exposureStops, \
+            shutter; did you mean "apertureRadius"?
+            {"camera": {"angle": 1}}      | f:1:13: camera: unknown key "angle"; allowed are type, position, viewDirection, \
+            topDirection, horizontalAngleDegrees, verticalAngleDegrees, apertureRadius, focus, exposureStops, shutter
+            {"camera": {"shutter": {"type": "DetectorPlane"}}} | f:1:33: camera.shutter: unknown type "DetectorPlane"; \
+            allowed are AperturePlaneShutter, DetectorPlaneShutter, LensHologramShutter, FocusSurfaceShutter, \
+            ArbitraryPlaneShutter, FixedPointSurfaceShutter; did you mean "DetectorPlaneShutter"?
             {"lights": [{"type": 5}]}     | f:1:22: lights[0]: unknown type 5; allowed are AmbientLight, PointLight
             {"lights": [{}]}              | f:1:13: lights[0]: needs a key "type"; allowed are AmbientLight, PointLight
             {"lights": {}}                | f:1:12: lights: must be a list in brackets [ ], was an object in braces
@@ -92,7 +100,7 @@ class SceneMistakesTest {
             {"velocity": {"gamma": 0.5}}  | f:1:24: velocity.gamma: must be 1 or above, was 0.5
             {"velocity": {"gamma": 1.1e8}} | f:1:14: velocity: must be at most that of gamma 1e8, \
             was that of gamma 110000000
-            {"velocity": {"rapidity": 1e4}} | f:1:27: velocity.rapidity: must be from 0 to 710, was 10000
+            {"velocity": {"rapidity": 1e4}} | f:1:27: velocity.rapidity: must be from 0 to 19.1, was 10000
             {"velocity": {"gamma": 2, "beta": 0.5}} | f:1:14: velocity: must have exactly one of beta, gamma, rapidity, \
             oneMinusBeta, has 2 of them
             {"velocity": {"direction": [0, 0, 1]}} | f:1:14: velocity: must have exactly one of beta, gamma, rapidity, \
