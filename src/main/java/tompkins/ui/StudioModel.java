@@ -147,10 +147,12 @@ final class StudioModel {
 
     private void change(Step next, Object duringGesture) {
         boolean continues = duringGesture != null && Objects.equals(duringGesture, gesture);
-        gesture = duringGesture;
         if (next.equals(current)) {
+            // a slider that is pressed tells the value that it has: the gesture begins with its first change
+            gesture = continues ? gesture : null;
             return;
         }
+        gesture = duringGesture;
         if (!continues) {
             past.push(current);
             if (past.size() > LONGEST_HISTORY) {

@@ -42,6 +42,19 @@ class StudioModelTest {
         assertThat(model.studio()).isEqualTo(speed(0));
     }
 
+    /** As a slider does when its knob is pressed. */
+    @Test
+    void aDragThatBeginsWithTheValueThatIsThereIsAStepOfItsOwn() {
+        Object drag = new Object();
+        model.set(speed(0.1));
+        model.adjust(speed(0.1), drag);
+        model.adjust(speed(0.2), drag);
+        model.adjust(speed(0.2), drag);
+        model.adjust(speed(0.3), drag);
+        model.undo();
+        assertThat(model.studio()).isEqualTo(speed(0.1));
+    }
+
     @Test
     void twoDragsOfOneSliderAreTwoSteps() {
         Object drag = new Object();
