@@ -1,5 +1,6 @@
 package tompkins.ui;
 
+import java.math.BigDecimal;
 import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
@@ -9,7 +10,7 @@ import tompkins.property.InvalidPropertyException;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 
-/** Speeds as people write them: {@code 0.97}, {@code gamma 10}, {@code 1-1e-9}, {@code rapidity 2}. */
+/** Speeds as people write them: {@code 0.97}, {@code 97%}, {@code gamma 10}, {@code 1-1e-9}, {@code rapidity 2}. */
 final class SpeedText {
 
     private static final Pattern NAMED = Pattern.compile("([a-z\\u0370-\\u03ff]+)\\s*=?\\s*(.*)");
@@ -39,6 +40,7 @@ final class SpeedText {
                 .toLowerCase(Locale.ROOT)
                 .replace('\u2212', '-')
                 .replaceAll("(?<=[0-9.])\\s*c$", "")
+                .replaceAll("^(?=[0-9. ]+%$)", "beta ")
                 .replaceAll("^1\\s*-\\s*(beta|\u03b2)\\s*=?\\s*", "oneminusbeta ");
         Matcher belowOne = BELOW_ONE.matcher(plain);
         if (belowOne.matches()) {
@@ -57,7 +59,11 @@ final class SpeedText {
 
     private static double number(String digits, String text) {
         try {
-            return Double.parseDouble(digits);
+            return digits.endsWith("%")
+                    ? new BigDecimal(digits.substring(0, digits.length() - 1).strip())
+                            .movePointLeft(2)
+                            .doubleValue()
+                    : Double.parseDouble(digits);
         } catch (NumberFormatException e) {
             throw wrong(text);
         }

@@ -21,6 +21,8 @@ class SpeedTextTest {
     @CsvSource({
         "0.97, BETA, 0.97",
         ".5 c, BETA, 0.5",
+        "99.5 %, BETA, 0.995",
+        "beta=10%, BETA, 0.1",
         "beta 0.6, BETA, 0.6",
         "gamma 10, GAMMA, 10",
         "gamma=10, GAMMA, 10",
@@ -39,11 +41,12 @@ class SpeedTextTest {
 
     @Test
     void aBareNumberIsReadOnTheScaleThatIsShown() {
+        assertThat(SpeedText.parse("60%", SpeedScale.GAMMA, ALONG_Z).speed()).isEqualTo(0.6);
         assertThat(SpeedText.parse("10", SpeedScale.GAMMA, ALONG_Z).speed()).isCloseTo(Math.sqrt(0.99), within(1e-15));
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"1.2", "-0.1", "gamma 0.5", "warp 9", "", "fast", "0,97", "rapidity -1"})
+    @ValueSource(strings = {"1.2", "-0.1", "gamma 0.5", "warp 9", "", "fast", "0,97", "rapidity -1", "101%", "%"})
     void whatIsNoSpeedIsRefusedWithAMessage(String text) {
         assertThatThrownBy(() -> SpeedText.parse(text, SpeedScale.BETA, ALONG_Z))
                 .isInstanceOf(InvalidPropertyException.class)
