@@ -54,13 +54,7 @@ final class EntryField {
         if (field instanceof JTextField line) {
             line.addActionListener(event -> commit());
         }
-        field.getInputMap().put(Keys.CONTROL_ENTER, "take");
-        field.getActionMap().put("take", new AbstractAction() {
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                commit();
-            }
-        });
+        Keys.bindFocused(field, Keys.CONTROL_ENTER, this::commit);
         field.getInputMap().put(Keys.ESCAPE, "revert");
         field.getActionMap().put("revert", new AbstractAction() {
             @Override

@@ -1,5 +1,6 @@
 package tompkins.ui;
 
+import java.lang.reflect.RecordComponent;
 import java.util.function.Consumer;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -15,6 +16,7 @@ final class FamilyEditor implements ValueEditor {
     private final JComboBox<Class<?>> types = new JComboBox<>();
     private final Updating updating = new Updating();
     private Class<?> shownType;
+    private Object shown;
     private RecordForm form;
 
     FamilyEditor(Class<?> family, String name, Note note, Consumer<Object> commit) {
@@ -41,13 +43,38 @@ final class FamilyEditor implements ValueEditor {
 
     private void choose() {
         Class<?> chosen = (Class<?>) types.getSelectedItem();
-        if (chosen != shownType && !ValueEditors.attempt(note, () -> commit.accept(Descriptions.standard(chosen)))) {
+        if (chosen != shownType && !ValueEditors.attempt(note, () -> commit.accept(alike(chosen)))) {
             updating.during(() -> types.setSelectedItem(shownType));
         }
     }
 
+    /**
+     * A standard value of a type, with those parts of the shown value that it has, too, and that are not as usual. Numbers mean
+     * another thing in another type.
+     */
+    private Object alike(Class<?> type) {
+        Object made = Descriptions.standard(type);
+        for (RecordComponent component : Descriptions.components(type)) {
+            made = withPart(made, component);
+        }
+        return made;
+    }
+
+    private Object withPart(Object made, RecordComponent component) {
+        Object usual = Descriptions.standard(shownType);
+        return Descriptions.components(shownType).stream()
+                .filter(own -> own.getName().equals(component.getName()))
+                .filter(own -> own.getGenericType().equals(component.getGenericType()))
+                .filter(own -> !own.getType().isPrimitive())
+                .filter(own -> !Descriptions.value(own, shown).equals(Descriptions.value(own, usual)))
+                .findFirst()
+                .map(own -> Records.with(made, own.getName(), Descriptions.value(own, shown)))
+                .orElse(made);
+    }
+
     @Override
     public void show(Object value) {
+        shown = value;
         if (value.getClass() != shownType) {
             shownType = value.getClass();
             updating.during(() -> types.setSelectedItem(shownType));

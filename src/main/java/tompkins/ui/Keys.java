@@ -18,8 +18,17 @@ final class Keys {
 
     /** Does something when a key is pressed in a window, unless what has the focus there uses that key itself. */
     static void bind(JRootPane window, KeyStroke key, Runnable action) {
-        window.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(key, key);
-        window.getActionMap().put(key, new AbstractAction() {
+        bind(window, JComponent.WHEN_IN_FOCUSED_WINDOW, key, action);
+    }
+
+    /** Does something when a key is pressed in a component that has the focus. */
+    static void bindFocused(JComponent component, KeyStroke key, Runnable action) {
+        bind(component, JComponent.WHEN_FOCUSED, key, action);
+    }
+
+    private static void bind(JComponent component, int condition, KeyStroke key, Runnable action) {
+        component.getInputMap(condition).put(key, key);
+        component.getActionMap().put(key, new AbstractAction() {
             @Override
             public void actionPerformed(ActionEvent event) {
                 action.run();

@@ -11,6 +11,7 @@ import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
+import javax.swing.KeyStroke;
 import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
 import tompkins.camera.ThinLensCamera;
@@ -57,6 +58,7 @@ final class SceneEditor {
         up.addActionListener(event -> changeList(list -> moved(list, place(), place() - 1), -1));
         down.addActionListener(event -> changeList(list -> moved(list, place(), place() + 1), 1));
         remove.addActionListener(event -> changeList(list -> removed(list, place()), 0));
+        Keys.bindFocused(tree.component(), KeyStroke.getKeyStroke("DELETE"), remove::doClick);
         model.addListener(this::update);
         update();
     }

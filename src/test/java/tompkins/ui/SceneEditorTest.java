@@ -5,8 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Container;
 import java.util.List;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
 import javax.swing.JTextArea;
 import javax.swing.JTree;
+import javax.swing.KeyStroke;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -14,12 +17,15 @@ import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.LightSource;
 import tompkins.property.Descriptions;
+import tompkins.ray.Colour;
 import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
 import tompkins.surface.LorentzWindow;
 
 class SceneEditorTest {
@@ -64,6 +70,30 @@ class SceneEditorTest {
         Components.enter(panel, "Speed", "0.5");
         assertThat(model.studio().velocity().speed()).isEqualTo(0.5);
         assertThat(FrontWindow.matches(model.studio())).isTrue();
+    }
+
+    @Test
+    void anotherTypeKeepsWhatItHasToo() {
+        ColouredSurface red = new ColouredSurface(new Colour(1, 0, 0), Colour.BLACK);
+        model.set(model.studio().withScene(List.of(new Sphere("mine", new Vector3d(1, 2, 3), 4, red))));
+        choose("Scene");
+        choose("mine");
+        JComboBox<?> types = Components.find(panel, JComboBox.class, "mine");
+        types.setSelectedItem(Disc.class);
+        assertThat(model.studio().scene())
+                .containsExactly(
+                        new Disc("mine", new Vector3d(1, 2, 3), Disc.DEFAULT.normal(), Disc.DEFAULT.radius(), red));
+        model.set(model.studio().withScene(List.of(Sphere.DEFAULT)));
+        types.setSelectedItem(Disc.class);
+        assertThat(model.studio().scene()).as("what was as usual").containsExactly(Disc.DEFAULT);
+    }
+
+    @Test
+    void theDeleteKeyRemovesWhatIsChosen() {
+        choose("Scene");
+        choose("pair");
+        tree.getActionForKeyStroke(KeyStroke.getKeyStroke("DELETE")).actionPerformed(null);
+        assertThat(model.studio().scene()).containsExactly(Sphere.DEFAULT);
     }
 
     @Test
