@@ -92,7 +92,8 @@ final class PlayPanel {
     }
 
     private JComponent valuesRow() {
-        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, gap 6", "[][pref!]12[][pref!]12[][pref!]"));
+        JPanel row =
+                new JPanel(new MigLayout("novisualpadding, insets 0, gap 6", "[][50:pref]12[][50:pref]12[][50:pref]"));
         addField(row, "play.from", fromField);
         addField(row, "play.to", toField);
         addField(row, "play.seconds", secondsField);
@@ -103,7 +104,7 @@ final class PlayPanel {
         JLabel label = new JLabel(Texts.get(key));
         label.setLabelFor(field.field());
         row.add(label);
-        row.add(field.field(), "growx");
+        row.add(field.field(), "growx, wmin 50");
     }
 
     private NumberField field(String key, DoubleConsumer commit) {
@@ -142,10 +143,18 @@ final class PlayPanel {
         }
     }
 
-    /** Offers the numbers that the studio has; the chosen one stays if it is still there, otherwise nothing runs. */
     private void update() {
-        Studio studio = model.studio();
-        if (!panel.isVisible() || offeredOf != null && NumberProperty.unchanged(offeredOf, studio)) {
+        if (panel.isVisible()) {
+            offerNumbers(model.studio());
+            if (!isPlaying()) {
+                value.setText(Numbers.brief(property().get().applyAsDouble(model.studio())));
+            }
+        }
+    }
+
+    /** Offers the numbers that the studio has; the chosen one stays if it is still there, otherwise nothing runs. */
+    private void offerNumbers(Studio studio) {
+        if (offeredOf != null && NumberProperty.unchanged(offeredOf, studio)) {
             return;
         }
         offeredOf = studio;
@@ -224,8 +233,9 @@ final class PlayPanel {
         return new Animation(property(), from, to, seconds, (Animation.Course) courses.getSelectedItem());
     }
 
-    /** Starts or stops the animation. */
-    void setPlaying(boolean playing) {
+    /** Starts or stops the animation; it does not start with a value that was refused. */
+    void setPlaying(boolean wish) {
+        boolean playing = wish && EntryField.in(panel).noneMatch(EntryField::isPending);
         play.setSelected(playing);
         play.setText(Texts.get(playing ? "play.pause" : "play.play"));
         if (playing) {

@@ -8,6 +8,7 @@ import java.util.concurrent.Executors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JComboBox;
+import javax.swing.JLabel;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
 import org.joml.Vector3d;
@@ -22,6 +23,7 @@ import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.FixedPointSurfaceShutter;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
 
@@ -74,6 +76,30 @@ class PlayPanelTest {
 
     private void scrub(int place) {
         Components.find(panel, JSlider.class, "Time").setValue(place);
+    }
+
+    @Test
+    void nothingRunsWithAValueThatWasRefused() {
+        choose(SPEED);
+        Components.enter(panel, "to", "1");
+        onEventThread(() -> {
+            play.setPlaying(true);
+            assertThat(play.isPlaying()).isFalse();
+        });
+        assertThat(Components.notes(panel)).anyMatch(text -> text.startsWith("\u26a0"));
+        Components.enter(panel, "to", "0.9");
+        onEventThread(() -> {
+            play.setPlaying(true);
+            assertThat(play.isPlaying()).isTrue();
+        });
+    }
+
+    @Test
+    void theNumberOfTheSceneIsShownWhileNothingRuns() {
+        choose(SPEED);
+        model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.25)));
+        assertThat(Components.all(panel).filter(JLabel.class::isInstance).map(label -> ((JLabel) label).getText()))
+                .contains("0.25");
     }
 
     private static SceneObject ball(String name) {
