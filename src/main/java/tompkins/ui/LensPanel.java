@@ -20,6 +20,7 @@ final class LensPanel {
     private final NumberRow aperture;
     private final NumberRow focus;
     private final NumberRow samples;
+    private final Note oneSample = new Note("");
     private final JToggleButton pick = new JToggleButton(Texts.get("lens.pick"));
 
     /** The panel; {@code picking} is told when a point of the picture is to be picked, and when not any more. */
@@ -58,6 +59,7 @@ final class LensPanel {
         Naming.name(pick, Texts.get("lens.pick"), Texts.get("lens.pickTip"));
         pick.addActionListener(event -> picking.accept(pick.isSelected()));
         aperture.addTo(panel);
+        panel.add(oneSample.component(), "span, growx, wmin 0");
         focus.addTo(panel);
         panel.add(pick, "span 3, growx");
         field.addTo(panel);
@@ -112,5 +114,7 @@ final class LensPanel {
         field.show((double) Descriptions.value(Records.component(camera.getClass(), "horizontalAngleDegrees"), camera));
         exposure.show(camera.exposureStops());
         samples.show(studio.settings().samples());
+        boolean sharp = camera.hasWideLens() && studio.settings().samples() == 1;
+        oneSample.setText(sharp ? Texts.get("lens.oneSample") : "");
     }
 }

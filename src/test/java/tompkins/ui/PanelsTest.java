@@ -343,6 +343,17 @@ class PanelsTest {
     }
 
     @Test
+    void aWideLensWithOneSampleSaysThatNothingIsBlurred() {
+        Container panel = (Container) new LensPanel(model, picking -> {}).component();
+        Components.enter(panel, "Samples", "1");
+        assertThat(Components.notes(panel)).isEmpty();
+        Components.enter(panel, "Aperture", "0.2");
+        assertThat(Components.notes(panel)).containsExactly(Texts.get("lens.oneSample"));
+        Components.enter(panel, "Samples", "2");
+        assertThat(Components.notes(panel)).isEmpty();
+    }
+
+    @Test
     void aPanoramaHasNoAperture() {
         model.set(model.studio().withCamera(PanoramicCamera.DEFAULT));
         Container panel = (Container) new LensPanel(model, picking -> {}).component();
