@@ -73,6 +73,8 @@ enum Look {
             UIManager.put("defaultFont", font.deriveFont(font.getSize2D() * factor));
             setUp();
         }
+        // what is typed after Tab takes the place of the value
+        UIManager.put("TextComponent.selectAllOnFocusPolicy", "always");
         colours.forEach((name, rgb) -> UIManager.put(name, new Color(rgb)));
         FlatLaf.updateUI();
     }

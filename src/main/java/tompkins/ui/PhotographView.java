@@ -19,8 +19,12 @@ final class PhotographView implements AutoCloseable {
         /** A pixel was read; null if the mouse has left the picture. */
         void read(PixelProbe.Reading reading);
 
-        /** The pinned pixel was read; null if none is pinned. */
-        void pinned(PixelProbe.Reading reading);
+        /**
+         * The pinned pixel was read; null if none is pinned.
+         *
+         * @param picture what the picture is called in which it is pinned, or null if it is the studio's
+         */
+        void pinned(PixelProbe.Reading reading, String picture);
 
         /** There is no picture of the studio; the message says why. */
         void noPicture(String message);
@@ -41,6 +45,8 @@ final class PhotographView implements AutoCloseable {
     private Studio otherStudio;
     private Picture keptPicture;
     private Point2D pin;
+    private boolean pinnedInOther;
+    private RenderPlan pinnedPlan;
     private Picking picking;
     private RenderPlan lastPlan;
 
@@ -99,11 +105,11 @@ final class PhotographView implements AutoCloseable {
     }
 
     private void show(ScreenPicture pictures) {
-        canvas.show(pictures);
         Picture now = pictures.now();
+        lastPlan = now.plan();
+        canvas.show(pictures);
         listener.shown(now);
-        if (now.plan() != lastPlan) {
-            lastPlan = now.plan();
+        if (pinnedPicture() != null && pinnedPicture().plan() != pinnedPlan) {
             readPin();
         }
     }
@@ -152,17 +158,36 @@ final class PhotographView implements AutoCloseable {
 
     /** Marks a place of the picture and tells the life of its ray; of no place if it is null. */
     void setPin(Point2D place) {
+        setPin(place, false);
+    }
+
+    private void setPin(Point2D place, boolean inOther) {
         pin = place;
+        pinnedInOther = inOther;
         canvas.setPin(place);
         readPin();
     }
 
+    private Picture pinnedPicture() {
+        ScreenPicture shown = canvas.shown();
+        return pinnedInOther && shown.other() != null ? shown.other() : shown.now();
+    }
+
     private void readPin() {
-        if (pin == null || lastPlan == null) {
-            listener.pinned(null);
-        } else {
-            fixed.ask(lastPlan, pin, reading -> listener.pinned(pin == null ? null : reading));
+        Picture picture = pinnedPicture();
+        if (pin == null || picture == null) {
+            listener.pinned(null, null);
+            return;
         }
+        pinnedPlan = picture.plan();
+        String name = picture == canvas.shown().now() ? null : otherSource.otherName();
+        fixed.ask(pinnedPlan, placeIn(picture, pin), reading -> listener.pinned(pin == null ? null : reading, name));
+    }
+
+    /** The same place in another picture: a kept one may have another size. */
+    private Point2D placeIn(Picture picture, Point2D place) {
+        double scale = (double) picture.image().width() / lastPlan.width();
+        return new Point2D.Double(scale * place.getX(), scale * place.getY());
     }
 
     /**
@@ -182,6 +207,16 @@ final class PhotographView implements AutoCloseable {
         canvas.setPicking(false);
     }
 
+    /** As a click that picks nothing; false if nothing was to be picked. */
+    boolean cancelPicking() {
+        Picking ending = picking;
+        stopPicking();
+        if (ending != null) {
+            ending.clicked.run();
+        }
+        return ending != null;
+    }
+
     private record Picking(Runnable clicked, DoubleConsumer taker) {}
 
     private final class ProbeMouse implements PictureCanvas.Mouse {
@@ -191,15 +226,12 @@ final class PhotographView implements AutoCloseable {
             if (place == null || lastPlan == null) {
                 listener.read(null);
             } else {
-                // a kept picture may have another size
-                double scale = (double) seen.image().width() / lastPlan.width();
-                Point2D there = new Point2D.Double(scale * place.getX(), scale * place.getY());
-                hover.ask(seen.plan(), there, listener::read);
+                hover.ask(seen.plan(), placeIn(seen, place), listener::read);
             }
         }
 
         @Override
-        public void clicked(Point2D place) {
+        public void clicked(Point2D place, Picture seen) {
             if (picking != null && lastPlan != null) {
                 Picking ending = picking;
                 RenderPlan plan = lastPlan;
@@ -207,7 +239,7 @@ final class PhotographView implements AutoCloseable {
                 ending.clicked.run();
                 fixed.ask(plan, place, reading -> ending.taker.accept(PixelProbe.depth(plan, reading)));
             } else {
-                setPin(place);
+                setPin(place, seen != canvas.shown().now());
             }
         }
     }

@@ -34,8 +34,8 @@ final class PictureCanvas extends JPanel {
         /** The mouse is over a place of the picture that is seen there; both are null if it has left the pictures. */
         void over(Point2D place, Picture seen);
 
-        /** The mouse was clicked. */
-        void clicked(Point2D place);
+        /** The mouse was clicked at a place of the picture that is seen there. */
+        void clicked(Point2D place, Picture seen);
     }
 
     private static final int GRIP = 6;
@@ -52,6 +52,10 @@ final class PictureCanvas extends JPanel {
     private boolean draggingDivider;
     private Point2D pin;
     private boolean picking;
+
+    /** Where the mouse is, or null if it is elsewhere. */
+    private Point mouseAt;
+
     private Mouse mouse;
 
     /** A canvas that tells of its size in pixels of the screen. */
@@ -80,8 +84,24 @@ final class PictureCanvas extends JPanel {
 
     /** Shows pictures. */
     void show(ScreenPicture pictures) {
+        Picture before = pictureUnderMouse();
         shown = pictures;
         repaint();
+        Picture now = pictureUnderMouse();
+        if (before != null && now != null && before.plan() != now.plan()) {
+            tellMouse();
+        }
+    }
+
+    private Picture pictureUnderMouse() {
+        return mouseAt == null ? null : shownAt(mouseAt);
+    }
+
+    /** Tells what is under the mouse, which may change while the mouse rests. */
+    private void tellMouse() {
+        if (mouseAt != null) {
+            mouse.over(pictureAt(mouseAt), shownAt(mouseAt));
+        }
     }
 
     /** What is on the screen. */
@@ -94,6 +114,7 @@ final class PictureCanvas extends JPanel {
         comparison = how;
         otherName = nameOfOther;
         tellSize();
+        tellMouse();
         repaint();
     }
 
@@ -101,12 +122,14 @@ final class PictureCanvas extends JPanel {
     void setOtherAlone(boolean alone) {
         otherAlone = alone;
         tellSize();
+        tellMouse();
         repaint();
     }
 
     /** Where the divider is, from 0 at the left edge to 1. */
     void setDivider(double place) {
         divider = Math.max(0, Math.min(1, place));
+        tellMouse();
         repaint();
     }
 
@@ -335,6 +358,7 @@ final class PictureCanvas extends JPanel {
 
         @Override
         public void mouseDragged(MouseEvent event) {
+            mouseAt = event.getPoint();
             if (draggingDivider) {
                 Rectangle bounds = pictureBounds();
                 setDivider((double) (event.getX() - bounds.x) / bounds.width);
@@ -349,11 +373,13 @@ final class PictureCanvas extends JPanel {
                 setCursor(Cursor.getPredefinedCursor(
                         nearDivider(event) ? Cursor.E_RESIZE_CURSOR : Cursor.DEFAULT_CURSOR));
             }
-            mouse.over(pictureAt(event.getPoint()), shownAt(event.getPoint()));
+            mouseAt = event.getPoint();
+            tellMouse();
         }
 
         @Override
         public void mouseExited(MouseEvent event) {
+            mouseAt = null;
             mouse.over(null, null);
         }
 
@@ -361,7 +387,7 @@ final class PictureCanvas extends JPanel {
         public void mouseReleased(MouseEvent event) {
             Point2D place = pictureAt(event.getPoint());
             if (!draggingDivider && place != null && event.getButton() == MouseEvent.BUTTON1) {
-                mouse.clicked(place);
+                mouse.clicked(place, shownAt(event.getPoint()));
             }
             draggingDivider = false;
         }

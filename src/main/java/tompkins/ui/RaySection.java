@@ -31,11 +31,16 @@ final class RaySection {
         return section.component();
     }
 
-    /** Shows a ray, or nothing if it is null. Another pixel's ray is scrolled into view. */
-    void show(PixelProbe.Reading reading) {
+    /**
+     * Shows a ray, or nothing if it is null. Another pixel's ray is scrolled into view.
+     *
+     * @param picture what the picture is called that the ray belongs to, or null if it is the studio's
+     */
+    void show(PixelProbe.Reading reading, String picture) {
         section.component().setVisible(reading != null);
         if (reading != null) {
-            story.setText(String.join("\n", PixelProbe.story(reading)));
+            String heading = picture == null ? "" : Texts.get("ray.other", picture) + "\n";
+            story.setText(heading + String.join("\n", PixelProbe.story(reading)));
             if (shown == null || shown.column() != reading.column() || shown.row() != reading.row()) {
                 // later, when it has its place
                 SwingUtilities.invokeLater(this::scrollIntoView);

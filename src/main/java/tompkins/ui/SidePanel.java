@@ -1,5 +1,6 @@
 package tompkins.ui;
 
+import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -23,10 +24,10 @@ final class SidePanel {
     private final RaySection ray;
     private Picture shown;
 
-    /** The panel for a photograph. */
-    SidePanel(StudioModel model, PhotographView view) {
+    /** The panel for a photograph; {@code teller} says in a line what becomes of a click. */
+    SidePanel(StudioModel model, PhotographView view, Consumer<String> teller) {
         shutter = new ShutterPanel(model);
-        lens = new LensPanel(model, picking -> pick(model, view, picking));
+        lens = new LensPanel(model, picking -> pick(model, view, teller, picking));
         compare = new ComparePanel(
                 () -> model.studio().camera().shutter(),
                 () -> compareAgain(view),
@@ -74,17 +75,20 @@ final class SidePanel {
         }
     }
 
-    private void pick(StudioModel model, PhotographView view, boolean picking) {
+    private void pick(StudioModel model, PhotographView view, Consumer<String> teller, boolean picking) {
         if (picking) {
-            view.startPicking(lens::endPicking, distance -> focus(model, distance));
+            teller.accept(Texts.get("lens.picking"));
+            view.startPicking(lens::endPicking, distance -> focus(model, teller, distance));
         } else {
             view.stopPicking();
         }
     }
 
-    private static void focus(StudioModel model, double distance) {
+    private static void focus(StudioModel model, Consumer<String> teller, double distance) {
         if (distance > 0) {
             model.set(model.studio().withCamera(model.studio().camera().focusedAt(NumberText.rounded(distance, 6))));
+        } else {
+            teller.accept(Texts.get("lens.pickedNothing"));
         }
     }
 
@@ -115,8 +119,8 @@ final class SidePanel {
         shown = picture;
     }
 
-    /** Shows the life of the pinned ray, or nothing if it is null. */
-    void show(PixelProbe.Reading pinned) {
-        ray.show(pinned);
+    /** Shows the life of the pinned ray, or nothing if it is null; of the picture with a name, or of the studio's. */
+    void show(PixelProbe.Reading pinned, String picture) {
+        ray.show(pinned, picture);
     }
 }

@@ -23,6 +23,7 @@ final class StatusBar {
     private final JProgressBar progress = new JProgressBar(0, STEPS);
     private final Timer timer;
     private String failure;
+    private Picture last;
 
     /** A status bar that shows the progress of a controller. */
     StatusBar(RenderController controller) {
@@ -42,6 +43,9 @@ final class StatusBar {
             boolean busy = controller.isBusy();
             progress.setVisible(busy);
             progress.setValue((int) (controller.progress() * STEPS));
+            if (!busy && last != null && !last.complete()) {
+                show(last, "status.stopped");
+            }
         });
         timer.start();
     }
@@ -121,13 +125,18 @@ final class StatusBar {
 
     /** Shows what the picture on the screen is. */
     void show(Picture shown) {
+        last = shown;
+        show(shown, shown.complete() ? "status.complete" : "status.refining");
+    }
+
+    private void show(Picture shown, String key) {
         if (failure != null) {
             return;
         }
         long milliseconds = shown.time().toMillis();
         String samples = Numbers.brief(shown.samples(), 3);
         picture.setText(Texts.get(
-                shown.complete() ? "status.complete" : "status.refining",
+                key,
                 shown.image().width(),
                 shown.image().height(),
                 Texts.get(samples.equals("1") ? "status.sample" : "status.samples", samples),

@@ -49,8 +49,8 @@ public final class TompkinsWindow {
         settings.look().install();
         model = new StudioModel(studio, file);
         view = new PhotographView(model, new PictureListener());
-        side = new SidePanel(model, view);
         status = new StatusBar(view.controller());
+        side = new SidePanel(model, view, status::say);
         files = new FileActions(frame, model, view, status, settings, commandLine);
         play = new PlayPanel(model, new AnimationExport(frame, status, files::chooser, view::quality)::ask);
         frame.setContentPane(content());
@@ -157,8 +157,8 @@ public final class TompkinsWindow {
     }
 
     private void showTitle() {
-        String name = model.studio().title();
-        frame.setTitle((model.isModified() ? "\u2022 " : "") + name + " \u2013 Tompkins");
+        String file = model.file() == null ? "" : " \u2013 " + model.file().getFileName();
+        frame.setTitle((model.isModified() ? "\u2022 " : "") + model.studio().title() + file + " \u2013 Tompkins");
     }
 
     private final class Closer extends WindowAdapter {
@@ -205,8 +205,8 @@ public final class TompkinsWindow {
         }
 
         @Override
-        public void pinned(PixelProbe.Reading reading) {
-            side.show(reading);
+        public void pinned(PixelProbe.Reading reading, String picture) {
+            side.show(reading, picture);
         }
 
         @Override
@@ -227,6 +227,9 @@ public final class TompkinsWindow {
             look.install();
             settings.setLook(look);
             fitToLook();
+            if (editor != null) {
+                fitEditor();
+            }
         }
 
         @Override
@@ -240,10 +243,15 @@ public final class TompkinsWindow {
                 editor.getRootPane().putClientProperty(FileContentEditor.CHOOSERS, choosers);
                 menus.bindKeys(editor.getRootPane());
                 Keys.bind(editor.getRootPane(), Keys.ESCAPE, () -> editor.setVisible(false));
-                editor.pack();
+                fitEditor();
                 editor.setLocationRelativeTo(frame);
             }
             editor.setVisible(true);
+        }
+
+        private void fitEditor() {
+            editor.pack();
+            editor.setSize(onScreen(editor.getWidth(), editor.getHeight()));
         }
 
         @Override
@@ -254,8 +262,11 @@ public final class TompkinsWindow {
 
         @Override
         public void stop() {
-            play.setPlaying(false);
-            view.stop();
+            if (play.isPlaying()) {
+                play.setPlaying(false);
+            } else if (!view.cancelPicking()) {
+                view.stop();
+            }
         }
 
         @Override

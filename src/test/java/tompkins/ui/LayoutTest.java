@@ -88,7 +88,7 @@ class LayoutTest {
 
     private SidePanel sidePanel() {
         view = new PhotographView(model, new SilentListener());
-        return new SidePanel(model, view);
+        return new SidePanel(model, view, message -> {});
     }
 
     @ParameterizedTest

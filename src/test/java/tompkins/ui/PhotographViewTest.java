@@ -71,8 +71,8 @@ class PhotographViewTest {
 
     @Test
     void theClickReleasesTheButtonForPickingEvenIfItsPixelCannotBeRead() {
-        Container panel = (Container)
-                WindowDriver.onEventThread(() -> new SidePanel(model, view)).component();
+        Container panel = (Container) WindowDriver.onEventThread(() -> new SidePanel(model, view, message -> {}))
+                .component();
         onEventThread(() -> {
             view.canvas().setSize(64, 48);
             view.render();

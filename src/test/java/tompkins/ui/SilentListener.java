@@ -10,7 +10,7 @@ final class SilentListener implements PhotographView.Listener {
     public void read(PixelProbe.Reading reading) {}
 
     @Override
-    public void pinned(PixelProbe.Reading reading) {}
+    public void pinned(PixelProbe.Reading reading, String picture) {}
 
     @Override
     public void noPicture(String message) {}

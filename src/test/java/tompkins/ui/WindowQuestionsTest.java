@@ -92,7 +92,7 @@ class WindowQuestionsTest {
 
     @Test
     void withoutChangesTheWindowClosesAtOnce() {
-        assertThat(title()).isEqualTo("Untitled \u2013 Tompkins");
+        assertThat(title()).isEqualTo("Untitled \u2013 wall.json \u2013 Tompkins");
         driver.key(KeyEvent.VK_Q, KeyEvent.VK_CONTROL);
         WindowDriver.await("the end", () -> !driver.window().frame().isDisplayable());
     }
@@ -339,6 +339,29 @@ class WindowQuestionsTest {
         assertThat(focus.point().z()).isCloseTo(8, within(1e-5));
         assertThat(driver.find(JToggleButton.class, "Pick a point to focus on").isSelected())
                 .isFalse();
+    }
+
+    @Test
+    void pickingIsLeftWithEscapeAndSaysWhereThereIsNothing() {
+        JToggleButton pick = driver.find(JToggleButton.class, "Pick a point to focus on");
+        JLabel what = driver.find(JLabel.class, "status.what");
+        driver.click(pick);
+        assertThat(what.getText()).isEqualTo(Texts.get("lens.picking"));
+        driver.key(KeyEvent.VK_ESCAPE);
+        assertThat(pick.isSelected()).isFalse();
+        driver.click(driver.find(PictureCanvas.class, "picture"));
+        assertThat(driver.window().model().isModified()).isFalse();
+
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().set(WALL.withScene(List.of()));
+            return null;
+        });
+        driver.completePicture();
+        Studio before = driver.studio();
+        driver.click(pick);
+        driver.click(driver.find(PictureCanvas.class, "picture"));
+        WindowDriver.await("the answer", () -> what.getText().equals(Texts.get("lens.pickedNothing")));
+        assertThat(driver.studio()).isEqualTo(before);
     }
 
     @Test

@@ -75,7 +75,7 @@ class WindowTest {
                     renderer.render(RenderPlan.of(driver.studio())).image().rgb();
             assertThat(picture.image().rgb()).isEqualTo(expected);
         }
-        assertThat(driver.window().frame().getTitle()).isEqualTo("Untitled \u2013 Tompkins");
+        assertThat(driver.window().frame().getTitle()).isEqualTo("Untitled \u2013 lattice.json \u2013 Tompkins");
     }
 
     @Test
@@ -207,6 +207,12 @@ class WindowTest {
                 "the reading of the camera at rest, which has no angle to the velocity",
                 () -> what.getText().startsWith("Pixel 200, ")
                         && !what.getText().contains("to the velocity"));
+        driver.click(new Point(corner.x + bounds.x + bounds.width * 5 / 8, divider.y));
+        WindowDriver.await(
+                "the pinned ray of that picture",
+                () -> Components.find(driver.window().frame(), JTextArea.class, "ray.story")
+                        .getText()
+                        .startsWith("In the picture \u201cThe camera at rest\u201d\nPixel 200, "));
         driver.hold(KeyEvent.VK_F8);
         driver.release(KeyEvent.VK_F8);
         WindowDriver.onEventThread(() -> {
@@ -266,6 +272,47 @@ class WindowTest {
                 "the end of the work",
                 () -> !driver.window().view().controller().isBusy());
         assertThat(driver.picture().complete()).isFalse();
+        JLabel picture = driver.find(JLabel.class, "status.picture");
+        WindowDriver.await("the word for it", () -> picture.getText().endsWith(", stopped"));
+    }
+
+    /** Escape takes back one thing at a time. */
+    @Test
+    void escapeWhilePlayingPausesAndThePictureIsCompleted() {
+        driver.completePicture();
+        driver.menu("menu.playSpeed");
+        Studio before = driver.studio();
+        WindowDriver.await(
+                "another speed", () -> !driver.window().model().studio().equals(before));
+        driver.key(KeyEvent.VK_ESCAPE);
+        Studio paused = driver.completePicture().studio();
+        assertThat(driver.studio()).isEqualTo(paused);
+    }
+
+    @Test
+    void theReadingFollowsThePictureWhileTheMouseRests() {
+        driver.completePicture();
+        driver.move(driver.centre(driver.find(PictureCanvas.class, "picture")));
+        JLabel what = driver.find(JLabel.class, "status.what");
+        WindowDriver.await("the reading", () -> what.getText().contains("to the velocity"));
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().set(driver.window().model().studio().withVelocity(Velocity.REST));
+            return null;
+        });
+        WindowDriver.await(
+                "the reading at rest",
+                () -> what.getText().startsWith("Pixel ") && !what.getText().contains("to the velocity"));
+    }
+
+    /** Tab, too, brings the focus without a click. */
+    @Test
+    void whatIsTypedIntoAFieldThatGotTheFocusTakesThePlaceOfTheValue() {
+        JTextField opens = driver.find(JTextField.class, "Opens at");
+        WindowDriver.onEventThread(opens::requestFocusInWindow);
+        WindowDriver.await("the focus", opens::isFocusOwner);
+        driver.key(KeyEvent.VK_5);
+        driver.key(KeyEvent.VK_ENTER);
+        assertThat(driver.studio().camera().shutter().openingTime()).isEqualTo(5);
     }
 
     @Test
