@@ -87,7 +87,8 @@ public final class Ray {
      * The same light in another frame.
      *
      * @param newSlowness slowness in the new frame
-     * @param frequencyFactor frequency in the new frame divided by that in the frame of this ray; angles shrink by it
+     * @param frequencyFactor frequency in the new frame divided by that in the frame of this ray
+     * @param angleFactor small angles between rays are divided by it
      */
     public Ray inFrame(
             double newX,
@@ -98,7 +99,8 @@ public final class Ray {
             double newDz,
             double newTime,
             double newSlowness,
-            double frequencyFactor) {
+            double frequencyFactor,
+            double angleFactor) {
         Ray ray = copy();
         ray.x = newX;
         ray.y = newY;
@@ -109,7 +111,7 @@ public final class Ray {
         ray.time = newTime;
         ray.slowness = newSlowness;
         ray.frequency *= frequencyFactor;
-        ray.spread /= frequencyFactor;
+        ray.spread /= angleFactor;
         ray.boundary = null;
         ray.part = 0;
         return ray;

@@ -97,6 +97,7 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
                 (wz + nz * along) * scale,
                 gamma * ray.time + event,
                 1,
+                length,
                 length);
     }
 

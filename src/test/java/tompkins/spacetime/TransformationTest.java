@@ -48,6 +48,12 @@ class TransformationTest {
                 .isLessThan(1e-13);
         assertThat(moved.timeAt(length)).isCloseTo(second.time(), within(1e-13));
         assertThat(direction(moved).length()).isCloseTo(1, within(1e-15));
+    }
+
+    @ParameterizedTest
+    @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "GALILEAN")
+    void bundlesGrowAsFrequenciesFall(TransformationLaw law) {
+        Ray moved = transformation(law).transform(ray());
         assertThat(moved.frequency * moved.spread).isCloseTo(1e-3, within(1e-17));
     }
 
