@@ -1,11 +1,13 @@
 package tompkins.ui;
 
 import java.lang.reflect.RecordComponent;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import tompkins.property.Descriptions;
+import tompkins.property.InvalidPropertyException;
 
 /** Controls for a record of a sealed family: a combo box of its types, and under it the form of the chosen one. */
 final class FamilyEditor implements ValueEditor {
@@ -49,27 +51,30 @@ final class FamilyEditor implements ValueEditor {
     }
 
     /**
-     * A standard value of a type, with those parts of the shown value that it has, too, and that are not as usual. Numbers mean
-     * another thing in another type.
+     * A standard value of a type, with those parts of the shown value that it has, too, and that are not as usual, if they go
+     * together. Numbers and choices of yes or no mean another thing in another type.
      */
     private Object alike(Class<?> type) {
-        Object made = Descriptions.standard(type);
-        for (RecordComponent component : Descriptions.components(type)) {
-            made = withPart(made, component);
+        Object standard = Descriptions.standard(type);
+        Object[] values = Descriptions.components(type).stream()
+                .map(component -> ownPart(component).orElse(Descriptions.value(component, standard)))
+                .toArray();
+        try {
+            return Descriptions.make(type, values);
+        } catch (InvalidPropertyException doNotGoTogether) {
+            return standard;
         }
-        return made;
     }
 
-    private Object withPart(Object made, RecordComponent component) {
+    private Optional<Object> ownPart(RecordComponent component) {
         Object usual = Descriptions.standard(shownType);
         return Descriptions.components(shownType).stream()
                 .filter(own -> own.getName().equals(component.getName()))
                 .filter(own -> own.getGenericType().equals(component.getGenericType()))
                 .filter(own -> !own.getType().isPrimitive())
                 .filter(own -> !Descriptions.value(own, shown).equals(Descriptions.value(own, usual)))
-                .findFirst()
-                .map(own -> Records.with(made, own.getName(), Descriptions.value(own, shown)))
-                .orElse(made);
+                .map(own -> Descriptions.value(own, shown))
+                .findFirst();
     }
 
     @Override

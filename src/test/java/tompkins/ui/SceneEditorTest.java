@@ -14,11 +14,13 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.LightSource;
 import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Box;
+import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Hidden;
@@ -86,6 +88,21 @@ class SceneEditorTest {
         model.set(model.studio().withScene(List.of(Sphere.DEFAULT)));
         types.setSelectedItem(Disc.class);
         assertThat(model.studio().scene()).as("what was as usual").containsExactly(Disc.DEFAULT);
+
+        Box far = new Box("far", new Vector3d(1, 1, 20), new Vector3d(2, 2, 21), red);
+        model.set(model.studio().withScene(List.of(far)));
+        types.setSelectedItem(CylinderLattice.class);
+        CylinderLattice lattice = (CylinderLattice) model.studio().scene().get(0);
+        assertThat(List.of(lattice.from(), lattice.to())).as("both at once").containsExactly(far.from(), far.to());
+    }
+
+    @Test
+    void whatDoesNotGoTogetherInAnotherTypeIsAsUsualThere() {
+        PanoramicCamera there = Records.with(PanoramicCamera.DEFAULT, "position", new Vector3d(0, 0, 10));
+        model.set(model.studio().withCamera(there));
+        choose("Camera");
+        Components.find(panel, JComboBox.class, "Camera").setSelectedItem(ThinLensCamera.class);
+        assertThat(model.studio().camera()).isEqualTo(ThinLensCamera.DEFAULT);
     }
 
     @Test
