@@ -15,7 +15,7 @@ public abstract class Primitive implements Boundary {
     public static final double NO_HIT = Double.POSITIVE_INFINITY;
 
     /** A line meets no primitive more often, not even with rounding at its edges. */
-    private static final int MOST_MEETINGS = 8;
+    public static final int MOST_MEETINGS = 8;
 
     /** Widening of squared sizes in margins. */
     static final double WIDER = 1.001;

@@ -89,7 +89,9 @@ public final class SampleTracer {
 
     private void start() {
         cameraRays.make(places, rays, counts);
-        rays.startIn(lensSlowness);
+        if (lensSlowness != 1) {
+            rays.startIn(lensSlowness);
+        }
     }
 
     private Colour single() {

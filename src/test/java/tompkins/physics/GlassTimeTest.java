@@ -10,6 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.ThinLensCamera;
 import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -126,6 +127,28 @@ class GlassTimeTest {
                         .sceneStart()
                         .z())
                 .isCloseTo(-4 / 3.0 * 2, within(1e-7));
+    }
+
+    /** What the camera is not in does not slow its light: sheets, planes with the camera outside, and balls beside it. */
+    @Test
+    void onlyWhatIsAroundTheLensIsItsMedium() {
+        SceneObject ball = new Sphere("ball", new Vector3d(), 3, new Refractive(1.5));
+        SceneObject beside = new Sphere("ball", new Vector3d(0, 9, 0), 3, new Refractive(1.5));
+        SceneObject sheet = new Disc("sheet", new Vector3d(0, 9, 9), new Vector3d(0, 1, 1), 9, new Refractive(1.4));
+        SceneObject wall = new Plane("wall", new Vector3d(-4, 0, 3), new Vector3d(-4, 0, 3), new Refractive(1.3));
+        SceneObject floor = new Plane("floor", new Vector3d(0, -4, 0), new Vector3d(0, 1, 0), new Refractive(1.3));
+        SceneObject side = new Plane("side", new Vector3d(50, 0, 0), new Vector3d(-1, 0, 0), ColouredSurface.DEFAULT);
+        Vector3d view = new Vector3d(1, 0, 0);
+        assertThat(fromInside(List.of(sheet, beside, floor, ball), view, side)
+                        .sceneStart()
+                        .z())
+                .isCloseTo(-6, within(1e-12));
+        // inside the wall, too, of which the ray meets nothing: -4.5 times 1.3
+        assertThat(fromInside(List.of(wall, ball), view, side).sceneStart().z()).isCloseTo(-6 * 1.3, within(1e-12));
+        assertThat(fromInside(List.of(sheet, beside, floor), view, side)
+                        .sceneStart()
+                        .z())
+                .isZero();
     }
 
     @Test
