@@ -1,7 +1,6 @@
 package tompkins.camera;
 
 import org.joml.Vector3dc;
-import tompkins.shutter.LensRay;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpaceTimeTransformation;
 
@@ -38,12 +37,6 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
 
     /** Whether different points of the lens take different pictures. */
     boolean hasWideLens();
-
-    /**
-     * The ray through the centre of the lens in a direction (of any length), focused where the camera is focused there; at infinity
-     * if nothing is in focus there.
-     */
-    LensRay chiefRay(Vector3dc direction);
 
     /**
      * The camera, ready to take a picture.

@@ -4,6 +4,7 @@ import org.joml.Vector3dc;
 import tompkins.ray.Ray;
 import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
+import tompkins.shutter.LensRay;
 
 /** A camera that is ready to take one picture. Immutable, shared by all threads. */
 public interface CameraRays {
@@ -24,6 +25,12 @@ public interface CameraRays {
         make(SamplePlaces.single(x, y, lensX, lensY), rays, counts);
         return rays.count() == 0 ? null : rays.ray(0);
     }
+
+    /**
+     * What the shutter knows of the ray through the centre of the lens in a unit direction: focused where the camera is focused there
+     * if lens or shutter ask for that, otherwise, and where nothing is in focus, at infinity.
+     */
+    LensRay chiefRay(Vector3dc direction);
 
     /** The unit direction of the ray through the centre of the lens for a point of the picture in pixels. */
     Vector3dc chiefDirection(double x, double y);

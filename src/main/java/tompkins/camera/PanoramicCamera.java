@@ -2,7 +2,6 @@ package tompkins.camera;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import tompkins.math.Vectors;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.RayBlock;
@@ -93,12 +92,6 @@ public record PanoramicCamera(
     }
 
     @Override
-    public LensRay chiefRay(Vector3dc direction) {
-        Vector3d chief = Vectors.unit(direction);
-        return new LensRay(position, position, chief, 1 / focusDistance, chief);
-    }
-
-    @Override
     public CameraRays rays(int width, int height, SpaceTimeTransformation sceneFromCamera) {
         return new Rays(this, width, height, sceneFromCamera);
     }
@@ -124,6 +117,11 @@ public record PanoramicCamera(
         }
 
         @Override
+        public LensRay chiefRay(Vector3dc direction) {
+            return new LensRay(camera.position, camera.position, direction, 1 / camera.focusDistance, direction);
+        }
+
+        @Override
         public Vector3d chiefDirection(double x, double y) {
             double longitude = (x - middleX) * longitudePerPixel;
             double latitude = (middleY - y) * latitudePerPixel;
@@ -140,8 +138,7 @@ public record PanoramicCamera(
             int made = 0;
             for (int i = 0; i < places.count(); i++) {
                 Vector3d chief = chiefDirection(places.x[i], places.y[i]);
-                LensRay lensRay = new LensRay(camera.position, camera.position, chief, 1 / camera.focusDistance, chief);
-                double time = camera.shutter.transmissionTime(lensRay, sceneFromCamera);
+                double time = camera.shutter.transmissionTime(chiefRay(chief), sceneFromCamera);
                 if (!Double.isFinite(time)) {
                     counts.withoutShutter++;
                     continue;

@@ -10,7 +10,6 @@ import tompkins.property.Require;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.AperturePlaneShutter;
-import tompkins.shutter.LensRay;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.surface.ColouredSurface;
@@ -92,12 +91,8 @@ public record ThinLensCamera(
 
     @Override
     public double focusDistance() {
-        return 1 / inverseFocusDistance(Vectors.unit(viewDirection));
-    }
-
-    /** NaN if nothing is in focus in a direction. */
-    private double inverseFocusDistance(Vector3dc chief) {
-        return new FocusSurface(focus).inverseDistance(position, chief);
+        // a plane along the view gives a negative zero
+        return 1 / (new FocusSurface(focus).inverseDistance(position, Vectors.unit(viewDirection)) + 0.0);
     }
 
     /** The same camera, focused on the plane across its view at a distance, which may lie behind it. */
@@ -127,13 +122,6 @@ public record ThinLensCamera(
     @Override
     public boolean hasWideLens() {
         return apertureRadius > 0;
-    }
-
-    @Override
-    public LensRay chiefRay(Vector3dc direction) {
-        Vector3d chief = Vectors.unit(direction);
-        double inverse = shutter.needsFocus() ? inverseFocusDistance(chief) : 0;
-        return new LensRay(position, position, chief, Double.isNaN(inverse) ? 0 : inverse, Vectors.unit(viewDirection));
     }
 
     @Override

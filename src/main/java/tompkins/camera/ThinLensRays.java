@@ -75,6 +75,12 @@ final class ThinLensRays implements CameraRays {
     }
 
     @Override
+    public LensRay chiefRay(Vector3dc direction) {
+        double inverse = focus == null ? 0 : focus.inverseDistance(centre, direction);
+        return new LensRay(centre, centre, direction, Double.isNaN(inverse) ? 0 : inverse, axes.forward());
+    }
+
+    @Override
     public void make(SamplePlaces places, RayBlock rays, RayCounts counts) {
         rays.begin(places.count());
         aim(places, rays);

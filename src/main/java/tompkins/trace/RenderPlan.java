@@ -6,6 +6,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.CameraRays;
 import tompkins.camera.PixelSampler;
+import tompkins.math.Vectors;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.LightGrid;
@@ -86,7 +87,7 @@ public final class RenderPlan {
         if (fromLens.length() == 0) {
             return lensInScene();
         }
-        LensRay ray = studio.camera().chiefRay(fromLens);
+        LensRay ray = cameraRays.chiefRay(Vectors.unit(fromLens));
         double time = studio.camera().shutter().transmissionTime(ray, sceneFromCamera) - fromLens.length();
         return sceneFromCamera.transform(new Event(point.x(), point.y(), point.z(), time));
     }

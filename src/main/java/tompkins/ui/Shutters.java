@@ -1,9 +1,12 @@
 package tompkins.ui;
 
 import tompkins.camera.Camera;
+import tompkins.math.Vectors;
 import tompkins.property.Descriptions;
 import tompkins.property.NumberText;
+import tompkins.shutter.LensRay;
 import tompkins.shutter.Shutter;
+import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.studio.Studio;
 
 /** Puts one shutter model in the place of another. */
@@ -26,6 +29,8 @@ final class Shutters {
     }
 
     private static double timeInTheMiddle(Studio studio, Camera camera) {
-        return camera.shutter().transmissionTime(camera.chiefRay(camera.viewDirection()), studio.sceneFromCamera());
+        SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
+        LensRay middle = camera.rays(1, 1, sceneFromCamera).chiefRay(Vectors.unit(camera.viewDirection()));
+        return camera.shutter().transmissionTime(middle, sceneFromCamera);
     }
 }

@@ -156,7 +156,9 @@ class CameraRaysTest {
         Map<Camera, Double> inverseDistances =
                 Map.of(camera, 0.6 / 20, panoramic(AperturePlaneShutter.DEFAULT), 1.0 / 4);
         inverseDistances.forEach((each, inverseDistance) -> {
-            LensRay ray = each.withShutter(new FocusSurfaceShutter(0)).chiefRay(new Vector3d(0, 4, 3));
+            LensRay ray = each.withShutter(new FocusSurfaceShutter(0))
+                    .rays(2, 2, REST)
+                    .chiefRay(new Vector3d(0, 0.8, 0.6));
             assertThat(ray.centre()).isEqualTo(POSITION).isEqualTo(ray.pupilPoint());
             assertThat(ray.chiefDirection().distance(0, 0.8, 0.6)).isLessThan(SMALL);
             assertThat(ray.inverseFocusDistance()).isCloseTo(inverseDistance, within(SMALL));
