@@ -39,8 +39,8 @@ final class SpeedText {
         String plain = text.strip()
                 .toLowerCase(Locale.ROOT)
                 .replace('\u2212', '-')
-                .replaceAll("(?<=[0-9.])\\s*c$", "")
-                .replaceAll("^(?=[0-9. ]+%$)", "beta ")
+                .replaceAll("(?<=[0-9.%])\\s*c$", "")
+                .replaceAll("^(?=[-+.0-9].*%$)", "beta ")
                 .replaceAll("^1\\s*-\\s*(beta|\u03b2)\\s*=?\\s*", "oneminusbeta ");
         Matcher belowOne = BELOW_ONE.matcher(plain);
         if (belowOne.matches()) {
@@ -64,12 +64,12 @@ final class SpeedText {
                             .movePointLeft(2)
                             .doubleValue()
                     : Double.parseDouble(digits);
-        } catch (NumberFormatException e) {
+        } catch (ArithmeticException | NumberFormatException e) {
             throw wrong(text);
         }
     }
 
     private static InvalidPropertyException wrong(String text) {
-        return Numbers.noNumber("speed", "a number, or like \"gamma 10\", \"1-1e-9\", \"rapidity 2\"", text);
+        return Numbers.noNumber("speed", "a number, or like \"97%\", \"gamma 10\", \"1-1e-9\", \"rapidity 2\"", text);
     }
 }

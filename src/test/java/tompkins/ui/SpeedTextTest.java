@@ -23,6 +23,8 @@ class SpeedTextTest {
         ".5 c, BETA, 0.5",
         "99.5 %, BETA, 0.995",
         "beta=10%, BETA, 0.1",
+        "97% c, BETA, 0.97",
+        "+9.7e1%, BETA, 0.97",
         "beta 0.6, BETA, 0.6",
         "gamma 10, GAMMA, 10",
         "gamma=10, GAMMA, 10",
@@ -46,7 +48,21 @@ class SpeedTextTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"1.2", "-0.1", "gamma 0.5", "warp 9", "", "fast", "0,97", "rapidity -1", "101%", "%"})
+    @ValueSource(
+            strings = {
+                "1.2",
+                "-0.1",
+                "gamma 0.5",
+                "warp 9",
+                "",
+                "fast",
+                "0,97",
+                "rapidity -1",
+                "101%",
+                "-5%",
+                "%",
+                "1e-2147483647%"
+            })
     void whatIsNoSpeedIsRefusedWithAMessage(String text) {
         assertThatThrownBy(() -> SpeedText.parse(text, SpeedScale.BETA, ALONG_Z))
                 .isInstanceOf(InvalidPropertyException.class)
