@@ -38,8 +38,8 @@ public final class Spelling {
     /** The known word of which a word is a part, if there is one alone. */
     private static Optional<String> onlyWordWith(String part, Collection<String> known) {
         List<String> whole = known.stream()
-                .filter(candidate ->
-                        part.length() >= SHORTEST_PART && plain(candidate).contains(plain(part)))
+                .filter(candidate -> plain(part).length() >= SHORTEST_PART
+                        && plain(candidate).contains(plain(part)))
                 .toList();
         return whole.size() == 1 ? Optional.of(whole.get(0)) : Optional.empty();
     }

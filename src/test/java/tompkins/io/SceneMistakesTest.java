@@ -43,6 +43,8 @@ class SceneMistakesTest {
             {"camera": {"aperture": 1}}   | f:1:13: camera: unknown key "aperture"; allowed are type, position, \
             viewDirection, topDirection, horizontalAngleDegrees, verticalAngleDegrees, apertureRadius, focus, exposureStops, \
             shutter; did you mean "apertureRadius"?
+            {"settings": {"--e-": 1}}     | f:1:15: settings: unknown key "--e-"; allowed are width, height, samples, seed, \
+            maximumDepth, toneCurve
             {"camera": {"angle": 1}}      | f:1:13: camera: unknown key "angle"; allowed are type, position, viewDirection, \
             topDirection, horizontalAngleDegrees, verticalAngleDegrees, apertureRadius, focus, exposureStops, shutter
             {"camera": {"shutter": {"type": "DetectorPlane"}}} | f:1:33: camera.shutter: unknown type "DetectorPlane"; \
