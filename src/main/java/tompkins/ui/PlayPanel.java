@@ -71,7 +71,11 @@ final class PlayPanel {
         scrubber.addChangeListener(event -> updating.unless(() -> moveTo((double) scrubber.getValue() / STEPS)));
         JButton exportButton = new JButton(Texts.get("play.export"));
         name(exportButton, "play.export");
-        exportButton.addActionListener(event -> export.accept(model.studio(), animation()));
+        exportButton.addActionListener(event -> {
+            if (takesEntries()) {
+                export.accept(model.studio(), animation());
+            }
+        });
         panel.add(numberRow(), "span, growx, wrap, wmin 0");
         panel.add(valuesRow(), "span, growx, wrap, wmin 0");
         panel.add(play, "wmin pref");
@@ -205,6 +209,7 @@ final class PlayPanel {
     }
 
     private void suggest(double first, double last) {
+        EntryField.in(panel).forEach(EntryField::revert);
         setFrom(first);
         setTo(last);
         note.setText("");
@@ -235,7 +240,7 @@ final class PlayPanel {
 
     /** Starts or stops the animation; it does not start with a value that was refused. */
     void setPlaying(boolean wish) {
-        boolean playing = wish && EntryField.in(panel).noneMatch(EntryField::isPending);
+        boolean playing = wish && takesEntries();
         play.setSelected(playing);
         play.setText(Texts.get(playing ? "play.pause" : "play.play"));
         if (playing) {
@@ -246,6 +251,13 @@ final class PlayPanel {
             timer.stop();
             model.endGesture();
         }
+    }
+
+    /** Takes what is typed into the fields; false if one of them was refused. */
+    private boolean takesEntries() {
+        List<EntryField> fields = EntryField.in(panel).toList();
+        fields.forEach(EntryField::commit);
+        return fields.stream().noneMatch(EntryField::isPending);
     }
 
     boolean isPlaying() {

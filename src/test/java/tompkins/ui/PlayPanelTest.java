@@ -3,10 +3,12 @@ package tompkins.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Container;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JSlider;
@@ -34,7 +36,8 @@ class PlayPanelTest {
     private static final String OPENING_TIME = "Opening time of the shutter";
 
     private final StudioModel model = new StudioModel(Studios.sphere(), null);
-    private final PlayPanel play = new PlayPanel(model, (studio, animation) -> {});
+    private final List<Animation> exported = new ArrayList<>();
+    private final PlayPanel play = new PlayPanel(model, (studio, animation) -> exported.add(animation));
     private final Container panel = (Container) play.component();
     private final JComboBox<?> numbers = Components.find(panel, JComboBox.class, "Number to run");
 
@@ -86,8 +89,14 @@ class PlayPanelTest {
             play.setPlaying(true);
             assertThat(play.isPlaying()).isFalse();
         });
+        JButton export = Components.find(panel, JButton.class, Texts.get("play.export"));
+        export.doClick();
+        assertThat(exported).isEmpty();
         assertThat(Components.notes(panel)).anyMatch(text -> text.startsWith("\u26a0"));
-        Components.enter(panel, "to", "0.9");
+        // typed, but not yet entered
+        Components.find(panel, JTextField.class, "to").setText("0.9");
+        export.doClick();
+        assertThat(exported).singleElement().extracting(Animation::to).isEqualTo(0.9);
         onEventThread(() -> {
             play.setPlaying(true);
             assertThat(play.isPlaying()).isTrue();
