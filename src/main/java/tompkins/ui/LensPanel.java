@@ -9,6 +9,7 @@ import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.property.Descriptions;
 import tompkins.property.NumberText;
+import tompkins.render.Quality;
 import tompkins.studio.Studio;
 
 /** Aperture, focus, field of view, exposure, and how many samples the blur gets. */
@@ -90,6 +91,13 @@ final class LensPanel {
         return panel;
     }
 
+    /** Says of the picture on the screen if its one sample leaves a wide lens without effect. */
+    void show(Picture picture) {
+        boolean sharp =
+                picture.studio().camera().hasWideLens() && picture.quality().equals(new Quality.Samples(1));
+        oneSample.setText(sharp ? Texts.get("lens.oneSample") : "");
+    }
+
     /** The picture was clicked: nothing is to be picked any more. */
     void endPicking() {
         pick.setSelected(false);
@@ -114,7 +122,5 @@ final class LensPanel {
         field.show((double) Descriptions.value(Records.component(camera.getClass(), "horizontalAngleDegrees"), camera));
         exposure.show(camera.exposureStops());
         samples.show(studio.settings().samples());
-        boolean sharp = camera.hasWideLens() && studio.settings().samples() == 1;
-        oneSample.setText(sharp ? Texts.get("lens.oneSample") : "");
     }
 }

@@ -47,6 +47,7 @@ final class RenderController implements AutoCloseable {
     /** The picture that is to come; null when it is there, cannot be made, or was stopped, be it still in planning. */
     private final AtomicReference<Request> wanted = new AtomicReference<>();
 
+    private volatile boolean stopped;
     private volatile Run run;
     private volatile Quality quality;
 
@@ -69,6 +70,7 @@ final class RenderController implements AutoCloseable {
     /** Asks for the picture of a studio instead of all that were asked for before. Returns at once. */
     void show(Studio studio) {
         Request request = new Request(studio, quality(studio), System.nanoTime());
+        stopped = false;
         wanted.set(request);
         planner.submit(request);
     }
@@ -86,11 +88,16 @@ final class RenderController implements AutoCloseable {
 
     /** Ends the work on the picture; what is there stays. */
     void stop() {
-        wanted.set(null);
+        stopped = wanted.getAndSet(null) != null;
         Run running = run;
         if (running != null) {
             running.job.cancel();
         }
+    }
+
+    /** Whether the last picture that was asked for was stopped before it was complete. */
+    boolean isStopped() {
+        return stopped;
     }
 
     /** Whether a picture is to come, or one that was stopped is still being worked on by the renderer. */

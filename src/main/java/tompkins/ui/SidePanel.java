@@ -115,6 +115,7 @@ final class SidePanel {
                 || !shown.warnings().equals(picture.warnings())) {
             plan.show(picture.sentences(), picture.warnings());
             shutter.showPlace(made.lensInScene());
+            lens.show(picture);
         }
         shown = picture;
     }

@@ -43,7 +43,7 @@ final class StatusBar {
             boolean busy = controller.isBusy();
             progress.setVisible(busy);
             progress.setValue((int) (controller.progress() * STEPS));
-            if (!busy && last != null && !last.complete()) {
+            if (controller.isStopped() && last != null && !last.complete()) {
                 show(last, "status.stopped");
             }
         });
@@ -145,7 +145,7 @@ final class StatusBar {
         picture.setToolTipText(Tips.html(Texts.get("status.errorTip")));
     }
 
-    /** Shows one line of text, until the mouse moves. */
+    /** Shows one line of text, until there is something else to read under the mouse. */
     void say(String message) {
         what.setForeground(UIManager.getColor("Label.foreground"));
         what.setText(message);

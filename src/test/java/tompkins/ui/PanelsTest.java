@@ -7,6 +7,7 @@ import java.awt.Container;
 import java.awt.Point;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -26,8 +27,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.image.LinearImage;
 import tompkins.ray.MeshData;
 import tompkins.render.Quality;
+import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.sceneobject.TriangleMesh;
@@ -42,6 +45,7 @@ import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.GalileoWindow;
 import tompkins.surface.LorentzWindow;
+import tompkins.trace.RenderPlan;
 
 /** The parts of the side panel, without a display. */
 class PanelsTest {
@@ -340,17 +344,29 @@ class PanelsTest {
         assertThat(Components.isMarked(focus)).isTrue();
         Components.enter(panel, "Focus", "4");
         assertThat(model.studio().camera().focusDistance()).isEqualTo(4);
+        Plane along = new Plane("focus", new Vector3d(1, 0, 0), new Vector3d(1, 0, 0), ColouredSurface.DEFAULT);
+        model.set(model.studio().withCamera(Records.with(model.studio().camera(), "focus", along)));
+        assertThat(focus.getText()).isEqualTo("\u221e");
     }
 
     @Test
     void aWideLensWithOneSampleSaysThatNothingIsBlurred() {
-        Container panel = (Container) new LensPanel(model, picking -> {}).component();
-        Components.enter(panel, "Samples", "1");
-        assertThat(Components.notes(panel)).isEmpty();
-        Components.enter(panel, "Aperture", "0.2");
+        LensPanel lens = new LensPanel(model, picking -> {});
+        Container panel = (Container) lens.component();
+        Studio wide = model.studio().withCamera(Records.with(model.studio().camera(), "apertureRadius", 0.2));
+        lens.show(picture(wide, new Quality.Samples(1)));
         assertThat(Components.notes(panel)).containsExactly(Texts.get("lens.oneSample"));
-        Components.enter(panel, "Samples", "2");
+        lens.show(picture(wide, new Quality.TargetError(0.01)));
         assertThat(Components.notes(panel)).isEmpty();
+        lens.show(picture(wide, new Quality.Samples(2)));
+        assertThat(Components.notes(panel)).isEmpty();
+        lens.show(picture(model.studio(), new Quality.Samples(1)));
+        assertThat(Components.notes(panel)).isEmpty();
+    }
+
+    private static Picture picture(Studio studio, Quality quality) {
+        LinearImage black = new LinearImage(1, 1, new float[3]);
+        return new Picture(RenderPlan.of(studio), quality, black, true, Duration.ZERO, 1, Double.NaN, List.of());
     }
 
     @Test
