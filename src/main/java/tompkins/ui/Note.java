@@ -3,14 +3,13 @@ package tompkins.ui;
 import java.awt.Color;
 import javax.swing.JComponent;
 import javax.swing.JTextArea;
-import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.text.DefaultCaret;
 
 /** A line of explanation or a message beneath a field, as high as its text needs. */
 final class Note {
 
-    private final JTextArea area = new JTextArea() {
+    private final JTextArea area = new WrappingArea(0) {
         @Override
         public void updateUI() {
             super.updateUI();
@@ -22,16 +21,6 @@ final class Note {
             setDisabledTextColor(colour());
             setForeground(colour());
         }
-
-        @Override
-        public void setBounds(int x, int y, int width, int height) {
-            boolean otherWidth = width != getWidth();
-            super.setBounds(x, y, width, height);
-            if (otherWidth) {
-                // the height of wrapped text is known only when its width is
-                SwingUtilities.invokeLater(this::revalidate);
-            }
-        }
     };
 
     private boolean error;
@@ -41,9 +30,6 @@ final class Note {
         area.setEditable(false);
         area.setEnabled(false);
         area.setFocusable(false);
-        area.setLineWrap(true);
-        area.setWrapStyleWord(true);
-        area.setColumns(1);
         area.updateUI();
         area.setVisible(false);
         setText(text);

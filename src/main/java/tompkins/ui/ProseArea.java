@@ -1,20 +1,16 @@
 package tompkins.ui;
 
 import java.awt.KeyboardFocusManager;
-import javax.swing.JTextArea;
-import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 
 /** A field for text of several lines, as high as the text needs; Tab leaves it like any other field. */
 @SuppressWarnings("serial") // never written to a stream
-final class ProseArea extends JTextArea {
+final class ProseArea extends WrappingArea {
 
     private static final int ROWS = 3;
 
     ProseArea() {
-        super(ROWS, 1);
-        setLineWrap(true);
-        setWrapStyleWord(true);
+        super(ROWS);
         setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
         setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
     }
@@ -25,15 +21,5 @@ final class ProseArea extends JTextArea {
         setFont(UIManager.getFont("TextField.font"));
         setBorder(UIManager.getBorder("TextField.border"));
         setMargin(UIManager.getInsets("TextField.margin"));
-    }
-
-    @Override
-    public void setBounds(int x, int y, int width, int height) {
-        boolean otherWidth = width != getWidth();
-        super.setBounds(x, y, width, height);
-        if (otherWidth) {
-            // the height of wrapped text is known only when its width is
-            SwingUtilities.invokeLater(this::revalidate);
-        }
     }
 }
