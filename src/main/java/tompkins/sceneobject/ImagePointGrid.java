@@ -17,7 +17,8 @@ import tompkins.surface.ColouredSurface;
  * (Courtial et al. 2016, Fig. 3).
  */
 @Meaning(
-        "Copies of an object at the places that the moving camera photographs as a regular grid, as in Fig. 3 of the paper")
+        "Copies of an object at the places that the moving camera photographs as a regular grid, as in Fig. 3 of the paper;"
+                + " windows and glass before the lens are not taken into account")
 public record ImagePointGrid(
         @Meaning("Name of the object") String description,
 

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JFileChooser;
@@ -151,7 +152,7 @@ final class FileActions {
     /** Shows a scene; messages and refused values of the one before it go. */
     private void show(Studio studio, Path file) {
         status.clear();
-        lastFolder = null;
+        lastFolder = Objects.equals(file, model.file()) ? lastFolder : null;
         model.open(studio, file);
         held.put(file, studio);
         EntryField.in(frame).forEach(EntryField::revert);

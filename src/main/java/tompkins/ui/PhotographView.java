@@ -109,7 +109,7 @@ final class PhotographView implements AutoCloseable {
         lastPlan = now.plan();
         canvas.show(pictures);
         listener.shown(now);
-        if (pinnedPicture() != null && pinnedPicture().plan() != pinnedPlan) {
+        if (pin != null && pinnedPicture().plan() != pinnedPlan) {
             readPin();
         }
     }
@@ -170,7 +170,7 @@ final class PhotographView implements AutoCloseable {
 
     private Picture pinnedPicture() {
         ScreenPicture shown = canvas.shown();
-        return pinnedInOther && shown.other() != null ? shown.other() : shown.now();
+        return pinnedInOther && shown.otherImage() != null ? shown.other() : shown.now();
     }
 
     private void readPin() {

@@ -249,9 +249,12 @@ public final class TompkinsWindow {
             editor.setVisible(true);
         }
 
+        /** As large as it needs to be, and not smaller than it was made. */
         private void fitEditor() {
+            Dimension made = editor.getSize();
             editor.pack();
-            editor.setSize(onScreen(editor.getWidth(), editor.getHeight()));
+            editor.setSize(
+                    onScreen(Math.max(made.width, editor.getWidth()), Math.max(made.height, editor.getHeight())));
         }
 
         @Override
