@@ -13,6 +13,7 @@ import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
 import org.jfree.chart.ChartPanel;
+import org.jfree.chart.entity.EntityCollection;
 import org.jfree.chart.entity.XYItemEntity;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.AutoClose;
@@ -85,7 +86,7 @@ class QualityWindowTest {
             long end = System.nanoTime() + CLICK_NANOSECONDS;
             WindowDriver.await("an answer", () -> state().endsWith(chosen) || System.nanoTime() > end);
         }
-        assertThat(isChosen(chosen)).as(chosen).isTrue();
+        assertThat(WindowDriver.onEventThread(QualityWindowTest::state)).endsWith(chosen);
     }
 
     private static boolean isChosen(String chosen) {
@@ -132,9 +133,23 @@ class QualityWindowTest {
     private static Point place(String curve, int point) {
         // the places of the points are those of the last painting, which a new chart may still be waiting for
         chart().paintImmediately(0, 0, chart().getWidth(), chart().getHeight());
-        Rectangle bounds = entity(curve, point).getArea().getBounds();
+        XYItemEntity entity = entity(curve, point);
+        Point free = freePlace(entity, entity.getArea().getBounds());
         Point corner = chart().getLocationOnScreen();
-        return new Point((int) (corner.x + chart().getInsets().left + bounds.getCenterX() * chart().getScaleX()), (int)
-                (corner.y + chart().getInsets().top + bounds.getCenterY() * chart().getScaleY()));
+        return new Point((int) (corner.x + chart().getInsets().left + free.x * chart().getScaleX()), (int)
+                (corner.y + chart().getInsets().top + free.y * chart().getScaleY()));
+    }
+
+    /** A place of a point that no other point covers. */
+    private static Point freePlace(XYItemEntity entity, Rectangle bounds) {
+        EntityCollection entities = chart().getChartRenderingInfo().getEntityCollection();
+        for (int y = bounds.y; y < bounds.y + bounds.height; y++) {
+            for (int x = bounds.x; x < bounds.x + bounds.width; x++) {
+                if (entities.getEntity(x, y) == entity && entities.getEntity(x + 1, y + 1) == entity) {
+                    return new Point(x + 1, y + 1);
+                }
+            }
+        }
+        throw new AssertionError("other points cover " + entity);
     }
 }
