@@ -7,7 +7,9 @@ import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JDialog;
@@ -140,16 +142,21 @@ class QualityWindowTest {
                 (corner.y + chart().getInsets().top + free.y * chart().getScaleY()));
     }
 
-    /** A place of a point that no other point covers. */
+    /** The place nearest to the centre of a point around which no other point covers it. */
     private static Point freePlace(XYItemEntity entity, Rectangle bounds) {
+        return IntStream.range(bounds.x, bounds.x + bounds.width)
+                .boxed()
+                .flatMap(
+                        x -> IntStream.range(bounds.y, bounds.y + bounds.height).mapToObj(y -> new Point(x, y)))
+                .filter(place -> isFree(entity, place))
+                .min(Comparator.comparingDouble(place -> place.distance(bounds.getCenterX(), bounds.getCenterY())))
+                .orElseThrow(() -> new AssertionError("other points cover " + entity));
+    }
+
+    private static boolean isFree(XYItemEntity entity, Point place) {
         EntityCollection entities = chart().getChartRenderingInfo().getEntityCollection();
-        for (int y = bounds.y; y < bounds.y + bounds.height; y++) {
-            for (int x = bounds.x; x < bounds.x + bounds.width; x++) {
-                if (entities.getEntity(x, y) == entity && entities.getEntity(x + 1, y + 1) == entity) {
-                    return new Point(x + 1, y + 1);
-                }
-            }
-        }
-        throw new AssertionError("other points cover " + entity);
+        return IntStream.rangeClosed(-1, 1)
+                .allMatch(right -> IntStream.rangeClosed(-1, 1)
+                        .allMatch(down -> entities.getEntity(place.x + right, place.y + down) == entity));
     }
 }
