@@ -48,7 +48,6 @@ final class PhotographView implements AutoCloseable {
     private boolean pinnedInOther;
     private RenderPlan pinnedPlan;
     private Picking picking;
-    private RenderPlan lastPlan;
 
     PhotographView(StudioModel model, Listener listener) {
         this.model = model;
@@ -105,10 +104,8 @@ final class PhotographView implements AutoCloseable {
     }
 
     private void show(ScreenPicture pictures) {
-        Picture now = pictures.now();
-        lastPlan = now.plan();
         canvas.show(pictures);
-        listener.shown(now);
+        listener.shown(pictures.now());
         if (pin != null && pinnedPicture().plan() != pinnedPlan) {
             readPin();
         }
@@ -186,7 +183,8 @@ final class PhotographView implements AutoCloseable {
 
     /** The same place in another picture: a kept one may have another size. */
     private Point2D placeIn(Picture picture, Point2D place) {
-        double scale = (double) picture.image().width() / lastPlan.width();
+        double scale =
+                (double) picture.image().width() / canvas.shown().now().image().width();
         return new Point2D.Double(scale * place.getX(), scale * place.getY());
     }
 
@@ -223,7 +221,7 @@ final class PhotographView implements AutoCloseable {
 
         @Override
         public void over(Point2D place, Picture seen) {
-            if (place == null || lastPlan == null) {
+            if (seen == null) {
                 listener.read(null);
             } else {
                 hover.ask(seen.plan(), placeIn(seen, place), listener::read);
@@ -232,9 +230,9 @@ final class PhotographView implements AutoCloseable {
 
         @Override
         public void clicked(Point2D place, Picture seen) {
-            if (picking != null && lastPlan != null) {
+            if (picking != null) {
                 Picking ending = picking;
-                RenderPlan plan = lastPlan;
+                RenderPlan plan = canvas.shown().now().plan();
                 stopPicking();
                 ending.clicked.run();
                 fixed.ask(plan, place, reading -> ending.taker.accept(PixelProbe.depth(plan, reading)));
