@@ -88,7 +88,9 @@ final class RenderController implements AutoCloseable {
 
     /** Ends the work on the picture; what is there stays. */
     void stop() {
-        stopped = wanted.getAndSet(null) != null;
+        if (wanted.getAndSet(null) != null) {
+            stopped = true;
+        }
         Run running = run;
         if (running != null) {
             running.job.cancel();

@@ -105,6 +105,13 @@ class RenderControllerTest {
         int count = pictures.size();
         Thread.sleep(100);
         assertThat(pictures).hasSize(count).noneMatch(Picture::complete);
+        controller.stop();
+        assertThat(controller.isStopped()).as("stopped twice").isTrue();
+        controller.show(Studios.sphere());
+        assertThat(controller.isStopped()).isFalse();
+        await(() -> last().complete());
+        controller.stop();
+        assertThat(controller.isStopped()).as("complete before").isFalse();
     }
 
     @Test
