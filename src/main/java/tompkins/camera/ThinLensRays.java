@@ -76,8 +76,7 @@ final class ThinLensRays implements CameraRays {
 
     @Override
     public LensRay chiefRay(Vector3dc direction) {
-        double inverse = focus == null ? 0 : focus.inverseDistance(centre, direction);
-        return new LensRay(centre, centre, direction, Double.isNaN(inverse) ? 0 : inverse, axes.forward());
+        return new LensRay(centre, centre, direction, inverseFocusDistance(direction, new RayCounts()), axes.forward());
     }
 
     @Override
@@ -125,7 +124,7 @@ final class ThinLensRays implements CameraRays {
     /** Lets a ray that was aimed start at a place on the lens; false if it never crosses the shutter. */
     private boolean startOnLens(double lensX, double lensY, RayBlock rays, int place, RayCounts counts) {
         Vector3d chief = new Vector3d(rays.dx[place], rays.dy[place], rays.dz[place]);
-        double inverseFocusDistance = focus == null ? 0 : inverseFocusDistance(chief, counts);
+        double inverseFocusDistance = inverseFocusDistance(chief, counts);
         Vector3d offset = offset(lensX, lensY);
         Vector3d pupilPoint = offset.add(centre, new Vector3d());
         double time = constantTime
@@ -154,7 +153,7 @@ final class ThinLensRays implements CameraRays {
     }
 
     private double inverseFocusDistance(Vector3dc chief, RayCounts counts) {
-        double inverse = focus.inverseDistance(centre, chief);
+        double inverse = focus == null ? 0 : focus.inverseDistance(centre, chief);
         if (Double.isNaN(inverse)) {
             counts.withoutFocus++;
             return 0;
