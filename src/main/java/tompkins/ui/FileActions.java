@@ -37,7 +37,7 @@ final class FileActions {
     /** What the scene files held when they were opened or saved last. */
     private final Map<Path, Studio> held = new HashMap<>();
 
-    /** Where a file was chosen last, as long as the scene stays; null before. */
+    /** Where a file was chosen last, as long as the scene has the same file; null before. */
     private File lastFolder;
 
     FileActions(
