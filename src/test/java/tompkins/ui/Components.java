@@ -8,6 +8,7 @@ import java.awt.event.ActionEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import javax.swing.JLabel;
 import javax.swing.JMenu;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
@@ -45,6 +46,11 @@ final class Components {
     /** Those of a type that are on the screen. */
     static <C extends Component> Stream<C> showing(Container root, Class<C> type) {
         return all(root).filter(Component::isShowing).filter(type::isInstance).map(type::cast);
+    }
+
+    /** The texts of the labels. */
+    static Stream<String> labels(Container root) {
+        return all(root).filter(JLabel.class::isInstance).map(label -> ((JLabel) label).getText());
     }
 
     /** The texts of the messages that are on the screen. */

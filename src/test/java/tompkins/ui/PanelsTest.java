@@ -38,6 +38,7 @@ import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.FixedPointSurfaceShutter;
 import tompkins.shutter.FocusSurfaceShutter;
+import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
@@ -220,22 +221,20 @@ class PanelsTest {
     @ParameterizedTest
     @ValueSource(doubles = {10, -5})
     void theDetectorOpensForTheLightFromTheFront(double focus) {
+        assertThat(opened(DetectorPlaneShutter.class, focus)).isEqualTo(new DetectorPlaneShutter(1, 1));
+    }
+
+    /** A shutter model in the place of that of the studio, with the camera focused at a distance. */
+    private Shutter opened(Class<?> shutter, double focus) {
         Studio focused = model.studio().withCamera(model.studio().camera().focusedAt(focus));
-        assertThat(Shutters.replaced(focused, DetectorPlaneShutter.class)
-                        .camera()
-                        .shutter())
-                .isEqualTo(new DetectorPlaneShutter(1, 1));
+        return Shutters.replaced(focused, shutter).camera().shutter();
     }
 
     /** Light from the focus crosses the lens at time 0, as before; of a focus behind the camera that is the time in advance. */
     @ParameterizedTest
     @ValueSource(doubles = {10, -5})
     void theFocusSurfaceOpensForTheLightFromTheFocus(double focus) {
-        Studio focused = model.studio().withCamera(model.studio().camera().focusedAt(focus));
-        assertThat(Shutters.replaced(focused, FocusSurfaceShutter.class)
-                        .camera()
-                        .shutter())
-                .isEqualTo(new FocusSurfaceShutter(-focus));
+        assertThat(opened(FocusSurfaceShutter.class, focus)).isEqualTo(new FocusSurfaceShutter(-focus));
     }
 
     @Test

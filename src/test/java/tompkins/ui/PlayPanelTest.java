@@ -10,7 +10,6 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
-import javax.swing.JLabel;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
 import org.joml.Vector3d;
@@ -107,8 +106,7 @@ class PlayPanelTest {
     void theNumberOfTheSceneIsShownWhileNothingRuns() {
         choose(SPEED);
         model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.25)));
-        assertThat(Components.all(panel).filter(JLabel.class::isInstance).map(label -> ((JLabel) label).getText()))
-                .contains("0.25");
+        assertThat(Components.labels(panel)).contains("0.25");
     }
 
     private static SceneObject ball(String name) {

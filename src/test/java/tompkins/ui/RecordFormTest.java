@@ -9,7 +9,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.JComboBox;
-import javax.swing.JLabel;
 import javax.swing.JTextField;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeAll;
@@ -58,10 +57,7 @@ class RecordFormTest {
         RecordForm form =
                 new RecordForm(type, component -> !Branches.isBranch(component.getGenericType()), committed::add);
         form.show(Descriptions.standard(type));
-        List<String> labels = Components.all((Container) form.component())
-                .filter(JLabel.class::isInstance)
-                .map(label -> ((JLabel) label).getText())
-                .toList();
+        List<String> labels = Components.labels((Container) form.component()).toList();
         Stream<String> expected = Arrays.stream(type.getRecordComponents())
                 .filter(component -> !Branches.isBranch(component.getGenericType()))
                 .map(RecordComponent::getName)
@@ -117,14 +113,7 @@ class RecordFormTest {
         surface.setSelectedItem(LuminousSurface.class);
         assertThat(committed).containsExactly(new Sphere("sphere", new Vector3d(0, 0, 10), 1, LuminousSurface.DEFAULT));
         form.show(committed.get(0));
-        assertThat(labels((Container) form.component())).contains("Colour");
-    }
-
-    private static List<String> labels(Container form) {
-        return Components.all(form)
-                .filter(JLabel.class::isInstance)
-                .map(label -> ((JLabel) label).getText())
-                .toList();
+        assertThat(Components.labels((Container) form.component())).contains("Colour");
     }
 
     @Test
