@@ -15,7 +15,6 @@ import tompkins.studio.Studio;
 
 /** Looks for mistakes in scene files, and for damage in saved photographs. */
 @Command(
-        name = "check",
         mixinStandardHelpOptions = true,
         description = "Looks for mistakes in scene files, and for damage in saved photographs.")
 final class CheckCommand implements Callable<Integer> {

@@ -18,7 +18,6 @@ import tompkins.trace.RenderPlan;
 
 /** Says what a picture needs and what it leaves out. */
 @Command(
-        name = "explain",
         mixinStandardHelpOptions = true,
         description = "Says what the picture of a scene models, what it leaves out, and why, and what it will cost.")
 final class ExplainCommand implements Callable<Integer> {

@@ -45,7 +45,7 @@ public final class Main {
 
     /** Runs the program and returns its exit code. */
     static int run(PrintWriter out, PrintWriter err, String... arguments) {
-        CommandLine commandLine = new CommandLine(new TompkinsCommand());
+        CommandLine commandLine = TompkinsCommand.commandLine(arguments);
         commandLine.setOut(out);
         commandLine.setErr(err);
         commandLine.setCaseInsensitiveEnumValuesAllowed(true);

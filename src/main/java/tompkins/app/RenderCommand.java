@@ -21,7 +21,6 @@ import tompkins.studio.Studio;
 
 /** Takes photographs of scene files. */
 @Command(
-        name = "render",
         mixinStandardHelpOptions = true,
         description = "Takes the photographs of scene files. The scene travels inside the picture: render a saved"
                 + " photograph to take it again.")

@@ -28,7 +28,6 @@ import tompkins.study.StudySetup;
 
 /** Charts speed against accuracy. */
 @Command(
-        name = "study",
         mixinStandardHelpOptions = true,
         description =
                 "Charts speed against accuracy: measures methods against each other and writes charts, figures and"

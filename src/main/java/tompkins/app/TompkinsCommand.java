@@ -2,7 +2,10 @@ package tompkins.app;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.concurrent.Callable;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
@@ -22,22 +25,44 @@ import tompkins.ui.TompkinsWindow;
             "",
             "Without a command: opens the window, with a scene file or saved photograph if one is given; without a display,"
                     + " takes the photograph."
-        },
-        subcommands = {
-            RenderCommand.class,
-            CheckCommand.class,
-            ExplainCommand.class,
-            TraceCommand.class,
-            StudyCommand.class,
-            HelpCommand.class
         })
 final class TompkinsCommand implements Callable<Integer> {
+
+    /** The commands by name, in the order in which the help lists them. */
+    private static final Map<String, Class<?>> COMMANDS = new LinkedHashMap<>();
+
+    static {
+        COMMANDS.put("render", RenderCommand.class);
+        COMMANDS.put("check", CheckCommand.class);
+        COMMANDS.put("explain", ExplainCommand.class);
+        COMMANDS.put("trace", TraceCommand.class);
+        COMMANDS.put("study", StudyCommand.class);
+        COMMANDS.put("help", HelpCommand.class);
+    }
 
     @Parameters(arity = "0..1", paramLabel = "SCENE", description = "scene file or saved photograph to open")
     private Path scene;
 
     @Spec
     private CommandSpec spec;
+
+    /**
+     * The command line for some arguments. It knows all commands, but for those that the arguments have no use for: to look at all
+     * of them takes a tenth of a second of every start.
+     */
+    static CommandLine commandLine(String... arguments) {
+        CommandLine commandLine = new CommandLine(new TompkinsCommand());
+        if (arguments.length == 0) {
+            return commandLine;
+        }
+        String first = arguments[0];
+        // the help tells of the others
+        if (COMMANDS.containsKey(first) && COMMANDS.get(first) != HelpCommand.class) {
+            return commandLine.addSubcommand(first, COMMANDS.get(first));
+        }
+        COMMANDS.forEach(commandLine::addSubcommand);
+        return commandLine;
+    }
 
     @Override
     public Integer call() throws Exception {

@@ -20,7 +20,6 @@ import tompkins.trace.RayLife;
 
 /** Shows the life of one ray. */
 @Command(
-        name = "trace",
         mixinStandardHelpOptions = true,
         description = "Shows the life of one ray: its events and directions in both frames, its hits, its colour. Where"
                 + " it splits, as in glass, all hits of the weaker branch come first, indented; entry and frequency are those of"

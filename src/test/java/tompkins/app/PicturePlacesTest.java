@@ -13,7 +13,6 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import picocli.CommandLine;
 
 /** Where pictures are saved, and the names and places at which none may be. */
 class PicturePlacesTest {
@@ -63,7 +62,7 @@ class PicturePlacesTest {
         Path scene =
                 Files.writeString(folder.resolve("mine.json"), "{ \"settings\": { \"width\": 8, \"height\": 6 } }");
         Path target = folder.resolve("mine.png");
-        Photographer photographer = new Photographer(new CommandLine(new TompkinsCommand()), 1);
+        Photographer photographer = new Photographer(TompkinsCommand.commandLine(), 1);
 
         photographer.takeDefault(scene, folder);
         FileTime first = FileTime.fromMillis(0);
