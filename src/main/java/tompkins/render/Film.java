@@ -79,8 +79,7 @@ final class Film {
 
     /** The mean square, over the channels, of the second difference between the means of three pixels that have samples. */
     double secondDifference(int before, int pixel, int after) {
-        // the window and every start ask for most pixels of a picture with one sample each: nothing is divided, nothing
-        // called
+        // first pictures have one sample a pixel: nothing is divided where there is nothing to divide
         boolean single = samples[before] == 1 && samples[pixel] == 1 && samples[after] == 1;
         double sum = 0;
         for (int channel = 0; channel < 3; channel++) {
