@@ -3,8 +3,6 @@ package tompkins.study;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.time.LocalDate;
-import java.time.ZoneOffset;
 import java.util.List;
 import java.util.Locale;
 import tompkins.ray.Ray;
@@ -48,7 +46,8 @@ public final class StudyPage {
 
                     java -jar target/tompkins.jar study all -o docs
 
-                It was made by %s on %s (%s).
+                The figures were measured with %s (%s). What the csv files hold already
+                is not measured again.
 
                 ## What the program does because of these studies
 
@@ -74,7 +73,6 @@ public final class StudyPage {
                 halves, where the exact answer is not known.
                 """,
                 program,
-                LocalDate.now(ZoneOffset.UTC),
                 Machine.text(),
                 Quality.TargetError.DEFAULT.rootMeanSquare(),
                 ObjectTree.SMALLEST_TREE,
