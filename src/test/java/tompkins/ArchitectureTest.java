@@ -66,6 +66,10 @@ class ArchitectureTest {
             "ui",
             "app");
 
+    /** The parts of the window, in the same order; the package of the window itself comes after them. */
+    private static final List<String> PARTS_OF_WINDOW =
+            List.of("ui.model", "ui.widget", "ui.picture", "ui.file", "ui.editor", "ui.panel");
+
     /** The packages whose records describe a scene. */
     private static final List<String> DESCRIPTIONS =
             List.of("property", "spacetime", "light", "surface", "sceneobject", "shutter", "camera", "studio");
@@ -108,8 +112,23 @@ class ArchitectureTest {
     }
 
     static Stream<Arguments> packagesWithLaterOnes() {
-        return IntStream.range(0, PACKAGES.size() - 1)
-                .mapToObj(i -> arguments(PACKAGES.get(i), PACKAGES.subList(i + 1, PACKAGES.size())));
+        return Stream.concat(withLaterOnes(PACKAGES), withLaterOnes(PARTS_OF_WINDOW));
+    }
+
+    private static Stream<Arguments> withLaterOnes(List<String> packages) {
+        return IntStream.range(0, packages.size() - 1)
+                .mapToObj(i -> arguments(packages.get(i), packages.subList(i + 1, packages.size())));
+    }
+
+    @Test
+    void partsOfTheWindowDoNotUseTheWindow() {
+        noClasses()
+                .that()
+                .resideInAnyPackage(within(PARTS_OF_WINDOW))
+                .should()
+                .dependOnClassesThat()
+                .resideInAPackage("tompkins.ui")
+                .check(CLASSES);
     }
 
     @Test

@@ -12,6 +12,13 @@ import tompkins.image.PhotographInfo;
 import tompkins.io.SelfDescription;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
+import tompkins.ui.file.BackgroundTask;
+import tompkins.ui.file.FormatFilter;
+import tompkins.ui.file.PhotographTaker;
+import tompkins.ui.file.Progress;
+import tompkins.ui.file.SaveDialog;
+import tompkins.ui.panel.Animation;
+import tompkins.ui.widget.Texts;
 
 /** Saves an animation as a file, or as a folder of pictures. */
 final class AnimationExport {

@@ -23,6 +23,19 @@ import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
+import tompkins.ui.file.BackgroundTask;
+import tompkins.ui.file.FileDrop;
+import tompkins.ui.file.FormatFilter;
+import tompkins.ui.file.ImageSelection;
+import tompkins.ui.file.Loss;
+import tompkins.ui.file.PhotographTaker;
+import tompkins.ui.file.SaveDialog;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.ScreenPicture;
+import tompkins.ui.widget.EntryField;
+import tompkins.ui.widget.Messages;
+import tompkins.ui.widget.Texts;
 
 /** Opens and saves scenes, saves and copies photographs. What reads or writes files does so away from the event thread. */
 final class FileActions {

@@ -2,6 +2,8 @@ package tompkins.ui;
 
 import java.awt.Window;
 import java.util.List;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.EntryField;
 
 /**
  * Undo and redo as a person sees them: what stands in a field of the window without having been taken is the last thing that

@@ -4,6 +4,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import tompkins.ui.widget.Texts;
 
 /** The keys and what the mouse does, group by group: each beside what it means. */
 final class KeyTable {

@@ -17,6 +17,10 @@ import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
+import tompkins.ui.panel.NumberProperty;
+import tompkins.ui.widget.Keys;
+import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Texts;
 
 /** The menus of the window. */
 final class Menus {

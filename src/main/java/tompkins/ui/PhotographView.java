@@ -6,6 +6,18 @@ import javax.swing.SwingUtilities;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.panel.ComparePanel;
+import tompkins.ui.picture.Comparison;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.picture.PixelProbe;
+import tompkins.ui.picture.RenderController;
+import tompkins.ui.picture.ScreenPicture;
+import tompkins.ui.picture.ScreenPictures;
+import tompkins.ui.widget.Messages;
+import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.Texts;
 
 /** The photograph of the current studio on its canvas, with what it is compared with, and the probe of its pixels. */
 final class PhotographView implements AutoCloseable {

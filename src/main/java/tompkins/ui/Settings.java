@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
 import tompkins.image.PendingFile;
+import tompkins.ui.widget.Look;
 
 /**
  * What the window remembers: its look, its size, and the files that were opened last. Kept in the folder for settings of the

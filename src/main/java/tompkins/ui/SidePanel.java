@@ -9,6 +9,23 @@ import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
 import tompkins.property.NumberText;
 import tompkins.trace.RenderPlan;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.panel.ComparePanel;
+import tompkins.ui.panel.LensPanel;
+import tompkins.ui.panel.PlanFold;
+import tompkins.ui.panel.QualityPanel;
+import tompkins.ui.panel.RaySection;
+import tompkins.ui.panel.ShutterPanel;
+import tompkins.ui.panel.TransformationPanel;
+import tompkins.ui.panel.VelocityPanel;
+import tompkins.ui.panel.WindowPanel;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.PixelProbe;
+import tompkins.ui.widget.Column;
+import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Section;
+import tompkins.ui.widget.Texts;
 
 /** The narrow panel beside the photograph: all that a teacher turns, one part under the other. */
 final class SidePanel {

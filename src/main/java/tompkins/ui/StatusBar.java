@@ -9,6 +9,12 @@ import javax.swing.JProgressBar;
 import javax.swing.Timer;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.PixelProbe;
+import tompkins.ui.picture.RenderController;
+import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Tips;
 
 /** The line under the photograph: what is under the mouse, and how far the picture is. */
 final class StatusBar {

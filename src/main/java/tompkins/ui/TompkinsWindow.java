@@ -23,6 +23,18 @@ import javax.swing.UIManager;
 import javax.swing.WindowConstants;
 import tompkins.io.SelfDescription;
 import tompkins.studio.Studio;
+import tompkins.ui.editor.FileContentEditor;
+import tompkins.ui.editor.SceneEditor;
+import tompkins.ui.file.BackgroundTask;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.panel.NumberProperty;
+import tompkins.ui.panel.PlayPanel;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.PixelProbe;
+import tompkins.ui.widget.Keys;
+import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Messages;
+import tompkins.ui.widget.Texts;
 
 /** The window of Tompkins: the photograph, and a narrow panel with what it depends on. */
 public final class TompkinsWindow {

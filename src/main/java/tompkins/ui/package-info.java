@@ -1,2 +1,2 @@
-/** The window: the photograph, and beside it what the photograph depends on. The only package that knows Swing. */
+/** The window, put together from the parts in its packages. Together they are the only ones that know Swing. */
 package tompkins.ui;

@@ -16,14 +16,14 @@ import javax.swing.KeyStroke;
 import javax.swing.text.JTextComponent;
 
 /** Finds components by their names, uses them as a hand does, and lays them out without a display. */
-final class Components {
+public final class Components {
 
     private static final int ROUNDS = 4;
 
     private Components() {}
 
     /** The component of a type that has a name. */
-    static <C extends Component> C find(Container root, Class<C> type, String name) {
+    public static <C extends Component> C find(Container root, Class<C> type, String name) {
         return all(root)
                 .filter(type::isInstance)
                 .map(type::cast)
@@ -37,24 +37,24 @@ final class Components {
     }
 
     /** All components in a container, with those of its menus and of the windows that it owns. */
-    static Stream<Component> all(Container root) {
+    public static Stream<Component> all(Container root) {
         List<Component> found = new ArrayList<>();
         collect(root, found);
         return found.stream();
     }
 
     /** Those of a type that are on the screen. */
-    static <C extends Component> Stream<C> showing(Container root, Class<C> type) {
+    public static <C extends Component> Stream<C> showing(Container root, Class<C> type) {
         return all(root).filter(Component::isShowing).filter(type::isInstance).map(type::cast);
     }
 
     /** The texts of the labels. */
-    static Stream<String> labels(Container root) {
+    public static Stream<String> labels(Container root) {
         return all(root).filter(JLabel.class::isInstance).map(label -> ((JLabel) label).getText());
     }
 
     /** The texts of the messages that are on the screen. */
-    static Stream<String> messages(Container root) {
+    public static Stream<String> messages(Container root) {
         return showing(root, JTextArea.class)
                 .filter(text -> "message".equals(text.getName()))
                 .map(JTextArea::getText);
@@ -78,7 +78,7 @@ final class Components {
     }
 
     /** Types into a field and presses Enter. */
-    static JTextField enter(Container root, String name, String text) {
+    public static JTextField enter(Container root, String name, String text) {
         JTextField field = find(root, JTextField.class, name);
         field.setText(text);
         field.postActionEvent();
@@ -86,18 +86,18 @@ final class Components {
     }
 
     /** Presses a key in a field, such as "UP" or "shift DOWN". */
-    static void press(JTextComponent field, String key) {
+    public static void press(JTextComponent field, String key) {
         Object action = field.getInputMap().get(KeyStroke.getKeyStroke(key));
         field.getActionMap().get(action).actionPerformed(new ActionEvent(field, ActionEvent.ACTION_PERFORMED, key));
     }
 
     /** Whether a field is marked as wrong. */
-    static boolean isMarked(JTextField field) {
+    public static boolean isMarked(JTextField field) {
         return "error".equals(field.getClientProperty("JComponent.outline"));
     }
 
     /** The texts of the visible notes: explanations and messages. */
-    static List<String> notes(Container root) {
+    public static List<String> notes(Container root) {
         return all(root)
                 .filter(JTextArea.class::isInstance)
                 .filter(Component::isVisible)

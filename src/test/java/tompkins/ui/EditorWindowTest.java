@@ -24,6 +24,7 @@ import tompkins.ray.PixelPicture;
 import tompkins.sceneobject.Sphere;
 import tompkins.surface.PictureSurface;
 import tompkins.surface.Surface;
+import tompkins.ui.model.Records;
 
 /** The keys of the window with the tree of the scene. */
 @Timeout(600)

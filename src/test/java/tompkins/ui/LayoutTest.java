@@ -38,6 +38,14 @@ import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.surface.LorentzWindow;
+import tompkins.ui.editor.SceneEditor;
+import tompkins.ui.model.FrontWindow;
+import tompkins.ui.model.Shutters;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.panel.ComparePanel;
+import tompkins.ui.panel.PlayPanel;
+import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Texts;
 
 /** Every component lies inside its parent and shows all of its text, at all sizes of type, in all looks, in long words. */
 class LayoutTest {

@@ -18,6 +18,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tompkins.render.Quality;
 import tompkins.spacetime.Velocity;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.panel.ComparePanel;
+import tompkins.ui.picture.Comparison;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.picture.ScreenPicture;
+import tompkins.ui.widget.Look;
 
 /** The photograph and what it is compared with, without a display. */
 @Timeout(120)

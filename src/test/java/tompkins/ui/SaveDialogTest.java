@@ -15,6 +15,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.io.StudioWriter;
+import tompkins.ui.model.Records;
+import tompkins.ui.widget.Texts;
 
 /** The format in which a file is saved: the one whose ending is typed, else the chosen one. */
 @Timeout(600)

@@ -1,5 +1,8 @@
 package tompkins.ui;
 
+import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.PixelProbe;
+
 /** Nobody who listens to a photograph. */
 final class SilentListener implements PhotographView.Listener {
 

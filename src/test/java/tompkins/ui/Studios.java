@@ -6,26 +6,27 @@ import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
+import tompkins.ui.model.Records;
 
 /** Studios for the tests of the window. */
-final class Studios {
+public final class Studios {
 
     private Studios() {}
 
     /** A sphere straight ahead, 64 x 48 pixels, at rest. */
-    static Studio sphere() {
+    public static Studio sphere() {
         return Studio.DEFAULT
                 .withScene(List.of(Sphere.DEFAULT))
                 .withSettings(Studio.DEFAULT.settings().withSize(64, 48));
     }
 
     /** The lattice of the paper, 640 x 480 pixels, in fast motion. */
-    static Studio lattice() {
+    public static Studio lattice() {
         return Studio.DEFAULT.withScene(List.of(CylinderLattice.DEFAULT)).withVelocity(Velocity.of(0.1, 0, 0.99));
     }
 
     /** A picture that would take minutes. */
-    static Studio slow() {
+    public static Studio slow() {
         Studio lattice = lattice();
         return lattice.withCamera(Records.with(ThinLensCamera.DEFAULT, "apertureRadius", 0.1))
                 .withSettings(lattice.settings().withSize(1600, 1200).withSamples(4096));

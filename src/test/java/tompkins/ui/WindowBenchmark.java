@@ -13,6 +13,7 @@ import tompkins.io.StudioReader;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
+import tompkins.ui.picture.Picture;
 
 /**
  * Prints how fast the window is with a scene: milliseconds from the start of Java to the first picture, from a change of the

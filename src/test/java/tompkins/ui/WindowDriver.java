@@ -29,9 +29,10 @@ import javax.swing.JMenuItem;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Assumptions;
 import tompkins.studio.Studio;
+import tompkins.ui.picture.Picture;
 
 /** Uses a real window as a person does, with mouse and keys. */
-final class WindowDriver implements AutoCloseable {
+public final class WindowDriver implements AutoCloseable {
 
     private static final long LONGEST_WAIT_SECONDS = 60;
 
@@ -73,7 +74,7 @@ final class WindowDriver implements AutoCloseable {
     }
 
     /** Skips a test that needs a display where there is none; fails it where one is required. */
-    static void requireDisplay() {
+    public static void requireDisplay() {
         if (Displays.usable()) {
             return;
         }
@@ -84,7 +85,7 @@ final class WindowDriver implements AutoCloseable {
         Assumptions.abort(how);
     }
 
-    static <T> T onEventThread(Callable<T> call) {
+    public static <T> T onEventThread(Callable<T> call) {
         FutureTask<T> task = new FutureTask<>(call);
         try {
             SwingUtilities.invokeAndWait(task);
@@ -97,7 +98,7 @@ final class WindowDriver implements AutoCloseable {
         }
     }
 
-    static void await(String what, BooleanSupplier condition) {
+    public static void await(String what, BooleanSupplier condition) {
         long end = System.nanoTime() + LONGEST_WAIT_SECONDS * 1_000_000_000L;
         while (!onEventThread(condition::getAsBoolean)) {
             if (System.nanoTime() > end) {

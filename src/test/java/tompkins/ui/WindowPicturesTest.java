@@ -26,6 +26,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import tompkins.io.StudioReader;
 import tompkins.studio.Studio;
+import tompkins.ui.panel.ComparePanel;
+import tompkins.ui.picture.PictureCanvas;
 
 /**
  * The pictures of the window in {@code docs/pictures}: with {@code -Dtompkins.regenerate=true} and a display they are taken

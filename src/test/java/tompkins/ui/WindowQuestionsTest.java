@@ -46,6 +46,9 @@ import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
+import tompkins.ui.model.Records;
+import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.widget.Texts;
 
 /** What the window asks, and what becomes of the answers. */
 @Timeout(600)

@@ -34,6 +34,10 @@ import tompkins.render.Renderer;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
+import tompkins.ui.panel.ComparePanel;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.picture.ScreenPicture;
 
 /** The real window, used with mouse and keys. */
 @Timeout(600)

@@ -1,0 +1,104 @@
+package tompkins.ui.editor;
+
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Graphics;
+import java.util.function.Consumer;
+import javax.swing.Icon;
+import javax.swing.JButton;
+import javax.swing.JColorChooser;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import org.joml.Vector3d;
+import tompkins.image.ToneCurve;
+import tompkins.property.NumberText;
+import tompkins.ray.Colour;
+import tompkins.ui.widget.Naming;
+import tompkins.ui.widget.Note;
+import tompkins.ui.widget.NumberKind;
+import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.VectorFields;
+import tompkins.ui.widget.Wording;
+
+/** Controls for a colour: three numbers, which may be above 1, and a patch that opens a colour chooser. */
+final class ColourEditor implements ValueEditor {
+
+    private static final int LEVELS = 255;
+
+    private final JPanel panel = new JPanel(
+            new MigLayout("novisualpadding, insets 0, fillx, gap 4", "[pref!][grow,fill][grow,fill][grow,fill]"));
+    private final VectorFields fields;
+    private final Consumer<Object> commit;
+    private Colour colour = Colour.BLACK;
+
+    ColourEditor(String property, String tip, Note note, Consumer<Object> commit) {
+        this.commit = commit;
+        panel.setOpaque(false);
+        JButton patch = new JButton(new Patch());
+        String name = Texts.get("colour.choose", Wording.label(property));
+        Naming.name(patch, name, name);
+        patch.addActionListener(event -> choose(patch, note));
+        fields = new VectorFields(
+                property,
+                NumberKind.DOUBLE,
+                3,
+                tip + ". " + Texts.get("colour.tip"),
+                note,
+                vector -> commit.accept(new Colour(vector.x(), vector.y(), vector.z())));
+        panel.add(patch);
+        fields.addInRow(panel);
+    }
+
+    private void choose(Component parent, Note note) {
+        Color chosen = JColorChooser.showDialog(parent, Texts.get("colour.title"), screenColour());
+        if (chosen != null) {
+            ValueEditors.attempt(
+                    note,
+                    () -> commit.accept(
+                            new Colour(share(chosen.getRed()), share(chosen.getGreen()), share(chosen.getBlue()))));
+        }
+    }
+
+    private static double share(int level) {
+        return NumberText.rounded((double) level / LEVELS, 4);
+    }
+
+    private Color screenColour() {
+        return new Color(
+                ToneCurve.LINEAR.quantise(colour.red(), LEVELS),
+                ToneCurve.LINEAR.quantise(colour.green(), LEVELS),
+                ToneCurve.LINEAR.quantise(colour.blue(), LEVELS));
+    }
+
+    @Override
+    public JComponent component() {
+        return panel;
+    }
+
+    @Override
+    public void show(Object value) {
+        colour = (Colour) value;
+        fields.show(new Vector3d(colour.red(), colour.green(), colour.blue()));
+        panel.repaint();
+    }
+
+    private final class Patch implements Icon {
+
+        @Override
+        public void paintIcon(Component component, Graphics graphics, int x, int y) {
+            graphics.setColor(screenColour());
+            graphics.fillRect(x, y, getIconWidth(), getIconHeight());
+        }
+
+        @Override
+        public int getIconWidth() {
+            return 16;
+        }
+
+        @Override
+        public int getIconHeight() {
+            return 14;
+        }
+    }
+}

@@ -1,0 +1,112 @@
+package tompkins.ui.editor;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JFileChooser;
+import javax.swing.SwingUtilities;
+import tompkins.image.PictureFile;
+import tompkins.io.MeshFile;
+import tompkins.ray.MeshData;
+import tompkins.ray.PixelPicture;
+import tompkins.ui.file.BackgroundTask;
+import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Tips;
+
+/** A button that shows what a file held, such as a picture or a mesh, and chooses another file. */
+public final class FileContentEditor implements ValueEditor {
+
+    /** Client property of a window's root pane: the {@link Choosers} for the editors in it. */
+    public static final String CHOOSERS = "tompkins.choosers";
+
+    /** Makes choosers that start in the right folder. */
+    public interface Choosers {
+        JFileChooser make();
+    }
+
+    private final JButton button = new JButton();
+    private final Function<Object, String> text;
+
+    /** An editor for pictures. */
+    static FileContentEditor picture(String name, String tip, Note note, Consumer<Object> commit) {
+        return new FileContentEditor(name, tip, note, commit, PictureFile::read, FileContentEditor::pictureText);
+    }
+
+    /** An editor for meshes. */
+    static FileContentEditor mesh(String name, String tip, Note note, Consumer<Object> commit) {
+        return new FileContentEditor(name, tip, note, commit, MeshFile::read, FileContentEditor::meshText);
+    }
+
+    private interface Reader {
+        Object read(Path file) throws IOException;
+    }
+
+    private FileContentEditor(
+            String name, String tip, Note note, Consumer<Object> commit, Reader reader, Function<Object, String> text) {
+        this.text = text;
+        button.setName(name);
+        button.setToolTipText(Tips.html(tip));
+        button.addActionListener(event -> {
+            JFileChooser chooser = chooser();
+            if (chooser.showOpenDialog(button) == JFileChooser.APPROVE_OPTION) {
+                read(chooser.getSelectedFile().toPath(), reader, note, commit);
+            }
+        });
+    }
+
+    private JFileChooser chooser() {
+        return SwingUtilities.getRootPane(button).getClientProperty(CHOOSERS) instanceof Choosers choosers
+                ? choosers.make()
+                : new JFileChooser();
+    }
+
+    /** Reads in the background: a mesh may be large. What is read for a form that is gone by then is dropped. */
+    private void read(Path file, Reader reader, Note note, Consumer<Object> commit) {
+        BackgroundTask.find(
+                SwingUtilities.getWindowAncestor(button),
+                Texts.get("file.opening", file),
+                () -> afterReading(file, reader, note, commit),
+                Runnable::run);
+    }
+
+    /** Reads a file, and gives what is to be done then. */
+    private Runnable afterReading(Path file, Reader reader, Note note, Consumer<Object> commit) {
+        try {
+            Object content = reader.read(file);
+            return () -> {
+                if (button.isShowing()) {
+                    ValueEditors.attempt(note, () -> commit.accept(content));
+                }
+            };
+        } catch (IOException problem) {
+            return () -> note.setError(problem.getMessage());
+        }
+    }
+
+    private static String pictureText(Object value) {
+        PixelPicture picture = (PixelPicture) value;
+        String name = picture.name().isEmpty() ? Texts.get("pixels.none") : picture.name();
+        return Texts.get("pixels.button", name, picture.width(), picture.height());
+    }
+
+    private static String meshText(Object value) {
+        MeshData mesh = (MeshData) value;
+        String name = mesh.name().isEmpty() ? Texts.get("mesh.none") : mesh.name();
+        return Texts.get("mesh.button", name, mesh.triangles());
+    }
+
+    @Override
+    public JComponent component() {
+        return button;
+    }
+
+    @Override
+    public void show(Object value) {
+        button.setText(text.apply(value));
+        button.getAccessibleContext().setAccessibleName(button.getName() + ": " + button.getText());
+    }
+}

@@ -1,0 +1,72 @@
+package tompkins.ui.editor;
+
+import java.lang.reflect.RecordComponent;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import tompkins.property.Descriptions;
+import tompkins.ui.model.Records;
+import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Tips;
+import tompkins.ui.widget.Wording;
+
+/**
+ * A form for a record, made from its components: names become labels, meanings tooltips, types controls. A value that the
+ * record does not accept is marked where it was entered.
+ */
+public final class RecordForm {
+
+    private final JPanel panel = new JPanel(
+            new MigLayout("novisualpadding, insets 0, fillx, wrap 2, hidemode 3, gap 8 5", "[::150,pref][grow,fill]"));
+    private final Map<RecordComponent, ValueEditor> editors = new LinkedHashMap<>();
+    private Object value;
+
+    /**
+     * A form for some components of a record type.
+     *
+     * @param which the components to show
+     * @param commit takes the changed record, or throws
+     */
+    public RecordForm(Class<?> type, Predicate<RecordComponent> which, Consumer<Object> commit) {
+        panel.setOpaque(false);
+        for (RecordComponent component : Descriptions.components(type)) {
+            if (which.test(component)) {
+                add(component, commit);
+            }
+        }
+    }
+
+    private void add(RecordComponent component, Consumer<Object> commit) {
+        Note note = new Note("");
+        ValueEditor editor =
+                ValueEditors.of(component, note, part -> commit.accept(Records.with(value, component.getName(), part)));
+        editors.put(component, editor);
+        JLabel label = new JLabel(Wording.label(component.getName()));
+        label.setToolTipText(Tips.html(Wording.meaning(component)));
+        label.setLabelFor(editor.component());
+        panel.add(label, editor.isTall() ? "aligny top, gaptop 3" : "");
+        panel.add(editor.component(), "growx, wmin 0");
+        panel.add(note.component(), "span, growx, wmin 0");
+    }
+
+    /** The form itself, to be put into a panel. */
+    public JComponent component() {
+        return panel;
+    }
+
+    /** Whether there is nothing to fill in. */
+    public boolean isEmpty() {
+        return editors.isEmpty();
+    }
+
+    /** Shows a record of the form's type. */
+    public void show(Object shown) {
+        value = shown;
+        editors.forEach((component, editor) -> editor.show(Descriptions.value(component, shown)));
+    }
+}

@@ -1,0 +1,242 @@
+package tompkins.ui.editor;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.UnaryOperator;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JMenuItem;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
+import javax.swing.KeyStroke;
+import javax.swing.ScrollPaneConstants;
+import net.miginfocom.swing.MigLayout;
+import tompkins.camera.ThinLensCamera;
+import tompkins.property.Descriptions;
+import tompkins.sceneobject.Hidden;
+import tompkins.sceneobject.SceneObject;
+import tompkins.studio.Studio;
+import tompkins.ui.model.Branches;
+import tompkins.ui.model.FrontWindow;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.model.StudioPath;
+import tompkins.ui.widget.Column;
+import tompkins.ui.widget.Keys;
+import tompkins.ui.widget.Naming;
+import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Tips;
+import tompkins.ui.widget.Wording;
+
+/** All of the studio: a tree of its parts, and a form for the chosen one. */
+public final class SceneEditor {
+
+    private final StudioModel model;
+    private final JPanel panel = new JPanel(
+            new MigLayout("novisualpadding, insets 10, fill, wrap 1, gap 0 8", "[grow,fill]", "[grow,fill][]"));
+    private final StudioTree tree = new StudioTree(this::choose);
+    private final Column formPanel = new Column();
+    private final Note note = new Note("");
+    private final JButton add = button("add");
+    private final JButton duplicate = button("duplicate");
+    private final JButton hide = button("hide");
+    private final JButton up = button("up");
+    private final JButton down = button("down");
+    private final JButton remove = button("remove");
+    private StudioTree.Line line;
+    private FamilyEditor form;
+    private Studio shown;
+
+    /** An editor of the studio in a model, which follows its changes. */
+    public SceneEditor(StudioModel model) {
+        this.model = model;
+        JScrollPane trees = new JScrollPane(tree.component());
+        JScrollPane forms = new JScrollPane(
+                formPanel,
+                ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
+                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        forms.setBorder(BorderFactory.createEmptyBorder());
+        JSplitPane split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, trees, forms);
+        split.setResizeWeight(0.4);
+        panel.add(split, "w 720, h 520");
+        panel.add(buttons());
+        add.addActionListener(event -> offerTypes());
+        duplicate.addActionListener(event -> changeList(list -> inserted(list, place() + 1, list.get(place())), 1));
+        hide.addActionListener(event ->
+                changeList(list -> replaced(list, place(), hiddenOrShown(list.get(place()))), 0));
+        up.addActionListener(event -> changeList(list -> moved(list, place(), place() - 1), -1));
+        down.addActionListener(event -> changeList(list -> moved(list, place(), place() + 1), 1));
+        remove.addActionListener(event -> changeList(list -> removed(list, place()), 0));
+        Keys.bindFocused(tree.component(), KeyStroke.getKeyStroke("DELETE"), remove::doClick);
+        model.addListener(this::update);
+        update();
+    }
+
+    private static JButton button(String key) {
+        JButton button = new JButton(Texts.get("tree." + key));
+        Naming.name(button, button.getText(), Texts.get("tree." + key + "Tip"));
+        return button;
+    }
+
+    private JComponent buttons() {
+        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, gap 4"));
+        for (JButton each : List.of(add, duplicate, hide, up, down, remove)) {
+            row.add(each);
+        }
+        return row;
+    }
+
+    /** The editor itself, to be put into a window. */
+    public JComponent component() {
+        return panel;
+    }
+
+    private void update() {
+        Studio studio = model.studio();
+        if (studio == shown) {
+            return;
+        }
+        boolean sameTree = shown != null
+                && studio.hasSameObjects(shown)
+                && focus(studio) == focus(shown)
+                && studio.title().equals(shown.title());
+        shown = studio;
+        if (!sameTree) {
+            tree.show(studio);
+        }
+        choose(tree.chosenLine());
+    }
+
+    private static Object focus(Studio studio) {
+        return studio.camera() instanceof ThinLensCamera lens
+                ? lens.focus()
+                : studio.camera().getClass();
+    }
+
+    private void choose(StudioTree.Line chosen) {
+        boolean sameForm = line != null
+                && form != null
+                && line.path().equals(chosen.path())
+                && line.type().equals(chosen.type());
+        line = chosen;
+        if (!sameForm) {
+            replaceForm();
+        }
+        if (form != null) {
+            form.show(line.path().get(model.studio()));
+        }
+        enableButtons();
+    }
+
+    private void replaceForm() {
+        formPanel.removeAll();
+        note.setText("");
+        formPanel.add(note.component(), "wmin 0");
+        if (Branches.isList(line.type())) {
+            form = null;
+            note.setText(Texts.get("tree.list", line.label()));
+        } else {
+            StudioPath path = line.path();
+            form = new FamilyEditor(
+                    (Class<?>) line.type(),
+                    line.label(),
+                    note,
+                    value -> model.set(FrontWindow.following(model.studio(), path.with(model.studio(), value))));
+            formPanel.add(form.component(), "wmin 0");
+        }
+        formPanel.revalidate();
+        formPanel.repaint();
+    }
+
+    private boolean isElement() {
+        return !line.path().steps().isEmpty() && line.path().last() instanceof Integer;
+    }
+
+    private int place() {
+        return (Integer) line.path().last();
+    }
+
+    private void enableButtons() {
+        boolean element = isElement();
+        add.setEnabled(element || Branches.isList(line.type()));
+        duplicate.setEnabled(element);
+        remove.setEnabled(element);
+        up.setEnabled(element && place() > 0);
+        down.setEnabled(element && place() + 1 < list().size());
+        hide.setEnabled(element && line.type() == SceneObject.class);
+        boolean hidden = element && line.path().get(model.studio()) instanceof Hidden;
+        hide.setText(Texts.get(hidden ? "tree.show" : "tree.hide"));
+    }
+
+    private StudioPath listPath() {
+        return isElement() ? line.path().parent() : line.path();
+    }
+
+    private List<?> list() {
+        return (List<?>) listPath().get(model.studio());
+    }
+
+    private void offerTypes() {
+        JPopupMenu menu = new JPopupMenu();
+        Class<?> family = isElement()
+                ? (Class<?>) line.type()
+                : Descriptions.elementType(line.type()).orElseThrow();
+        for (Class<?> type : Descriptions.members(family)) {
+            JMenuItem item = new JMenuItem(Wording.label(type));
+            item.setToolTipText(Tips.html(Wording.meaning(type)));
+            item.addActionListener(event -> addElement(type));
+            menu.add(item);
+        }
+        menu.show(add, 0, -menu.getPreferredSize().height);
+    }
+
+    /** Puts a new element of a type after the chosen one, or at the end of the chosen list. */
+    void addElement(Class<?> type) {
+        StudioPath path = listPath();
+        int place = isElement() ? place() + 1 : list().size();
+        List<?> longer = inserted(list(), place, Descriptions.standard(type));
+        if (ValueEditors.attempt(note, () -> model.set(path.with(model.studio(), longer)))) {
+            tree.select(path.then(place));
+        }
+    }
+
+    private void changeList(UnaryOperator<List<?>> change, int step) {
+        StudioPath path = listPath();
+        int next = place() + step;
+        List<?> changed = change.apply(list());
+        if (ValueEditors.attempt(note, () -> model.set(path.with(model.studio(), changed)))) {
+            tree.select(changed.isEmpty() ? path : path.then(Math.max(0, Math.min(changed.size() - 1, next))));
+        }
+    }
+
+    private static Object hiddenOrShown(Object element) {
+        return element instanceof Hidden hidden ? hidden.object() : new Hidden((SceneObject) element);
+    }
+
+    private static List<?> inserted(List<?> list, int place, Object element) {
+        List<Object> copy = new ArrayList<>(list);
+        copy.add(place, element);
+        return copy;
+    }
+
+    private static List<?> replaced(List<?> list, int place, Object element) {
+        List<Object> copy = new ArrayList<>(list);
+        copy.set(place, element);
+        return copy;
+    }
+
+    private static List<?> removed(List<?> list, int place) {
+        List<Object> copy = new ArrayList<>(list);
+        copy.remove(place);
+        return copy;
+    }
+
+    private static List<?> moved(List<?> list, int from, int to) {
+        List<Object> copy = new ArrayList<>(list);
+        copy.add(to, copy.remove(from));
+        return copy;
+    }
+}

@@ -1,0 +1,151 @@
+package tompkins.ui.editor;
+
+import java.lang.reflect.RecordComponent;
+import java.lang.reflect.Type;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+import javax.swing.JComponent;
+import javax.swing.JTree;
+import javax.swing.tree.DefaultMutableTreeNode;
+import javax.swing.tree.DefaultTreeModel;
+import javax.swing.tree.TreePath;
+import javax.swing.tree.TreeSelectionModel;
+import tompkins.property.Descriptions;
+import tompkins.sceneobject.Hidden;
+import tompkins.sceneobject.SceneObject;
+import tompkins.studio.Studio;
+import tompkins.ui.model.Branches;
+import tompkins.ui.model.StudioPath;
+import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Updating;
+import tompkins.ui.widget.Wording;
+
+/** The studio as a tree: its lists, and what may hold lists. It follows the model and keeps what is open and chosen. */
+public final class StudioTree {
+
+    /**
+     * One line of the tree.
+     *
+     * @param path the way to the part
+     * @param type the type that the part is declared with
+     * @param label what the line says
+     */
+    record Line(StudioPath path, Type type, String label) {
+
+        @Override
+        public String toString() {
+            return label;
+        }
+    }
+
+    private final JTree tree = new JTree();
+    private final Updating updating = new Updating();
+
+    /** A tree that tells of the chosen line. */
+    StudioTree(Consumer<Line> chosen) {
+        tree.setName("tree");
+        tree.getAccessibleContext().setAccessibleName(Texts.get("tree.name"));
+        tree.getSelectionModel().setSelectionMode(TreeSelectionModel.SINGLE_TREE_SELECTION);
+        tree.addTreeSelectionListener(event -> updating.unless(() -> chosen.accept(chosenLine())));
+    }
+
+    JComponent component() {
+        return tree;
+    }
+
+    /** The chosen line; the studio itself if none is. */
+    Line chosenLine() {
+        TreePath path = tree.getSelectionPath();
+        DefaultMutableTreeNode node =
+                (DefaultMutableTreeNode) (path == null ? tree.getModel().getRoot() : path.getLastPathComponent());
+        return (Line) node.getUserObject();
+    }
+
+    /** Shows a studio. */
+    void show(Studio studio) {
+        DefaultMutableTreeNode root = node(studio, StudioPath.ROOT, Studio.class, studio.title());
+        Set<StudioPath> open = openPaths();
+        StudioPath selected =
+                tree.getSelectionPath() == null ? StudioPath.ROOT : chosenLine().path();
+        updating.during(() -> {
+            tree.setModel(new DefaultTreeModel(root));
+            open.add(StudioPath.ROOT);
+            openAgain(root, open);
+            select(selected);
+        });
+    }
+
+    private Set<StudioPath> openPaths() {
+        Set<StudioPath> open = new HashSet<>();
+        for (int row = 0; row < tree.getRowCount(); row++) {
+            TreePath path = tree.getPathForRow(row);
+            Object line = ((DefaultMutableTreeNode) path.getLastPathComponent()).getUserObject();
+            if (tree.isExpanded(path) && line instanceof Line known) {
+                open.add(known.path());
+            }
+        }
+        return open;
+    }
+
+    private void openAgain(DefaultMutableTreeNode node, Set<StudioPath> open) {
+        if (open.contains(((Line) node.getUserObject()).path())) {
+            tree.expandPath(new TreePath(node.getPath()));
+            for (int i = 0; i < node.getChildCount(); i++) {
+                openAgain((DefaultMutableTreeNode) node.getChildAt(i), open);
+            }
+        }
+    }
+
+    /** Chooses the line of a part, or of the nearest thing that it would be a part of. */
+    void select(StudioPath path) {
+        DefaultMutableTreeNode node = (DefaultMutableTreeNode) tree.getModel().getRoot();
+        boolean found = true;
+        while (found && !((Line) node.getUserObject()).path().equals(path)) {
+            found = false;
+            for (int i = 0; i < node.getChildCount() && !found; i++) {
+                DefaultMutableTreeNode child = (DefaultMutableTreeNode) node.getChildAt(i);
+                List<Object> steps = ((Line) child.getUserObject()).path().steps();
+                if (steps.size() <= path.steps().size()
+                        && steps.equals(path.steps().subList(0, steps.size()))) {
+                    node = child;
+                    found = true;
+                }
+            }
+        }
+        tree.setSelectionPath(new TreePath(node.getPath()));
+        tree.scrollPathToVisible(new TreePath(node.getPath()));
+    }
+
+    private static DefaultMutableTreeNode node(Object value, StudioPath path, Type type, String label) {
+        DefaultMutableTreeNode node = new DefaultMutableTreeNode(new Line(path, type, label));
+        if (value instanceof List<?> list) {
+            Class<?> elements = Descriptions.elementType(type).orElseThrow();
+            for (int i = 0; i < list.size(); i++) {
+                node.add(node(list.get(i), path.then(i), elements, name(list.get(i))));
+            }
+            return node;
+        }
+        for (RecordComponent component : Descriptions.components(value.getClass())) {
+            if (Branches.isBranch(component.getGenericType())) {
+                Object part = Descriptions.value(component, value);
+                String title = Wording.label(component.getName());
+                node.add(node(
+                        part,
+                        path.then(component.getName()),
+                        component.getGenericType(),
+                        part instanceof SceneObject object ? title + ": " + name(object) : title));
+            }
+        }
+        return node;
+    }
+
+    /** What an element of a list is called. */
+    public static String name(Object element) {
+        if (element instanceof Hidden hidden) {
+            return Texts.get("tree.hidden", hidden.description());
+        }
+        return element instanceof SceneObject object ? object.description() : Wording.label(element.getClass());
+    }
+}

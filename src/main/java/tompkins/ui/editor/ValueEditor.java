@@ -1,0 +1,18 @@
+package tompkins.ui.editor;
+
+import javax.swing.JComponent;
+
+/** Controls for one value of a description. They give new values to whoever made them. */
+interface ValueEditor {
+
+    /** The controls. */
+    JComponent component();
+
+    /** Whether the controls take several lines, so that their label stands beside the first. */
+    default boolean isTall() {
+        return false;
+    }
+
+    /** Shows a value. */
+    void show(Object value);
+}

@@ -1,0 +1,69 @@
+package tompkins.ui.editor;
+
+import java.util.function.Consumer;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import net.miginfocom.swing.MigLayout;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.Velocity;
+import tompkins.ui.widget.EntryField;
+import tompkins.ui.widget.Note;
+import tompkins.ui.widget.NumberKind;
+import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.SpeedText;
+import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.VectorFields;
+import tompkins.ui.widget.Wording;
+
+/** Controls for a velocity in a form: its speed as it is written, and its direction. */
+final class VelocityEditor implements ValueEditor {
+
+    private final JPanel panel = new JPanel(
+            new MigLayout("novisualpadding, insets 0, fillx, wrap 3, gap 4", "[grow,fill][grow,fill][grow,fill]"));
+    private final EntryField speed;
+    private final VectorFields direction;
+    private Velocity velocity = Velocity.REST;
+
+    VelocityEditor(String tip, Note note, Consumer<Object> commit) {
+        panel.setOpaque(false);
+        speed = new EntryField(
+                new JTextField(),
+                Texts.get("speed.name"),
+                tip + ". " + Texts.get("speed.tip"),
+                note,
+                text -> commit.accept(SpeedText.parse(text, SpeedScale.BETA, velocity.givenDirection())));
+        direction = new VectorFields("direction", NumberKind.DOUBLE, 3, Texts.get("direction.tip"), note, vector -> {
+            SpeedScale scale = velocity.scale() == null ? SpeedScale.BETA : velocity.scale();
+            commit.accept(Velocity.of(scale, scale.valueOf(velocity), vector));
+        });
+        panel.add(new JLabel(Texts.get("speed.name")), "span");
+        panel.add(speed.field(), "span, growx, wmin 0");
+        panel.add(new JLabel(Wording.label("direction")), "span");
+        direction.addInRow(panel);
+    }
+
+    @Override
+    public JComponent component() {
+        return panel;
+    }
+
+    @Override
+    public boolean isTall() {
+        return true;
+    }
+
+    @Override
+    public void show(Object value) {
+        velocity = (Velocity) value;
+        speed.show(
+                switch (velocity.scale() == null ? SpeedScale.BETA : velocity.scale()) {
+                    case BETA -> Numbers.text(velocity.speed());
+                    case GAMMA -> "gamma " + Numbers.text(velocity.value());
+                    case RAPIDITY -> "rapidity " + Numbers.text(velocity.value());
+                    case ONE_MINUS_BETA -> "1-" + Numbers.text(velocity.value());
+                });
+        direction.showDirection(velocity.givenDirection());
+    }
+}

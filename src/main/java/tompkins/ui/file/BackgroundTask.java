@@ -1,0 +1,152 @@
+package tompkins.ui.file;
+
+import java.awt.Window;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import javax.swing.JButton;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import javax.swing.SwingUtilities;
+import javax.swing.Timer;
+import net.miginfocom.swing.MigLayout;
+import tompkins.ui.widget.Keys;
+import tompkins.ui.widget.Messages;
+import tompkins.ui.widget.Texts;
+
+/** Work that takes a while, away from the event thread; a small window shows how far it is, and can cancel it. */
+public final class BackgroundTask implements Progress {
+
+    /** The work. */
+    public interface Work {
+
+        /**
+         * Does the work.
+         *
+         * @throws java.util.concurrent.CancellationException if the task was cancelled before it was too late for that
+         */
+        void run(Progress progress) throws Exception;
+    }
+
+    private static final int STEPS = 1000;
+
+    /** Shorter work shows no window. */
+    private static final int PATIENCE_MILLISECONDS = 400;
+
+    /** What runs at the moment; used by the event thread alone. */
+    private static final List<BackgroundTask> RUNNING = new ArrayList<>();
+
+    private final Window owner;
+    private final JDialog dialog;
+    private final JProgressBar bar = new JProgressBar(0, STEPS);
+    private volatile double progress;
+    private volatile boolean cancelled;
+
+    private BackgroundTask(Window owner, String title) {
+        this.owner = owner;
+        dialog = new JDialog(owner, title);
+        JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 16, wrap 1, gap 0 12", "[320!,fill]"));
+        panel.add(new JLabel(title));
+        panel.add(bar);
+        JButton cancel = new JButton(Texts.get("task.cancel"));
+        cancel.setName(Texts.get("task.cancel"));
+        cancel.addActionListener(event -> cancelled = true);
+        Keys.bind(dialog.getRootPane(), Keys.ESCAPE, cancel::doClick);
+        bar.getAccessibleContext().setAccessibleName(title);
+        panel.add(cancel, "growx 0, alignx right");
+        dialog.setContentPane(panel);
+        dialog.getRootPane().setDefaultButton(cancel);
+        dialog.setName("task");
+        dialog.setDefaultCloseOperation(JDialog.DO_NOTHING_ON_CLOSE);
+        dialog.pack();
+        dialog.setResizable(false);
+        dialog.setLocationRelativeTo(owner);
+    }
+
+    /**
+     * Starts work. Called by the event thread.
+     *
+     * @param done called on the event thread if the work was done, even if Cancel came too late
+     */
+    public static void start(Window owner, String title, Work work, Runnable done) {
+        BackgroundTask task = new BackgroundTask(owner, title);
+        RUNNING.add(task);
+        Timer timer = new Timer(PATIENCE_MILLISECONDS, event -> task.refresh());
+        timer.start();
+        Thread thread = new Thread(() -> task.run(work, timer, done), "tompkins-task");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    /**
+     * Starts work that finds something and changes nothing, so that it can be cancelled up to its end. Called by the event thread.
+     *
+     * @param done takes on the event thread what was found
+     */
+    public static <T> void find(Window owner, String title, Callable<T> work, Consumer<T> done) {
+        AtomicReference<T> found = new AtomicReference<>();
+        start(
+                owner,
+                title,
+                task -> {
+                    found.set(work.call());
+                    task.requireWanted();
+                },
+                () -> done.accept(found.get()));
+    }
+
+    /**
+     * Brings forward what still runs for a window, which should not be closed before. Called by the event thread.
+     *
+     * @return whether anything runs
+     */
+    public static boolean showRunning(Window owner) {
+        List<BackgroundTask> running =
+                RUNNING.stream().filter(task -> task.owner == owner).toList();
+        running.forEach(task -> task.dialog.setVisible(true));
+        return !running.isEmpty();
+    }
+
+    private void run(Work work, Timer timer, Runnable done) {
+        Runnable end;
+        try {
+            work.run(this);
+            end = done;
+        } catch (CancellationException stopped) {
+            end = () -> {};
+        } catch (Exception | Error failure) {
+            // whatever it is, a task that has ended must not count as running
+            end = () -> Messages.error(owner, Messages.of(failure));
+        }
+        Runnable last = end;
+        SwingUtilities.invokeLater(() -> {
+            timer.stop();
+            RUNNING.remove(this);
+            dialog.dispose();
+            last.run();
+        });
+    }
+
+    private void refresh() {
+        bar.setValue((int) (progress * STEPS));
+        // showing it again would take the focus from whatever the user does meanwhile
+        if (!dialog.isVisible()) {
+            dialog.setVisible(true);
+        }
+    }
+
+    @Override
+    public void setProgress(double share) {
+        progress = share;
+    }
+
+    @Override
+    public boolean isCancelled() {
+        return cancelled;
+    }
+}

@@ -1,0 +1,48 @@
+package tompkins.ui.file;
+
+import java.util.concurrent.CancellationException;
+import tompkins.image.LinearImage;
+import tompkins.render.Quality;
+import tompkins.render.RenderJob;
+import tompkins.render.RenderListener;
+import tompkins.render.Renderer;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+
+/** Takes complete photographs for files, apart from the one on the screen. */
+public final class PhotographTaker implements AutoCloseable {
+
+    private static final int POLL_MILLISECONDS = 20;
+
+    private final Renderer renderer = new Renderer();
+    private RenderPlan plan;
+
+    /**
+     * Takes a photograph of some quality and waits for it.
+     *
+     * @param done the share of the task that was done before
+     * @param share the share of the task that the photograph is
+     * @throws CancellationException if the task is cancelled
+     */
+    public LinearImage take(Studio studio, Quality quality, Progress progress, double done, double share)
+            throws InterruptedException {
+        // from moment to moment of an animation the scene often stays
+        plan = RenderPlan.of(studio, plan);
+        RenderJob job = renderer.start(plan, quality, RenderListener.NONE);
+        while (!job.isComplete() && job.failure() == null) {
+            if (progress.isCancelled()) {
+                job.cancel();
+            }
+            progress.requireWanted();
+            progress.setProgress(done + share * job.progress());
+            Thread.sleep(POLL_MILLISECONDS);
+        }
+        job.await();
+        return job.image();
+    }
+
+    @Override
+    public void close() {
+        renderer.close();
+    }
+}

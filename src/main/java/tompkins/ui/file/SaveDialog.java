@@ -1,0 +1,59 @@
+package tompkins.ui.file;
+
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.BiConsumer;
+import javax.swing.JFileChooser;
+import javax.swing.JFrame;
+import javax.swing.filechooser.FileFilter;
+import tompkins.ui.widget.Messages;
+import tompkins.ui.widget.Texts;
+
+/** Asks under which name and in which format a file is to be saved. */
+public final class SaveDialog {
+
+    private SaveDialog() {}
+
+    /**
+     * Asks for a name, and whether a file of that name may be written over.
+     *
+     * @param name what is proposed; without an ending, since that of the chosen format is added
+     * @param formats the formats to choose from, the usual one first
+     * @param save takes the file and its format
+     */
+    public static <T> void ask(
+            JFrame frame, JFileChooser chooser, String name, List<FormatFilter<T>> formats, BiConsumer<Path, T> save) {
+        chooser.setAcceptAllFileFilterUsed(false);
+        formats.forEach(chooser::addChoosableFileFilter);
+        chooser.setFileFilter(formats.get(0));
+        chooser.setSelectedFile(new File(chooser.getCurrentDirectory(), name));
+        if (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION) {
+            Path typed = chooser.getSelectedFile().toPath();
+            FormatFilter<T> format = meant(typed, chooser.getFileFilter(), formats);
+            Path file = format.named(typed);
+            if (format.isFolder() || mayWrite(frame, file)) {
+                save.accept(file, format.format());
+            }
+        }
+    }
+
+    /** The format whose ending was typed, the chosen one before others; the chosen one if there is no such ending. */
+    private static <T> FormatFilter<T> meant(Path typed, FileFilter chosen, List<FormatFilter<T>> formats) {
+        List<FormatFilter<T>> chosenFirst = new ArrayList<>(formats);
+        chosenFirst.sort(Comparator.comparing(format -> format != chosen));
+        return chosenFirst.stream()
+                .filter(format -> format.fits(typed))
+                .findFirst()
+                .orElse(chosenFirst.get(0));
+    }
+
+    private static boolean mayWrite(JFrame frame, Path file) {
+        return !Files.exists(file)
+                || Messages.confirm(
+                        frame, Texts.get("file.overwriteTitle"), Texts.get("file.overwrite", file.getFileName()));
+    }
+}

@@ -1,0 +1,102 @@
+package tompkins.ui.model;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.joml.Vector3d;
+import tompkins.camera.Camera;
+import tompkins.property.Descriptions;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.SceneObject;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.surface.GalileoWindow;
+import tompkins.surface.LorentzWindow;
+import tompkins.surface.Surface;
+
+/**
+ * The window in front of the lens: the first object that moves with the camera and has the surface of a Lorentz or a Galileo
+ * window. If its velocity is that of the camera, it stays so when the camera's changes.
+ */
+public final class FrontWindow {
+
+    /** What a plane is called that is put there. */
+    static final String DESCRIPTION = "window in front of the lens";
+
+    /** How far the plane is in front of the lens. */
+    private static final double DISTANCE = 0.01;
+
+    /** What the component of an object is called that holds its surface. */
+    private static final String SURFACE = "surface";
+
+    private FrontWindow() {}
+
+    /** The window's surface, if there is one. */
+    public static Optional<Surface> of(Studio studio) {
+        return studio.cameraFrame().stream()
+                .flatMap(object -> window(object).stream())
+                .findFirst();
+    }
+
+    private static Optional<Surface> window(SceneObject object) {
+        return Descriptions.components(object.getClass()).stream()
+                .filter(component -> component.getName().equals(SURFACE))
+                .map(component -> (Surface) Descriptions.value(component, object))
+                .filter(surface -> surface instanceof LorentzWindow || surface instanceof GalileoWindow)
+                .findFirst();
+    }
+
+    /** The studio with another surface of the window, a plane if there was none; without that object if null. */
+    public static Studio with(Studio studio, Surface surface) {
+        List<SceneObject> objects = new ArrayList<>();
+        boolean found = false;
+        for (SceneObject object : studio.cameraFrame()) {
+            boolean first = !found && window(object).isPresent();
+            found |= first;
+            if (!first) {
+                objects.add(object);
+            } else if (surface != null) {
+                objects.add(Records.with(object, SURFACE, surface));
+            }
+        }
+        if (!found && surface != null) {
+            objects.add(0, plane(studio.camera(), surface));
+        }
+        return studio.withCameraFrame(objects);
+    }
+
+    private static Plane plane(Camera camera, Surface surface) {
+        Vector3d view = new Vector3d(camera.viewDirection()).normalize();
+        return new Plane(DESCRIPTION, new Vector3d(view).mul(DISTANCE).add(camera.position()), view, surface);
+    }
+
+    /** The velocity of a window. */
+    public static Velocity velocity(Surface window) {
+        return window instanceof LorentzWindow lorentz ? lorentz.velocity() : ((GalileoWindow) window).velocity();
+    }
+
+    /** The window with another velocity. */
+    public static Surface withVelocity(Surface window, Velocity velocity) {
+        return Records.with(window, "velocity", velocity);
+    }
+
+    /** Whether the window has the velocity of the camera. */
+    public static boolean matches(Studio studio) {
+        return of(studio)
+                .map(FrontWindow::velocity)
+                .filter(studio.velocity()::equals)
+                .isPresent();
+    }
+
+    /** The studio with another velocity of the camera, and of the window if that matches. */
+    public static Studio withVelocity(Studio studio, Velocity velocity) {
+        return following(studio, studio.withVelocity(velocity));
+    }
+
+    /** A studio after a change; a window that matched before and was not changed itself has the velocity of the camera again. */
+    public static Studio following(Studio before, Studio after) {
+        Optional<Surface> window = of(after);
+        boolean follows = matches(before) && !matches(after) && window.equals(of(before));
+        return follows ? with(after, withVelocity(window.orElseThrow(), after.velocity())) : after;
+    }
+}

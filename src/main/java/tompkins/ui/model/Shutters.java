@@ -1,0 +1,36 @@
+package tompkins.ui.model;
+
+import tompkins.camera.Camera;
+import tompkins.math.Vectors;
+import tompkins.property.Descriptions;
+import tompkins.property.NumberText;
+import tompkins.shutter.LensRay;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.SpaceTimeTransformation;
+import tompkins.studio.Studio;
+
+/** Puts one shutter model in the place of another. */
+public final class Shutters {
+
+    private Shutters() {}
+
+    /**
+     * The studio with another shutter model, opened so that the light in the middle of the picture crosses the lens when it
+     * did before: what changes in the picture is the model's doing alone.
+     */
+    public static Studio replaced(Studio studio, Class<?> model) {
+        Camera camera = studio.camera();
+        Shutter shutter = (Shutter) Descriptions.standard(model);
+        double opening = shutter.openingTime()
+                + timeInTheMiddle(studio, camera)
+                - timeInTheMiddle(studio, camera.withShutter(shutter));
+        Shutter opened = Double.isFinite(opening) ? shutter.openedAt(NumberText.rounded(opening, 9)) : shutter;
+        return studio.withCamera(camera.withShutter(opened));
+    }
+
+    private static double timeInTheMiddle(Studio studio, Camera camera) {
+        SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
+        LensRay middle = camera.rays(1, 1, sceneFromCamera).chiefRay(Vectors.unit(camera.viewDirection()));
+        return camera.shutter().transmissionTime(middle, sceneFromCamera);
+    }
+}

@@ -1,0 +1,172 @@
+package tompkins.ui.model;
+
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import java.util.Objects;
+import java.util.function.UnaryOperator;
+import tompkins.studio.Studio;
+
+/**
+ * The studio that the window shows, with all that it was before. A panel never changes a studio: it proposes another one.
+ * Used by the event thread alone.
+ */
+public final class StudioModel {
+
+    /**
+     * What one step of the history holds.
+     *
+     * @param studio the studio
+     * @param file where it was read from or saved to, or null
+     * @param opened the studio as it was then
+     */
+    private record Step(Studio studio, Path file, Studio opened) {
+
+        Step with(Studio other) {
+            return new Step(other, file, opened);
+        }
+
+        /** Whether another step changed the same opened studio. */
+        boolean isOfSameFile(Step other) {
+            return Objects.equals(file, other.file) && opened == other.opened;
+        }
+    }
+
+    private static final int LONGEST_HISTORY = 1000;
+
+    private final List<Runnable> listeners = new ArrayList<>();
+    private final Deque<Step> past = new ArrayDeque<>();
+    private final Deque<Step> future = new ArrayDeque<>();
+    private Step current;
+    private Object gesture;
+
+    /** A model of a studio; the file may be null. */
+    public StudioModel(Studio studio, Path file) {
+        current = new Step(studio, file, studio);
+    }
+
+    /** Calls the listener after every change. */
+    public void addListener(Runnable listener) {
+        listeners.add(listener);
+    }
+
+    /** The studio as it is now. */
+    public Studio studio() {
+        return current.studio();
+    }
+
+    /** The file of the studio, or null. */
+    public Path file() {
+        return current.file();
+    }
+
+    /** The studio as it was opened or last saved. */
+    public Studio opened() {
+        return current.opened();
+    }
+
+    /** Whether the studio differs from what was opened or saved. */
+    public boolean isModified() {
+        return !current.studio().equals(current.opened());
+    }
+
+    /** Takes another studio, as a step that can be undone. */
+    public void set(Studio studio) {
+        change(current.with(studio), null);
+    }
+
+    /**
+     * Takes another studio while a slider is dragged or an animation runs: all changes of one gesture that follow each other
+     * are undone in one step.
+     */
+    public void adjust(Studio studio, Object duringGesture) {
+        change(current.with(studio), duringGesture);
+    }
+
+    /** The next change begins a step of its own. */
+    public void endGesture() {
+        gesture = null;
+    }
+
+    /** Takes a studio that was read from a file, as a step that can be undone. */
+    public void open(Studio studio, Path file) {
+        change(new Step(studio, file, studio), null);
+    }
+
+    /** The studio was saved to a file as it is. The steps that led here, and those taken back, belong to that file from now on. */
+    public void saved(Path file) {
+        Step before = current;
+        UnaryOperator<Step> save =
+                step -> step.isOfSameFile(before) ? new Step(step.studio(), file, before.studio()) : step;
+        replaceAll(past, save);
+        replaceAll(future, save);
+        current = save.apply(current);
+        tellListeners();
+    }
+
+    private static void replaceAll(Deque<Step> steps, UnaryOperator<Step> change) {
+        List<Step> changed = steps.stream().map(change).toList();
+        steps.clear();
+        steps.addAll(changed);
+    }
+
+    /** Takes the studio as it was when it was opened or last saved. */
+    public void reset() {
+        change(current.with(current.opened()), null);
+    }
+
+    /** Whether there is a step to take back. */
+    public boolean canUndo() {
+        return !past.isEmpty();
+    }
+
+    /** Whether a step was taken back. */
+    public boolean canRedo() {
+        return !future.isEmpty();
+    }
+
+    /** Takes the last step back, if there is one. */
+    public void undo() {
+        move(past, future);
+    }
+
+    /** Takes the step again that was taken back last, if there is one. */
+    public void redo() {
+        move(future, past);
+    }
+
+    private void move(Deque<Step> from, Deque<Step> to) {
+        if (from.isEmpty()) {
+            return;
+        }
+        to.push(current);
+        current = from.pop();
+        gesture = null;
+        tellListeners();
+    }
+
+    private void change(Step next, Object duringGesture) {
+        boolean continues = duringGesture != null && Objects.equals(duringGesture, gesture);
+        if (next.equals(current)) {
+            // a slider that is pressed tells the value that it has: the gesture begins with its first change
+            gesture = continues ? gesture : null;
+            return;
+        }
+        gesture = duringGesture;
+        if (!continues) {
+            past.push(current);
+            if (past.size() > LONGEST_HISTORY) {
+                past.removeLast();
+            }
+        }
+        future.clear();
+        current = next;
+        tellListeners();
+    }
+
+    private void tellListeners() {
+        List.copyOf(listeners).forEach(Runnable::run);
+    }
+}

@@ -1,0 +1,89 @@
+package tompkins.ui.model;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.property.Descriptions;
+
+/**
+ * The way to a part of a studio: names of components, places in lists, and x, y, z in vectors.
+ *
+ * @param steps names (String) and places (Integer), from the studio to the part
+ */
+public record StudioPath(List<Object> steps) {
+
+    private static final String AXES = "xyz";
+
+    /** The studio itself. */
+    public static final StudioPath ROOT = new StudioPath(List.of());
+
+    /** Keeps a copy of the steps. */
+    public StudioPath {
+        steps = List.copyOf(steps);
+    }
+
+    /** The way to a part of this part. */
+    public StudioPath then(Object step) {
+        List<Object> longer = new ArrayList<>(steps);
+        longer.add(step);
+        return new StudioPath(longer);
+    }
+
+    /** The way to what this is a part of. */
+    public StudioPath parent() {
+        return new StudioPath(steps.subList(0, steps.size() - 1));
+    }
+
+    /** The last step. */
+    public Object last() {
+        return steps.get(steps.size() - 1);
+    }
+
+    /** The part of a whole. */
+    public Object get(Object whole) {
+        Object part = whole;
+        for (Object step : steps) {
+            part = step(part, step);
+        }
+        return part;
+    }
+
+    private static Object step(Object part, Object step) {
+        if (part instanceof List<?> list) {
+            return list.get((Integer) step);
+        }
+        if (part instanceof Vector3dc vector) {
+            return vector.get(AXES.indexOf((String) step));
+        }
+        return Descriptions.value(Records.component(part.getClass(), (String) step), part);
+    }
+
+    /**
+     * The whole with another part.
+     *
+     * @throws tompkins.property.InvalidPropertyException if a record on the way does not accept it
+     */
+    public <R> R with(R whole, Object part) {
+        @SuppressWarnings("unchecked")
+        R changed = (R) with(whole, steps, part);
+        return changed;
+    }
+
+    private static Object with(Object whole, List<Object> steps, Object part) {
+        if (steps.isEmpty()) {
+            return part;
+        }
+        Object step = steps.get(0);
+        Object changed = with(step(whole, step), steps.subList(1, steps.size()), part);
+        if (whole instanceof List<?> list) {
+            List<Object> copy = new ArrayList<>(list);
+            copy.set((Integer) step, changed);
+            return copy;
+        }
+        if (whole instanceof Vector3dc vector) {
+            return new Vector3d(vector).setComponent(AXES.indexOf((String) step), (Double) changed);
+        }
+        return Records.with(whole, (String) step, changed);
+    }
+}

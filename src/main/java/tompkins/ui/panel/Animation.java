@@ -1,0 +1,51 @@
+package tompkins.ui.panel;
+
+import tompkins.property.NumberText;
+import tompkins.studio.Studio;
+
+/**
+ * A number of the studio that runs from one value to another.
+ *
+ * @param property the number
+ * @param from value at the beginning
+ * @param to value at the end, or in the middle if the animation runs there and back
+ * @param seconds how long it takes
+ * @param course how it runs
+ */
+public record Animation(NumberProperty property, double from, double to, double seconds, Course course) {
+
+    /** How an animation runs. */
+    public enum Course {
+        FORWARDS,
+        BACKWARDS,
+        THERE_AND_BACK
+    }
+
+    /** Frames a second in files. */
+    public static final int FRAME_RATE = 25;
+
+    /** The value at a time, from 0 at the beginning to 1 at the end. */
+    double value(double time) {
+        double share = switch (course) {
+            case FORWARDS -> time;
+            case BACKWARDS -> 1 - time;
+            case THERE_AND_BACK -> 1 - Math.abs(1 - 2 * time);
+        };
+        return NumberText.rounded(from + share * (to - from), 9);
+    }
+
+    /** The studio at a time, from 0 to 1. */
+    public Studio studio(Studio studio, double time) {
+        return property.with().apply(studio, value(time));
+    }
+
+    /** Number of frames in a file. */
+    public int frames() {
+        return Math.max(2, (int) Math.round(seconds * FRAME_RATE));
+    }
+
+    /** The time of a frame: the last frame of a loop comes before its first, and does not repeat it. */
+    public double timeOf(int frame) {
+        return (double) frame / (course == Course.THERE_AND_BACK ? frames() : frames() - 1);
+    }
+}

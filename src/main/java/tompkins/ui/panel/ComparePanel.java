@@ -1,0 +1,180 @@
+package tompkins.ui.panel;
+
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.swing.ButtonGroup;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JRadioButton;
+import net.miginfocom.swing.MigLayout;
+import org.joml.Vector3d;
+import tompkins.property.Descriptions;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.ui.editor.ValueEditors;
+import tompkins.ui.model.FrontWindow;
+import tompkins.ui.model.Shutters;
+import tompkins.ui.picture.Comparison;
+import tompkins.ui.widget.Naming;
+import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Rows;
+import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Updating;
+import tompkins.ui.widget.Wording;
+
+/** What the picture is compared with, and how the two are shown. */
+public final class ComparePanel {
+
+    /** What there is to compare with. */
+    public enum Other {
+        NOTHING,
+        AT_REST,
+        GALILEAN_CAMERA,
+        OTHER_SHUTTER,
+        KEPT_PICTURE
+    }
+
+    private final JPanel panel = Rows.column();
+    private final JComboBox<Other> others = new JComboBox<>(Other.values());
+    private final JComboBox<Class<?>> shutters = new JComboBox<>();
+    private final Map<Comparison, JRadioButton> views = new EnumMap<>(Comparison.class);
+    private final JButton peek = new JButton(Texts.get("compare.peek"));
+    private final JButton keep = new JButton(Texts.get("compare.keep"));
+    private final Note hint = new Note("");
+    private final Supplier<Shutter> shutterNow;
+    private final Runnable changed;
+    private String keptName;
+    private final Updating updating = new Updating();
+
+    /**
+     * The panel.
+     *
+     * @param shutterNow the shutter of the photograph
+     * @param changed called when anything here has changed
+     * @param peeking told when the other picture is to be shown alone, and when not any more
+     * @param keeping keeps the picture that is shown, and says what to call it
+     */
+    public ComparePanel(
+            Supplier<Shutter> shutterNow, Runnable changed, Consumer<Boolean> peeking, Supplier<String> keeping) {
+        this.shutterNow = shutterNow;
+        this.changed = changed;
+        others.setRenderer(ValueEditors.renderer(other -> Wording.label((Other) other)));
+        name(others, "compare.name");
+        Descriptions.members(Shutter.class).forEach(shutters::addItem);
+        shutters.setRenderer(ValueEditors.renderer(shutter -> Wording.label((Class<?>) shutter)));
+        name(shutters, "compare.shutter");
+        name(peek, "compare.peek");
+        peek.getModel()
+                .addChangeListener(event -> peeking.accept(peek.getModel().isPressed()));
+        name(keep, "compare.keep");
+        keep.addActionListener(event -> {
+            keptName = keeping.get();
+            others.setSelectedItem(Other.KEPT_PICTURE);
+        });
+        others.addActionListener(event -> updating.unless(this::choose));
+        shutters.addActionListener(event -> updating.unless(this::update));
+        JPanel buttons = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, wrap 1, gap 4", "[grow,fill]"));
+        buttons.setOpaque(false);
+        buttons.add(keep);
+        buttons.add(peek);
+        panel.add(others, "wmin 0");
+        panel.add(shutters, "wmin 0");
+        panel.add(views());
+        panel.add(buttons);
+        panel.add(hint.component(), "wmin 0");
+        update();
+    }
+
+    private static void name(JComponent component, String key) {
+        Naming.name(component, Texts.get(key), Texts.get(key + "Tip"));
+    }
+
+    private JPanel views() {
+        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, gap 12"));
+        row.setOpaque(false);
+        ButtonGroup group = new ButtonGroup();
+        for (Comparison view : List.of(Comparison.SPLIT, Comparison.BESIDE, Comparison.DIFFERENCE)) {
+            JRadioButton button = new JRadioButton(Wording.label(view), view == Comparison.SPLIT);
+            Naming.name(button, button.getText(), Texts.get("compare.tip." + view));
+            button.addActionListener(event -> update());
+            group.add(button);
+            row.add(button);
+            views.put(view, button);
+        }
+        return row;
+    }
+
+    private void choose() {
+        if (other() == Other.OTHER_SHUTTER
+                && shutters.getSelectedItem() == shutterNow.get().getClass()) {
+            // the shutter in use would show the same picture twice
+            updating.during(
+                    () -> shutters.setSelectedIndex((shutters.getSelectedIndex() + 1) % shutters.getItemCount()));
+        }
+        update();
+    }
+
+    private void update() {
+        shutters.setVisible(other() == Other.OTHER_SHUTTER);
+        boolean missing = other() == Other.KEPT_PICTURE && keptName == null;
+        boolean compares = other() != Other.NOTHING && !missing;
+        views.values().forEach(button -> button.setEnabled(compares));
+        peek.setEnabled(compares);
+        hint.setText(
+                missing
+                        ? Texts.get("compare.keepFirst")
+                        : compares && view() == Comparison.SPLIT ? Texts.get("compare.hint") : "");
+        changed.run();
+    }
+
+    /** The panel itself. */
+    public JComponent component() {
+        return panel;
+    }
+
+    /** What the picture is compared with. */
+    public Other other() {
+        return (Other) others.getSelectedItem();
+    }
+
+    /** Chooses what to compare with, as if it had been chosen in the panel. */
+    public void setOther(Other other) {
+        others.setSelectedItem(other);
+    }
+
+    /** How the two are shown. */
+    public Comparison view() {
+        return other() == Other.NOTHING
+                ? Comparison.NONE
+                : views.keySet().stream()
+                        .filter(view -> views.get(view).isSelected())
+                        .findFirst()
+                        .orElseThrow();
+    }
+
+    /** What the other picture is called. */
+    public String otherName() {
+        return switch (other()) {
+            case OTHER_SHUTTER -> Wording.label((Class<?>) shutters.getSelectedItem());
+            case KEPT_PICTURE -> keptName == null ? Wording.label(other()) : keptName;
+            default -> Wording.label(other());
+        };
+    }
+
+    /** The studio of the other picture; null if there is none, or if it is the kept one. */
+    public Studio otherStudio(Studio now) {
+        return switch (other()) {
+            case NOTHING, KEPT_PICTURE -> null;
+            case AT_REST -> FrontWindow.withVelocity(now, Velocity.of(new Vector3d()));
+            case GALILEAN_CAMERA -> now.withTransformation(TransformationLaw.GALILEAN);
+            case OTHER_SHUTTER -> Shutters.replaced(now, (Class<?>) shutters.getSelectedItem());
+        };
+    }
+}

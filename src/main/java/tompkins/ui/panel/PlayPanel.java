@@ -1,0 +1,307 @@
+package tompkins.ui.panel;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.function.BiConsumer;
+import java.util.function.DoubleConsumer;
+import javax.swing.DefaultComboBoxModel;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JSlider;
+import javax.swing.JToggleButton;
+import javax.swing.Timer;
+import net.miginfocom.swing.MigLayout;
+import tompkins.property.InvalidPropertyException;
+import tompkins.property.Require;
+import tompkins.spacetime.SpeedScale;
+import tompkins.studio.Studio;
+import tompkins.ui.editor.ValueEditors;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.EntryField;
+import tompkins.ui.widget.Naming;
+import tompkins.ui.widget.Note;
+import tompkins.ui.widget.NumberField;
+import tompkins.ui.widget.NumberKind;
+import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.Range;
+import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Updating;
+import tompkins.ui.widget.Wording;
+
+/** Runs a number of the studio between two values, with a scrubber. */
+public final class PlayPanel {
+
+    private static final int STEPS = 1000;
+    private static final int TICK_MILLISECONDS = 33;
+    private static final double LONGEST_SECONDS = 600;
+
+    private final StudioModel model;
+    private final SceneSize size = new SceneSize();
+    private final JPanel panel = new JPanel(new MigLayout(
+            "novisualpadding, insets 6 10 6 10, fillx, hidemode 3, gap 6 4", "[pref!][grow,fill][pref!][pref!]"));
+    private final JComboBox<NumberProperty> properties = new JComboBox<>();
+    private final JComboBox<Animation.Course> courses = new JComboBox<>(Animation.Course.values());
+    private final JToggleButton play = new JToggleButton(Texts.get("play.play"));
+    private final JCheckBox loop = new JCheckBox(Texts.get("play.loop"), true);
+    private final JSlider scrubber = new JSlider(0, STEPS, 0);
+    private final JLabel value = new JLabel();
+    private final Note note = new Note("");
+    private final NumberField fromField;
+    private final NumberField toField;
+    private final NumberField secondsField;
+    private final Timer timer = new Timer(TICK_MILLISECONDS, event -> tick());
+    private final Object gesture = new Object();
+    private final Updating updating = new Updating();
+    private List<NumberProperty> offered = List.of();
+    private Studio offeredOf;
+    private double from;
+    private double to;
+    private double seconds;
+    private double time;
+    private long lastTick;
+
+    /** The panel; {@code export} takes a studio and the animation of it that is to be saved. */
+    public PlayPanel(StudioModel model, BiConsumer<Studio, Animation> export) {
+        this.model = model;
+        fromField = field("play.from", number -> setFrom(allowed("from", number)));
+        toField = field("play.to", number -> setTo(allowed("to", number)));
+        secondsField =
+                field("play.seconds", number -> setSeconds(Require.within("seconds", number, 0.1, LONGEST_SECONDS)));
+        setSeconds(4);
+        name(properties, "play.property");
+        properties.addActionListener(event -> updating.unless(this::suggestValues));
+        name(courses, "play.course");
+        courses.setRenderer(ValueEditors.renderer(course -> Wording.label((Animation.Course) course)));
+        name(play, "play.play");
+        play.addActionListener(event -> setPlaying(play.isSelected()));
+        name(loop, "play.loop");
+        name(scrubber, "play.scrubber");
+        scrubber.addChangeListener(event -> updating.unless(() -> moveTo((double) scrubber.getValue() / STEPS)));
+        JButton exportButton = new JButton(Texts.get("play.export"));
+        name(exportButton, "play.export");
+        exportButton.addActionListener(event -> {
+            if (takesEntries()) {
+                export.accept(model.studio(), animation());
+            }
+        });
+        panel.add(numberRow(), "span, growx, wrap, wmin 0");
+        panel.add(valuesRow(), "span, growx, wrap, wmin 0");
+        panel.add(play, "wmin pref");
+        panel.add(scrubber, "wmin 60");
+        panel.add(value, "wmin 80");
+        panel.add(exportButton, "wmin pref, wrap");
+        panel.add(note.component(), "span, growx, wmin 0");
+        panel.setVisible(false);
+        model.addListener(this::update);
+    }
+
+    private JComponent numberRow() {
+        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 6", "[grow,fill][][]"));
+        row.add(properties, "wmin 60");
+        row.add(courses);
+        row.add(loop);
+        return row;
+    }
+
+    private JComponent valuesRow() {
+        JPanel row =
+                new JPanel(new MigLayout("novisualpadding, insets 0, gap 6", "[][50:pref]12[][50:pref]12[][50:pref]"));
+        addField(row, "play.from", fromField);
+        addField(row, "play.to", toField);
+        addField(row, "play.seconds", secondsField);
+        return row;
+    }
+
+    private static void addField(JPanel row, String key, NumberField field) {
+        JLabel label = new JLabel(Texts.get(key));
+        label.setLabelFor(field.field());
+        row.add(label);
+        row.add(field.field(), "growx, wmin 50");
+    }
+
+    private NumberField field(String key, DoubleConsumer commit) {
+        String name = Texts.get(key);
+        return new NumberField(
+                NumberKind.DOUBLE,
+                name,
+                name,
+                Texts.get(key + "Tip"),
+                note,
+                number -> commit.accept(number.doubleValue()));
+    }
+
+    /** A number with which the animation begins or ends; what the studio refuses is marked at once, not half-way. */
+    private double allowed(String end, double number) {
+        Require.finite(end, number);
+        // made only to see whether it can be
+        Objects.requireNonNull(property().with().apply(model.studio(), number));
+        return number;
+    }
+
+    private static void name(JComponent component, String key) {
+        Naming.name(component, Texts.get(key), Texts.get(key + "Tip"));
+    }
+
+    /** The panel itself, invisible until it is shown. */
+    public JComponent component() {
+        return panel;
+    }
+
+    /** Shows the panel for the studio as it is, or hides it. */
+    public void setShown(boolean shown) {
+        panel.setVisible(shown);
+        update();
+        if (!shown) {
+            setPlaying(false);
+        }
+    }
+
+    private void update() {
+        if (panel.isVisible()) {
+            offerNumbers(model.studio());
+            if (!isPlaying()) {
+                value.setText(Numbers.brief(property().get().applyAsDouble(model.studio())));
+            }
+        }
+    }
+
+    /** Offers the numbers that the studio has; the chosen one stays if it is still there, otherwise nothing runs. */
+    private void offerNumbers(Studio studio) {
+        if (offeredOf != null && NumberProperty.unchanged(offeredOf, studio)) {
+            return;
+        }
+        offeredOf = studio;
+        List<NumberProperty> now = NumberProperty.of(studio);
+        if (now.equals(offered)) {
+            return;
+        }
+        offered = now;
+        NumberProperty chosen = property();
+        updating.during(() -> properties.setModel(new DefaultComboBoxModel<>(now.toArray(NumberProperty[]::new))));
+        if (now.contains(chosen)) {
+            updating.during(() -> properties.setSelectedItem(chosen));
+        } else {
+            setPlaying(false);
+            suggestValues();
+        }
+    }
+
+    /** Whether the panel is shown. */
+    public boolean isShown() {
+        return panel.isVisible();
+    }
+
+    /** Runs a number, if the studio has it. */
+    public void run(NumberProperty property) {
+        setShown(true);
+        if (offered.contains(property)) {
+            properties.setSelectedItem(property);
+            setPlaying(true);
+        } else {
+            note.setError(Texts.get("play.none", property.name()));
+        }
+    }
+
+    /** Values that show something: speeds from rest, times through the scene, other numbers from their value to twice it. */
+    private void suggestValues() {
+        NumberProperty property = property();
+        double now = property.get().applyAsDouble(model.studio());
+        if (property.equals(NumberProperty.speed(SpeedScale.BETA))) {
+            suggest(0, 0.99);
+        } else if (property.equals(NumberProperty.speed(SpeedScale.RAPIDITY))) {
+            suggest(0, 3);
+        } else if (property.equals(NumberProperty.openingTime())) {
+            Range times = size.times(model.studio());
+            suggest(times.minimum() / 2, times.maximum() / 2);
+        } else {
+            suggest(now, now == 0 ? 1 : 2 * now);
+        }
+    }
+
+    private void suggest(double first, double last) {
+        EntryField.in(panel).forEach(EntryField::revert);
+        setFrom(first);
+        setTo(last);
+        note.setText("");
+    }
+
+    private void setFrom(double number) {
+        from = number;
+        fromField.show(number);
+    }
+
+    private void setTo(double number) {
+        to = number;
+        toField.show(number);
+    }
+
+    private void setSeconds(double number) {
+        seconds = number;
+        secondsField.show(number);
+    }
+
+    private NumberProperty property() {
+        return (NumberProperty) properties.getSelectedItem();
+    }
+
+    private Animation animation() {
+        return new Animation(property(), from, to, seconds, (Animation.Course) courses.getSelectedItem());
+    }
+
+    /** Starts or stops the animation; it does not start with a value that was refused. */
+    public void setPlaying(boolean wish) {
+        boolean playing = wish && takesEntries();
+        play.setSelected(playing);
+        play.setText(Texts.get(playing ? "play.pause" : "play.play"));
+        if (playing) {
+            time = time >= 1 ? 0 : time;
+            lastTick = System.nanoTime();
+            timer.start();
+        } else {
+            timer.stop();
+            model.endGesture();
+        }
+    }
+
+    /** Takes what is typed into the fields; false if one of them was refused. */
+    private boolean takesEntries() {
+        List<EntryField> fields = EntryField.in(panel).toList();
+        fields.forEach(EntryField::commit);
+        return fields.stream().noneMatch(EntryField::isPending);
+    }
+
+    /** Whether the animation runs. */
+    public boolean isPlaying() {
+        return timer.isRunning();
+    }
+
+    private void tick() {
+        long now = System.nanoTime();
+        double next = time + (now - lastTick) * 1e-9 / seconds;
+        lastTick = now;
+        if (next >= 1 && !loop.isSelected()) {
+            moveTo(1);
+            setPlaying(false);
+        } else {
+            moveTo(next % 1);
+        }
+    }
+
+    private void moveTo(double share) {
+        time = share;
+        Animation animation = animation();
+        try {
+            model.adjust(animation.studio(model.studio(), share), gesture);
+            value.setText(Numbers.brief(animation.value(share)));
+            note.setText("");
+        } catch (InvalidPropertyException wrong) {
+            setPlaying(false);
+            note.setError(Wording.message(wrong));
+        }
+        updating.during(() -> scrubber.setValue((int) Math.round(share * STEPS)));
+    }
+}

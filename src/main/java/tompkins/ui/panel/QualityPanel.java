@@ -1,0 +1,190 @@
+package tompkins.ui.panel;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Window;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.CancellationException;
+import java.util.function.Consumer;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JDialog;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
+import javax.swing.WindowConstants;
+import org.jfree.chart.ChartMouseEvent;
+import org.jfree.chart.ChartMouseListener;
+import org.jfree.chart.ChartPanel;
+import org.jfree.chart.entity.XYItemEntity;
+import tompkins.render.Quality;
+import tompkins.studio.Studio;
+import tompkins.study.ChartDrawing;
+import tompkins.study.Measurement;
+import tompkins.study.PictureStudy;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.Keys;
+import tompkins.ui.widget.Messages;
+import tompkins.ui.widget.Naming;
+import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.Rows;
+import tompkins.ui.widget.Texts;
+
+/** How good the picture has to be: as its scene says, or the point that is chosen on a chart of speed against accuracy. */
+public final class QualityPanel {
+
+    private static final int CHART_WIDTH = 860;
+    private static final int CHART_HEIGHT = 520;
+
+    private final JPanel panel = Rows.column();
+    private final Note chosen = new Note("");
+    private final JButton asScene = new JButton(Texts.get("quality.asScene"));
+    private final JButton measure = new JButton(Texts.get("quality.measure"));
+    private final StudioModel model;
+    private final Consumer<Quality> choose;
+
+    /**
+     * The panel.
+     *
+     * @param choose told of the quality that was chosen; null for what the scene says
+     */
+    public QualityPanel(StudioModel model, Consumer<Quality> choose) {
+        this.model = model;
+        this.choose = choose;
+        asScene.setName(Texts.get("quality.asScene"));
+        asScene.addActionListener(event -> set(null));
+        Naming.name(measure, Texts.get("quality.measure"), Texts.get("quality.measureTip"));
+        measure.addActionListener(event -> new ChartWindow(SwingUtilities.getWindowAncestor(panel)).start());
+        panel.add(chosen.component(), "wmin 0");
+        panel.add(asScene, "wmin 0");
+        panel.add(measure, "wmin 0");
+        show(null);
+    }
+
+    /** The panel itself. */
+    public JComponent component() {
+        return panel;
+    }
+
+    /** Takes a quality: a number of samples goes into the scene, an error stays with the window; null is what the scene says. */
+    void set(Quality quality) {
+        if (quality instanceof Quality.Samples fixed) {
+            Studio studio = model.studio();
+            show(null);
+            choose.accept(null);
+            model.set(studio.withSettings(studio.settings().withSamples(fixed.samples())));
+        } else {
+            show(quality);
+            choose.accept(quality);
+        }
+    }
+
+    private void show(Quality quality) {
+        chosen.setText(text(quality));
+        asScene.setEnabled(quality != null);
+    }
+
+    private static String text(Quality quality) {
+        if (quality instanceof Quality.TargetError target) {
+            return Texts.get("quality.error", Numbers.brief(target.rootMeanSquare(), 2));
+        }
+        return quality instanceof Quality.Samples fixed && fixed.samples() > 1
+                ? Texts.get("quality.samples", fixed.samples())
+                : Texts.get(quality == null ? "quality.scene" : "quality.sample");
+    }
+
+    /** A window with the chart of the picture on show, which grows while it is measured. */
+    private final class ChartWindow {
+
+        private final JDialog dialog;
+        private final PictureStudy study = new PictureStudy(model.studio());
+        private final ChartPanel chart = new ChartPanel(null);
+        private final JLabel state = new JLabel();
+        private volatile boolean closed;
+        private List<Measurement> shown = List.of();
+
+        ChartWindow(Window owner) {
+            dialog = new JDialog(owner, Texts.get("section.quality"));
+            dialog.setName("quality");
+            state.setName("state");
+            chart.setName("chart");
+            dialog.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
+            Keys.bind(dialog.getRootPane(), Keys.ESCAPE, dialog::dispose);
+            dialog.addWindowListener(new WindowAdapter() {
+                @Override
+                public void windowClosed(WindowEvent event) {
+                    closed = true;
+                }
+            });
+            chart.setPreferredSize(new Dimension(CHART_WIDTH, CHART_HEIGHT));
+            chart.addChartMouseListener(new PointChooser());
+            JPanel content = new JPanel(new BorderLayout());
+            content.add(chart, BorderLayout.CENTER);
+            state.setBorder(BorderFactory.createEmptyBorder(6, 10, 6, 10));
+            content.add(state, BorderLayout.SOUTH);
+            dialog.setContentPane(content);
+            dialog.pack();
+            dialog.setLocationRelativeTo(owner);
+        }
+
+        void start() {
+            state.setText(progress(0));
+            dialog.setVisible(true);
+            Thread thread = new Thread(this::measure, "tompkins-study");
+            thread.setDaemon(true);
+            thread.setPriority(Thread.MIN_PRIORITY);
+            thread.start();
+        }
+
+        private void measure() {
+            try {
+                study.measure(measured -> SwingUtilities.invokeLater(() -> draw(measured)), () -> closed);
+                say(Texts.get("quality.choose"));
+            } catch (CancellationException stopped) {
+                // the window was closed
+            } catch (RuntimeException | OutOfMemoryError | StackOverflowError error) {
+                say(Messages.of(error));
+            }
+        }
+
+        private void say(String text) {
+            SwingUtilities.invokeLater(() -> state.setText(text));
+        }
+
+        private void draw(List<Measurement> measured) {
+            shown = measured;
+            chart.setChart(ChartDrawing.drawing(study.chart(), measured));
+            state.setText(progress(measured.size()));
+        }
+
+        private String progress(int measured) {
+            return String.format(Locale.ROOT, "%s  %d / %d", Texts.get("quality.measuring"), measured, study.points());
+        }
+
+        private final class PointChooser implements ChartMouseListener {
+
+            @Override
+            public void chartMouseClicked(ChartMouseEvent event) {
+                if (event.getEntity() instanceof XYItemEntity point) {
+                    double x = point.getDataset().getXValue(point.getSeriesIndex(), point.getItem());
+                    double y = point.getDataset().getYValue(point.getSeriesIndex(), point.getItem());
+                    Measurement measurement = ChartDrawing.pointAt(study.chart(), shown, x, y);
+                    if (measurement != null) {
+                        set(study.qualityOf(measurement));
+                        state.setText(Texts.get("quality.chosen", text(study.qualityOf(measurement))));
+                    }
+                }
+            }
+
+            @Override
+            public void chartMouseMoved(ChartMouseEvent event) {
+                // the tool tip is enough
+            }
+        }
+    }
+}

@@ -1,0 +1,191 @@
+package tompkins.ui.panel;
+
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.Component;
+import javax.swing.BorderFactory;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.ListCellRenderer;
+import javax.swing.UIManager;
+import tompkins.property.Descriptions;
+import tompkins.property.Require;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.Event;
+import tompkins.studio.Studio;
+import tompkins.ui.editor.RecordForm;
+import tompkins.ui.editor.ValueEditors;
+import tompkins.ui.model.Shutters;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Naming;
+import tompkins.ui.widget.Note;
+import tompkins.ui.widget.NumberKind;
+import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.Rows;
+import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Updating;
+import tompkins.ui.widget.Wording;
+
+/** Where the shutter is, when it opens, and where the aperture is in the scene then. */
+public final class ShutterPanel {
+
+    private final StudioModel model;
+    private final SceneSize size = new SceneSize();
+    private final JPanel panel = Rows.column();
+    private final JComboBox<Class<?>> models = new JComboBox<>();
+    private final Updating updating = new Updating();
+    private final Note meaning = new Note("");
+    private final Note place = new Note("");
+    private final Note note = new Note("");
+    private final NumberRow time;
+    private final JPanel timeRow = Rows.panel();
+    private final JPanel parameters = Rows.column();
+    private Class<?> shownModel;
+    private Shutter replaced;
+    private Shutter replacement;
+    private RecordForm form;
+
+    /** A panel for the shutter of the studio in a model, which follows its changes. */
+    public ShutterPanel(StudioModel model) {
+        this.model = model;
+        Descriptions.members(Shutter.class).forEach(models::addItem);
+        Naming.name(models, Texts.get("shutter.name"), "");
+        models.setRenderer(new ModelRenderer());
+        models.setMaximumRowCount(models.getItemCount());
+        models.addActionListener(event -> updating.unless(this::choose));
+        time = new NumberRow(
+                model,
+                "openingTime",
+                NumberKind.DOUBLE,
+                Texts.get("shutter.timeTip"),
+                size.times(model.studio()),
+                value -> withShutter(shutter().openedAt(requireFinite(value))));
+        time.addTo(timeRow);
+        panel.add(models, "wmin 0");
+        panel.add(meaning.component(), "wmin 0");
+        panel.add(note.component(), "wmin 0");
+        panel.add(timeRow, "wmin 0");
+        panel.add(parameters, "wmin 0");
+        panel.add(place.component(), "wmin 0");
+        model.addListener(this::update);
+        update();
+    }
+
+    private static double requireFinite(double value) {
+        return Require.finite("openingTime", value);
+    }
+
+    /** The panel itself. */
+    public JComponent component() {
+        return panel;
+    }
+
+    private Shutter shutter() {
+        return model.studio().camera().shutter();
+    }
+
+    private Studio withShutter(Shutter shutter) {
+        return model.studio().withCamera(model.studio().camera().withShutter(shutter));
+    }
+
+    private void choose() {
+        Class<?> chosen = (Class<?>) models.getSelectedItem();
+        if (chosen != shownModel) {
+            ValueEditors.attempt(note, () -> replaceBy(chosen));
+        }
+    }
+
+    /** A shutter without an opening time has forgotten that of the one before it, which therefore speaks for it. */
+    private void replaceBy(Class<?> chosen) {
+        boolean forgotten = !hasOpeningTime(shownModel) && shutter() == replacement;
+        Shutter before = forgotten ? replaced : shutter();
+        Studio next = Shutters.replaced(withShutter(before), chosen);
+        replaced = before;
+        replacement = next.camera().shutter();
+        model.set(next);
+    }
+
+    private void update() {
+        Shutter shutter = shutter();
+        if (shutter.getClass() != shownModel) {
+            shownModel = shutter.getClass();
+            updating.during(() -> models.setSelectedItem(shownModel));
+            meaning.setText(Wording.meaning(shownModel));
+            replaceForm();
+        }
+        boolean hasTime = hasOpeningTime(shownModel);
+        timeRow.setVisible(hasTime);
+        if (hasTime) {
+            time.setRange(size.times(model.studio()));
+            time.show(shutter.openingTime());
+        }
+        form.show(shutter);
+    }
+
+    static boolean hasOpeningTime(Class<?> shutter) {
+        return Descriptions.components(shutter).stream()
+                .anyMatch(component -> component.getName().equals("openingTime"));
+    }
+
+    private void replaceForm() {
+        parameters.removeAll();
+        form = new RecordForm(
+                shownModel,
+                component -> !component.getName().equals("openingTime"),
+                changed -> model.set(withShutter((Shutter) changed)));
+        parameters.add(form.component(), "wmin 0");
+        parameters.setVisible(!form.isEmpty());
+        parameters.revalidate();
+    }
+
+    /** Shows where the centre of the aperture is in the scene frame when the picture is taken. */
+    public void showPlace(Event lensInScene) {
+        place.setText(Texts.get("shutter.place", Numbers.brief(lensInScene)));
+    }
+
+    /** A drawing, the name, and in the list a line that says what the model does. */
+    private static final class ModelRenderer implements ListCellRenderer<Class<?>> {
+
+        /** Width of a line in sizes of the type, so that it fits into the list beneath the narrowest panel. */
+        private static final double LINE = 10;
+
+        private final JPanel cell = new JPanel(new BorderLayout(8, 0));
+        private final JPanel words = new JPanel(new BorderLayout(0, 2));
+        private final JLabel icon = new JLabel();
+        private final JLabel name = new JLabel();
+        private final JLabel line = new JLabel();
+
+        ModelRenderer() {
+            words.setOpaque(false);
+            words.add(name, BorderLayout.CENTER);
+            words.add(line, BorderLayout.SOUTH);
+            cell.setBorder(BorderFactory.createEmptyBorder(4, 4, 4, 4));
+            cell.add(icon, BorderLayout.WEST);
+            cell.add(words, BorderLayout.CENTER);
+        }
+
+        @Override
+        public Component getListCellRendererComponent(
+                JList<? extends Class<?>> list, Class<?> model, int index, boolean selected, boolean focused) {
+            boolean inList = index >= 0;
+            boolean marked = inList && selected;
+            Color ink = marked ? list.getSelectionForeground() : list.getForeground();
+            icon.setIcon(new ShutterIcon(model, marked ? ink : null));
+            name.setText(model == null ? "" : Wording.label(model));
+            line.setVisible(inList);
+            line.setText(
+                    inList ? "<html><body style='width: " + Look.pixels(LINE) + "px'>" + Wording.meaning(model) : "");
+            cell.setOpaque(inList);
+            cell.setBackground(marked ? list.getSelectionBackground() : list.getBackground());
+            name.setForeground(ink);
+            line.setForeground(ink);
+            name.setFont(UIManager.getFont("Label.font"));
+            line.setFont(UIManager.getFont("small.font"));
+            return cell;
+        }
+    }
+}

@@ -1,0 +1,195 @@
+package tompkins.ui.panel;
+
+import java.awt.event.ActionEvent;
+import javax.swing.ButtonGroup;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import javax.swing.JToggleButton;
+import net.miginfocom.swing.MigLayout;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.property.NumberText;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.ui.model.FrontWindow;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.DirectionSphere;
+import tompkins.ui.widget.EntryField;
+import tompkins.ui.widget.Naming;
+import tompkins.ui.widget.Note;
+import tompkins.ui.widget.NumberKind;
+import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.Range;
+import tompkins.ui.widget.Rows;
+import tompkins.ui.widget.SpeedText;
+import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.ValueSlider;
+import tompkins.ui.widget.VectorFields;
+import tompkins.ui.widget.Wording;
+
+/** How fast the camera moves, and where to. */
+public final class VelocityPanel {
+
+    /** The speed at the right end of the slider, as a rapidity: gamma 200. */
+    private static final Range RAPIDITIES = Range.even(0, 6);
+
+    /** So much of a speed is seen in its field, and so much of the speeds of an animation is steady enough to be read. */
+    private static final int SPEED_CHARACTERS = 9;
+
+    private final StudioModel model;
+    private final JPanel panel = Rows.column();
+    private final Note note = new Note("");
+    private final ValueSlider slider;
+    private final EntryField speed;
+    private final DirectionSphere sphere;
+    private final VectorFields direction;
+    private final Note numbers = new Note("");
+    private final Note warning = new Note("");
+    private SpeedScale scale = SpeedScale.BETA;
+
+    /** A panel for the camera's velocity in the studio of a model, which follows its changes. */
+    public VelocityPanel(StudioModel model) {
+        this.model = model;
+        slider = new ValueSlider(
+                Texts.get("speed.slider"), Texts.get("speed.sliderTip"), RAPIDITIES, this::slide, model::endGesture);
+        speed = new EntryField(
+                new JTextField(7), Texts.get("speed.name"), Texts.get("speed.tip"), note, this::enterSpeed);
+        sphere = new DirectionSphere(this::turn, model::endGesture);
+        direction = new VectorFields("direction", NumberKind.DOUBLE, 3, Texts.get("direction.tip"), note, vector -> {
+            Velocity now = velocity();
+            take(Velocity.of(scaleOf(now), scaleOf(now).valueOf(now), vector));
+        });
+        JPanel speedRow = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 6", "[grow,fill][pref!]"));
+        speedRow.setOpaque(false);
+        speedRow.add(slider.slider(), "wmin 40");
+        speedRow.add(speed.field(), "growx");
+        panel.add(speedRow);
+        panel.add(scaleSwitch());
+        panel.add(note.component(), "wmin 0");
+        panel.add(directionRow());
+        panel.add(buttons());
+        panel.add(numbers.component(), "wmin 0");
+        panel.add(warning.component(), "wmin 0");
+        model.addListener(this::update);
+        update();
+    }
+
+    /** The panel itself. */
+    public JComponent component() {
+        return panel;
+    }
+
+    private JComponent scaleSwitch() {
+        JPanel row = new JPanel(new MigLayout(
+                "novisualpadding, insets 0, fillx, gap 2", "[grow,fill,sg][grow,fill,sg][grow,fill,sg][grow,fill,sg]"));
+        row.setOpaque(false);
+        ButtonGroup group = new ButtonGroup();
+        for (SpeedScale each : SpeedScale.values()) {
+            JToggleButton button = new JToggleButton(Texts.get("scale." + each.name()), each == scale);
+            String name = Texts.get("scale." + each.name() + ".name");
+            Naming.name(button, name, name + ", " + each.range());
+            button.putClientProperty(
+                    "FlatLaf.style", "selectedBackground: $Component.accentColor; selectedForeground: #fff");
+            button.addActionListener(event -> {
+                scale = each;
+                update();
+            });
+            group.add(button);
+            row.add(button, "wmin 0");
+        }
+        return row;
+    }
+
+    private JComponent directionRow() {
+        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 10 4", "[pref!][grow,fill]"));
+        row.setOpaque(false);
+        JPanel fields = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, wrap 2, gap 6 4", "[][grow,fill]"));
+        fields.setOpaque(false);
+        fields.add(new JLabel(Wording.label("direction")), "span");
+        direction.addInColumn(fields);
+        row.add(sphere);
+        row.add(fields, "growx, wmin 0");
+        return row;
+    }
+
+    private JComponent buttons() {
+        JPanel row = new JPanel(
+                new MigLayout("novisualpadding, insets 0, fillx, wrap 2, gap 4", "[grow,fill,sg][grow,fill,sg]"));
+        row.setOpaque(false);
+        row.add(button(
+                "rest", () -> take(Velocity.of(SpeedScale.BETA, 0, velocity().givenDirection()))));
+        row.add(button("forwards", () -> turn(new Vector3d(0, 0, 1), null)));
+        row.add(button("backwards", () -> turn(new Vector3d(0, 0, -1), null)));
+        row.add(button("sideways", () -> turn(new Vector3d(1, 0, 0), null)));
+        return row;
+    }
+
+    private JButton button(String key, Runnable action) {
+        JButton button = new JButton(Texts.get("velocity." + key));
+        Naming.name(button, button.getText(), Texts.get("velocity." + key + ".tip"));
+        button.addActionListener((ActionEvent event) -> action.run());
+        return button;
+    }
+
+    private Velocity velocity() {
+        return model.studio().velocity();
+    }
+
+    private void slide(double rapidity, Object gesture) {
+        Velocity exact = Velocity.of(SpeedScale.RAPIDITY, rapidity, velocity().givenDirection());
+        model.adjust(FrontWindow.withVelocity(model.studio(), rounded(exact)), gesture);
+    }
+
+    /** A speed with no more digits than the hand can give it, on the scale that is shown. */
+    private Velocity rounded(Velocity velocity) {
+        double value = scale == SpeedScale.BETA
+                ? 1 - NumberText.rounded(velocity.oneMinusSpeed(), velocity.speed() < 0.9 ? 3 : 2)
+                : NumberText.rounded(scale.valueOf(velocity), 4);
+        return Velocity.of(scale, NumberText.rounded(value, 12), velocity.given());
+    }
+
+    private void enterSpeed(String text) {
+        take(SpeedText.parse(text, scale, velocity().givenDirection()));
+    }
+
+    private void turn(Vector3dc to, Object gesture) {
+        Velocity now = velocity();
+        SpeedScale given = scaleOf(now);
+        Studio next = FrontWindow.withVelocity(model.studio(), Velocity.of(given, given.valueOf(now), to));
+        if (gesture == null) {
+            model.set(next);
+        } else {
+            model.adjust(next, gesture);
+        }
+    }
+
+    private SpeedScale scaleOf(Velocity velocity) {
+        return velocity.scale() == null ? scale : velocity.scale();
+    }
+
+    private void take(Velocity velocity) {
+        model.set(FrontWindow.withVelocity(model.studio(), velocity));
+    }
+
+    private void update() {
+        Velocity now = velocity();
+        slider.show(now.rapidity());
+        speed.show(speedText(now));
+        sphere.show(now.givenDirection());
+        direction.showDirection(now.givenDirection());
+        numbers.setText(Texts.get("velocity.numbers", Numbers.brief(now.gamma(), 6), Numbers.brief(now.components())));
+        now.warning().ifPresentOrElse(warning::setError, () -> warning.setText(""));
+    }
+
+    private String speedText(Velocity velocity) {
+        double value = scale.valueOf(velocity);
+        if (scale == SpeedScale.BETA && value > 0.999999) {
+            return "1-" + Numbers.fitting(velocity.oneMinusSpeed(), SPEED_CHARACTERS - 2);
+        }
+        return Numbers.fitting(value, SPEED_CHARACTERS);
+    }
+}

@@ -1,0 +1,113 @@
+package tompkins.ui.panel;
+
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import tompkins.studio.Studio;
+import tompkins.surface.GalileoWindow;
+import tompkins.surface.LorentzWindow;
+import tompkins.surface.Surface;
+import tompkins.ui.editor.RecordForm;
+import tompkins.ui.editor.ValueEditors;
+import tompkins.ui.model.FrontWindow;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.Naming;
+import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Rows;
+import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Updating;
+import tompkins.ui.widget.Wording;
+
+/** The window in front of the lens: none, or one that can undo what the motion does to the picture. */
+public final class WindowPanel {
+
+    /** The kinds of window. */
+    private enum Kind {
+        NO_WINDOW,
+        LORENTZ_WINDOW,
+        GALILEO_WINDOW;
+
+        static Kind of(Optional<Surface> window) {
+            return window.map(surface -> surface instanceof LorentzWindow ? LORENTZ_WINDOW : GALILEO_WINDOW)
+                    .orElse(NO_WINDOW);
+        }
+    }
+
+    private final StudioModel model;
+    private final JPanel panel = Rows.column();
+    private final JComboBox<Kind> kinds = new JComboBox<>(Kind.values());
+    private final JButton match = new JButton(Texts.get("window.match"));
+    private final Note note = new Note("");
+    private final JPanel details = Rows.column();
+    private final Updating updating = new Updating();
+    private Class<?> shownType;
+    private RecordForm form;
+
+    /** A panel for the window before the lens in the studio of a model, which follows its changes. */
+    public WindowPanel(StudioModel model) {
+        this.model = model;
+        kinds.setRenderer(ValueEditors.renderer(kind -> Wording.label((Kind) kind)));
+        Naming.name(kinds, Texts.get("window.name"), Texts.get("window.tip"));
+        kinds.addActionListener(event -> updating.unless(() -> choose((Kind) kinds.getSelectedItem())));
+        Naming.name(match, Texts.get("window.match"), Texts.get("window.matchTip"));
+        match.addActionListener(event -> matchCamera());
+        panel.add(kinds, "wmin 0");
+        panel.add(match);
+        panel.add(note.component(), "wmin 0");
+        panel.add(details, "wmin 0");
+        model.addListener(this::update);
+        update();
+    }
+
+    /** The panel itself. */
+    public JComponent component() {
+        return panel;
+    }
+
+    private void choose(Kind kind) {
+        Studio studio = model.studio();
+        if (kind == Kind.of(FrontWindow.of(studio))) {
+            return;
+        }
+        Surface surface = switch (kind) {
+            case NO_WINDOW -> null;
+            case LORENTZ_WINDOW -> FrontWindow.withVelocity(LorentzWindow.DEFAULT, studio.velocity());
+            case GALILEO_WINDOW -> FrontWindow.withVelocity(GalileoWindow.DEFAULT, studio.velocity());
+        };
+        model.set(FrontWindow.with(studio, surface));
+    }
+
+    private void matchCamera() {
+        Studio studio = model.studio();
+        FrontWindow.of(studio)
+                .ifPresent(window ->
+                        model.set(FrontWindow.with(studio, FrontWindow.withVelocity(window, studio.velocity()))));
+    }
+
+    private void update() {
+        Optional<Surface> window = FrontWindow.of(model.studio());
+        boolean matches = FrontWindow.matches(model.studio());
+        updating.during(() -> kinds.setSelectedItem(Kind.of(window)));
+        match.setVisible(window.isPresent());
+        match.setEnabled(!matches);
+        note.setText(matches ? Texts.get("window.follows") : "");
+        details.setVisible(window.isPresent());
+        window.ifPresent(this::showDetails);
+    }
+
+    private void showDetails(Surface window) {
+        if (window.getClass() != shownType) {
+            shownType = window.getClass();
+            details.removeAll();
+            form = new RecordForm(
+                    shownType,
+                    component -> true,
+                    changed -> model.set(FrontWindow.with(model.studio(), (Surface) changed)));
+            details.add(form.component(), "wmin 0");
+            details.revalidate();
+        }
+        form.show(window);
+    }
+}

@@ -1,0 +1,13 @@
+package tompkins.ui.picture;
+
+/** How the canvas shows the picture and another one. */
+public enum Comparison {
+    /** The picture alone. */
+    NONE,
+    /** The picture to the left of a divider, the other one to the right. */
+    SPLIT,
+    /** Both whole, the other one to the right. */
+    BESIDE,
+    /** By how much the two differ. */
+    DIFFERENCE
+}

@@ -1,0 +1,44 @@
+package tompkins.ui.picture;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import tompkins.image.LinearImage;
+import tompkins.render.Quality;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+
+/**
+ * A picture on its way to the screen.
+ *
+ * @param plan what it was made from
+ * @param quality which samples it gets
+ * @param image its light
+ * @param complete whether all samples were taken
+ * @param time since the change that it answers
+ * @param samples mean number of samples of a pixel
+ * @param error estimated root mean square error; NaN while it is not known
+ * @param warnings what went wrong; known when it is complete
+ */
+public record Picture(
+        RenderPlan plan,
+        Quality quality,
+        LinearImage image,
+        boolean complete,
+        Duration time,
+        double samples,
+        double error,
+        List<String> warnings) {
+
+    /** The studio that was photographed. */
+    public Studio studio() {
+        return plan.studio();
+    }
+
+    /** What it models and which samples it gets, in sentences. */
+    public List<String> sentences() {
+        List<String> sentences = new ArrayList<>(plan.sentences());
+        sentences.add(quality.sentence(plan));
+        return sentences;
+    }
+}

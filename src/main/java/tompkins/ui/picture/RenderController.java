@@ -1,0 +1,228 @@
+package tompkins.ui.picture;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
+import tompkins.render.Quality;
+import tompkins.render.RenderJob;
+import tompkins.render.RenderListener;
+import tompkins.render.RenderReport;
+import tompkins.render.Renderer;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+
+/**
+ * Makes the picture of the newest studio, away from the event thread. While a slider is dragged each picture gets as far as
+ * a frame of a smooth motion allows, then the next one takes its place; when the hand rests the picture is completed.
+ */
+public final class RenderController implements AutoCloseable {
+
+    /** A picture is shown coarse if the next finer one would come later than this after the change. */
+    private static final Duration PATIENCE = Duration.ofMillis(30);
+
+    /** A picture that has been worked on for so long has been seen, and gives way to a newer one. */
+    private static final Duration FRAME = Duration.ofMillis(30);
+
+    /**
+     * A picture that has nothing to show after this time gives way all the same. The next one gets twice the time, for something
+     * has to be seen.
+     */
+    private static final Duration LONGEST_WAIT = Duration.ofMillis(80);
+
+    /** How often to look whether a picture may give way. */
+    private static final Duration POLL = Duration.ofMillis(1);
+
+    /** The sum of the parts of the work may miss 1 by its rounding. */
+    private static final double ALMOST_ONE = 1 - 1e-9;
+
+    private record Request(Studio studio, Quality quality, long time) {}
+
+    private final Renderer renderer = new Renderer();
+    private final Consumer<Picture> pictures;
+    private final Consumer<Throwable> failures;
+    private final NewestFirst<Request> planner;
+
+    /** The picture that is to come; null when it is there, cannot be made, or was stopped, be it still in planning. */
+    private final AtomicReference<Request> wanted = new AtomicReference<>();
+
+    private volatile boolean stopped;
+    private volatile Run run;
+    private volatile Quality quality;
+
+    // known to the planner's thread alone
+    private RenderPlan lastPlan;
+    private long longestWait = LONGEST_WAIT.toNanos();
+
+    /**
+     * A controller.
+     *
+     * @param pictures told of each better picture, by threads of the renderer
+     * @param failures told why there is no picture, by threads of the renderer and the controller
+     */
+    public RenderController(Consumer<Picture> pictures, Consumer<Throwable> failures) {
+        this.pictures = pictures;
+        this.failures = failures;
+        planner = new NewestFirst<>("tompkins-plan", this::render, this::fail);
+    }
+
+    /** Asks for the picture of a studio instead of all that were asked for before. Returns at once. */
+    public void show(Studio studio) {
+        Request request = new Request(studio, quality(studio), System.nanoTime());
+        stopped = false;
+        wanted.set(request);
+        planner.submit(request);
+    }
+
+    /** The quality of the next pictures; null for what their scenes say. */
+    public void setQuality(Quality wish) {
+        quality = wish;
+    }
+
+    /** The quality that pictures of a studio get. */
+    public Quality quality(Studio studio) {
+        Quality wish = quality;
+        return wish == null ? Quality.of(studio) : wish;
+    }
+
+    /** Ends the work on the picture; what is there stays. */
+    public void stop() {
+        if (wanted.getAndSet(null) != null) {
+            stopped = true;
+        }
+        Run running = run;
+        if (running != null) {
+            running.job.cancel();
+        }
+    }
+
+    /** Whether the last picture that was asked for was stopped before it was complete. */
+    public boolean isStopped() {
+        return stopped;
+    }
+
+    /** Whether a picture is to come, or one that was stopped is still being worked on by the renderer. */
+    public boolean isBusy() {
+        Run running = run;
+        return wanted.get() != null || running != null && !running.ended;
+    }
+
+    /** The share of the picture to come that is done, from 0 to 1; 1 if none is to come. */
+    public double progress() {
+        Request request = wanted.get();
+        if (request == null) {
+            return 1;
+        }
+        Run running = run;
+        return running != null && running.request == request ? running.job.progress() : 0;
+    }
+
+    private void render(Request request) {
+        giveWay();
+        if (wanted.get() != request) {
+            return;
+        }
+        // while the camera alone changes, the scene stays as it was prepared
+        RenderPlan plan = RenderPlan.of(request.studio, lastPlan);
+        lastPlan = plan;
+        if (wanted.get() != request) {
+            return;
+        }
+        Run next = new Run(request);
+        next.job = renderer.startCoarse(plan, request.quality, next);
+        run = next;
+        if (wanted.get() == null) {
+            // whoever stopped it may have come too early to see the run
+            next.job.cancel();
+        }
+    }
+
+    /** Tells why there is no picture, unless nobody waits for it any more. */
+    private void fail(Request request, Throwable error) {
+        if (wanted.compareAndSet(request, null)) {
+            failures.accept(error);
+        }
+    }
+
+    /** Ends the running picture as soon as it has been of use. */
+    private void giveWay() {
+        Run running = run;
+        if (running == null || running.job.isCancelled()) {
+            return;
+        }
+        while (!running.mayEnd(longestWait)) {
+            LockSupport.parkNanos(POLL.toNanos());
+        }
+        longestWait = running.shown || running.ended ? LONGEST_WAIT.toNanos() : 2 * longestWait;
+        running.job.cancel();
+    }
+
+    @Override
+    public void close() {
+        planner.close();
+        stop();
+        renderer.close();
+    }
+
+    /** One picture on its way. */
+    private final class Run implements RenderListener {
+
+        private final Request request;
+        private final long startTime = System.nanoTime();
+        private volatile RenderJob job;
+        private volatile boolean shown;
+        private volatile boolean ended;
+
+        Run(Request request) {
+            this.request = request;
+        }
+
+        boolean mayEnd(long longestWait) {
+            long age = System.nanoTime() - startTime;
+            return ended || shown && age >= FRAME.toNanos() || age >= longestWait;
+        }
+
+        @Override
+        public void passDone(RenderJob rendered) {
+            long now = System.nanoTime();
+            // each of the coarse passes takes three times the samples of all before it
+            long nextPass = now - request.time + 3 * (now - startTime);
+            boolean finerSoon = !shown && nextPass < PATIENCE.toNanos();
+            boolean last = rendered.progress() > ALMOST_ONE;
+            if (!finerSoon && !last && !rendered.isCancelled()) {
+                deliver(rendered, false);
+            }
+        }
+
+        @Override
+        public void ended(RenderJob rendered) {
+            ended = true;
+            if (rendered.failure() != null) {
+                fail(request, rendered.failure());
+            } else if (rendered.isComplete()) {
+                wanted.compareAndSet(request, null);
+                deliver(rendered, true);
+            }
+        }
+
+        private void deliver(RenderJob rendered, boolean complete) {
+            Duration time = Duration.ofNanos(System.nanoTime() - request.time);
+            // the error takes a moment to work out: not while the picture follows a hand
+            boolean tellsError = complete || System.nanoTime() - startTime > LONGEST_WAIT.toNanos();
+            RenderReport report = tellsError ? rendered.report() : null;
+            double samples = (double) rendered.samples()
+                    / ((double) rendered.plan().width() * rendered.plan().height());
+            pictures.accept(new Picture(
+                    rendered.plan(),
+                    request.quality,
+                    rendered.image(),
+                    complete,
+                    time,
+                    samples,
+                    tellsError ? report.error() : Double.NaN,
+                    complete ? report.warnings() : List.of()));
+            shown = true;
+        }
+    }
+}

@@ -1,0 +1,94 @@
+package tompkins.ui.picture;
+
+import java.awt.Dimension;
+import java.awt.image.BufferedImage;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import javax.swing.SwingUtilities;
+
+/**
+ * Turns pictures into images no larger than the canvas, on a thread of its own, and hands the newest to the event thread.
+ * However fast pictures come, the event thread has one at a time to paint.
+ */
+public final class ScreenPictures implements AutoCloseable {
+
+    /** What is wanted: pictures, and the size in which they are shown. */
+    private record Wanted(Picture now, Picture other, Dimension canvas, boolean difference) {}
+
+    private final AtomicReference<Wanted> wanted =
+            new AtomicReference<>(new Wanted(null, null, new Dimension(1, 1), false));
+    private final AtomicReference<ScreenPicture> ready = new AtomicReference<>();
+    private final NewestFirst<Wanted> worker;
+    private final Consumer<ScreenPicture> screen;
+    private Wanted doneFor;
+    private ScreenPicture done = ScreenPicture.EMPTY;
+
+    /** Hands images to {@code screen} on the event thread; {@code failures} is told of trouble by its own thread. */
+    public ScreenPictures(Consumer<ScreenPicture> screen, Consumer<Throwable> failures) {
+        this.screen = screen;
+        worker = new NewestFirst<>("tompkins-screen", this::prepare, (order, error) -> failures.accept(error));
+    }
+
+    /** There is a better picture. Called by any thread. */
+    public void setNow(Picture picture) {
+        want(old -> new Wanted(picture, old.other, old.canvas, old.difference));
+    }
+
+    /** There is another picture to compare with, or none. Called by any thread. */
+    public void setOther(Picture picture) {
+        want(old -> new Wanted(old.now, picture, old.canvas, old.difference));
+    }
+
+    /** Whether the difference is wanted, too. */
+    public void setDifference(boolean difference) {
+        want(old -> new Wanted(old.now, old.other, old.canvas, difference));
+    }
+
+    /** The canvas has another size, in pixels of the screen. */
+    public void setCanvas(Dimension size) {
+        want(old -> new Wanted(old.now, old.other, size, old.difference));
+    }
+
+    private void want(UnaryOperator<Wanted> change) {
+        Wanted now = wanted.updateAndGet(change);
+        if (now.now != null) {
+            worker.submit(now);
+        }
+    }
+
+    private void prepare(Wanted order) {
+        boolean sameUse =
+                doneFor != null && doneFor.canvas.equals(order.canvas) && doneFor.difference == order.difference;
+        BufferedImage now = sameUse && order.now == done.now() ? done.nowImage() : image(order.now, order);
+        BufferedImage other = null;
+        if (order.other != null && size(order.now, order).equals(size(order.other, order))) {
+            boolean sameOther = sameUse && order.other == done.other() && done.otherImage() != null;
+            other = sameOther ? done.otherImage() : image(order.other, order);
+        }
+        BufferedImage difference = order.difference && other != null ? ScreenPicture.difference(now, other) : null;
+        done = new ScreenPicture(order.now, now, order.other, other, difference);
+        doneFor = order;
+        if (ready.getAndSet(done) == null) {
+            SwingUtilities.invokeLater(() -> screen.accept(ready.getAndSet(null)));
+        }
+    }
+
+    private static BufferedImage image(Picture picture, Wanted order) {
+        BufferedImage levels = ScreenPicture.levels(picture);
+        Dimension fitted = size(picture, order);
+        // The display enlarges a picture itself, in a fifth of the time; two that are subtracted need the same size.
+        boolean enlarged = fitted.width >= levels.getWidth();
+        return enlarged && !order.difference ? levels : ScreenPicture.scaled(levels, fitted);
+    }
+
+    /** The size of a picture on the canvas. Only pictures of the same size there can be compared. */
+    private static Dimension size(Picture picture, Wanted order) {
+        return Fit.size(picture.image().width(), picture.image().height(), order.canvas.width, order.canvas.height);
+    }
+
+    @Override
+    public void close() {
+        worker.close();
+    }
+}

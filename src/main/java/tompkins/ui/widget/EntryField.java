@@ -1,0 +1,146 @@
+package tompkins.ui.widget;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Window;
+import java.awt.event.ActionEvent;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import javax.swing.AbstractAction;
+import javax.swing.JTextField;
+import javax.swing.text.JTextComponent;
+import tompkins.property.InvalidPropertyException;
+
+/**
+ * A field for a value that is written as text. It is taken when Enter is pressed (with Ctrl where Enter begins another line) or
+ * the focus leaves. A wrong value is marked with what is allowed, and stays until it is put right or the value changes elsewhere.
+ */
+public final class EntryField {
+
+    private final JTextComponent field;
+    private final String tip;
+    private final Note note;
+    private final Consumer<String> commit;
+    private String shown = "";
+
+    /** What the field makes of the text: of one line it holds no line ends. */
+    private String displayed = "";
+
+    /**
+     * Makes a component a field for a value.
+     *
+     * @param name what a screen reader calls it
+     * @param tip its meaning, unit and range
+     * @param note where messages go; fields may share one
+     * @param commit takes the text, or throws {@link InvalidPropertyException}
+     */
+    public EntryField(JTextComponent field, String name, String tip, Note note, Consumer<String> commit) {
+        this.field = field;
+        this.tip = tip;
+        this.note = note;
+        this.commit = commit;
+        field.putClientProperty(EntryField.class, this);
+        Naming.name(field, name, tip);
+        field.addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusLost(FocusEvent event) {
+                if (!event.isTemporary()) {
+                    commit();
+                }
+            }
+        });
+        if (field instanceof JTextField line) {
+            line.addActionListener(event -> commit());
+        }
+        Keys.bindFocused(field, Keys.CONTROL_ENTER, this::commit);
+        field.getInputMap().put(Keys.ESCAPE, "revert");
+        field.getActionMap().put("revert", new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                revert();
+            }
+
+            @Override
+            public boolean isEnabled() {
+                return isPending();
+            }
+        });
+    }
+
+    /** The field itself, to be put into a panel. */
+    public JTextComponent field() {
+        return field;
+    }
+
+    /** The fields that are seen in a container, and in the windows that it owns. */
+    public static Stream<EntryField> in(Container container) {
+        Stream<Component> inside = Stream.of(container.getComponents());
+        Stream<Component> owned =
+                container instanceof Window window ? Stream.of(window.getOwnedWindows()) : Stream.of();
+        return Stream.concat(inside, owned).filter(Component::isVisible).flatMap(EntryField::of);
+    }
+
+    private static Stream<EntryField> of(Component component) {
+        if (component instanceof JTextComponent text
+                && text.getClientProperty(EntryField.class) instanceof EntryField field) {
+            return Stream.of(field);
+        }
+        return component instanceof Container container ? in(container) : Stream.of();
+    }
+
+    /** Shows the text of a value; keeps a wrong entry as long as the value has not changed. */
+    public void show(String text) {
+        if (!text.equals(shown) || !isWrong()) {
+            shown = text;
+            revert();
+        }
+    }
+
+    /** Whether something was typed that is not taken, because it was refused or is not finished. */
+    public boolean isPending() {
+        return isWrong() || !field.getText().equals(displayed);
+    }
+
+    private boolean isWrong() {
+        return field.getClientProperty("JComponent.outline") != null;
+    }
+
+    /** Takes what was typed, if it is not what was shown. */
+    public void commit() {
+        String text = field.getText();
+        if (text.equals(displayed)) {
+            clear();
+            return;
+        }
+        try {
+            commit.accept(text);
+            clear();
+            displayed = field.getText();
+        } catch (InvalidPropertyException wrong) {
+            field.putClientProperty("JComponent.outline", "error");
+            String message = Wording.message(wrong);
+            field.getAccessibleContext().setAccessibleDescription(message);
+            note.setError(message);
+        }
+    }
+
+    /** Shows the value again that was there before something was typed. */
+    public void revert() {
+        if (!field.getText().equals(shown)) {
+            field.setText(shown);
+            field.setCaretPosition(0);
+        }
+        displayed = field.getText();
+        clear();
+    }
+
+    private void clear() {
+        if (isWrong()) {
+            field.putClientProperty("JComponent.outline", null);
+            field.getAccessibleContext().setAccessibleDescription(tip);
+            note.setText("");
+        }
+    }
+}

@@ -1,0 +1,39 @@
+package tompkins.ui.widget;
+
+import java.awt.event.ActionEvent;
+import javax.swing.AbstractAction;
+import javax.swing.JComponent;
+import javax.swing.JRootPane;
+import javax.swing.KeyStroke;
+
+/** Keys that mean the same everywhere. */
+public final class Keys {
+
+    /** Leaves or stops what is going on. */
+    public static final KeyStroke ESCAPE = KeyStroke.getKeyStroke("ESCAPE");
+
+    /** Takes what was typed where Enter begins another line. */
+    static final KeyStroke CONTROL_ENTER = KeyStroke.getKeyStroke("ctrl ENTER");
+
+    private Keys() {}
+
+    /** Does something when a key is pressed in a window, unless what has the focus there uses that key itself. */
+    public static void bind(JRootPane window, KeyStroke key, Runnable action) {
+        bind(window, JComponent.WHEN_IN_FOCUSED_WINDOW, key, action);
+    }
+
+    /** Does something when a key is pressed in a component that has the focus. */
+    public static void bindFocused(JComponent component, KeyStroke key, Runnable action) {
+        bind(component, JComponent.WHEN_FOCUSED, key, action);
+    }
+
+    private static void bind(JComponent component, int condition, KeyStroke key, Runnable action) {
+        component.getInputMap(condition).put(key, key);
+        component.getActionMap().put(key, new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                action.run();
+            }
+        });
+    }
+}

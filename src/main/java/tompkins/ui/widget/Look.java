@@ -1,0 +1,107 @@
+package tompkins.ui.widget;
+
+import com.formdev.flatlaf.FlatDarkLaf;
+import com.formdev.flatlaf.FlatLaf;
+import com.formdev.flatlaf.FlatLightLaf;
+import java.awt.Color;
+import java.awt.Font;
+import java.util.Map;
+import javax.swing.UIManager;
+
+/** The looks of the window. */
+public enum Look {
+    /** For rooms with daylight. */
+    LIGHT(
+            false,
+            1,
+            Map.of(
+                    "Tompkins.hover", 0xe2e5ea,
+                    "Tompkins.canvas", 0xd9dce1,
+                    "Tompkins.note", 0x5b6470,
+                    "Tompkins.error", 0xb3261e,
+                    "Tompkins.line", 0xaab2bd,
+                    "Tompkins.sphereLight", 0xffffff,
+                    "Tompkins.sphereDark", 0xd5dce6)),
+    /** For dark rooms. */
+    DARK(
+            true,
+            1,
+            Map.of(
+                    "Tompkins.hover", 0x4a4f56,
+                    "Tompkins.canvas", 0x17191c,
+                    "Tompkins.note", 0xa4acb8,
+                    "Tompkins.error", 0xff8a80,
+                    "Tompkins.line", 0x666d78,
+                    "Tompkins.sphereLight", 0x59616d,
+                    "Tompkins.sphereDark", 0x33383f)),
+    /** For the back row: large type and high contrast. */
+    PROJECTOR(
+            false,
+            1.45f,
+            Map.of(
+                    "Tompkins.hover", 0xdde4f5,
+                    "Tompkins.canvas", 0x000000,
+                    "Tompkins.note", 0x000000,
+                    "Tompkins.error", 0xa00000,
+                    "Tompkins.line", 0x000000,
+                    "Tompkins.sphereLight", 0xffffff,
+                    "Tompkins.sphereDark", 0xdddddd));
+
+    private final boolean dark;
+    private final float enlargement;
+    private final Map<String, Integer> colours;
+
+    Look(boolean dark, float enlargement, Map<String, Integer> colours) {
+        this.dark = dark;
+        this.enlargement = enlargement;
+        this.colours = colours;
+    }
+
+    /** Gives all windows this look. */
+    public void install() {
+        install(1);
+    }
+
+    /** Gives all windows this look, with type that is larger by a factor. */
+    public void install(float larger) {
+        FlatLaf.setGlobalExtraDefaults(defaults());
+        UIManager.put("defaultFont", null);
+        setUp();
+        float factor = larger * enlargement;
+        if (factor != 1) {
+            Font font = UIManager.getFont("defaultFont");
+            UIManager.put("defaultFont", font.deriveFont(font.getSize2D() * factor));
+            setUp();
+        }
+        // what is typed after Tab takes the place of the value
+        UIManager.put("TextComponent.selectAllOnFocusPolicy", "always");
+        colours.forEach((name, rgb) -> UIManager.put(name, new Color(rgb)));
+        FlatLaf.updateUI();
+    }
+
+    private void setUp() {
+        if (dark) {
+            FlatDarkLaf.setup();
+        } else {
+            FlatLightLaf.setup();
+        }
+    }
+
+    private Map<String, String> defaults() {
+        return this == PROJECTOR
+                ? Map.of(
+                        "@background", "#fff",
+                        "@foreground", "#000",
+                        "@accentColor", "#0040c0",
+                        "@disabledForeground", "#555",
+                        "Component.borderColor", "#000",
+                        "Component.focusWidth", "3",
+                        "Button.borderColor", "#000")
+                : Map.of("@accentColor", dark ? "#4c9be8" : "#2468b8", "Component.focusWidth", "1");
+    }
+
+    /** A length on the screen that grows with the type of the look: so many times the size of the type, in pixels. */
+    public static int pixels(double sizes) {
+        return (int) Math.round(sizes * UIManager.getFont("defaultFont").getSize2D());
+    }
+}

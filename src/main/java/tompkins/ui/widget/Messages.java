@@ -1,0 +1,110 @@
+package tompkins.ui.widget;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
+import javax.swing.JComponent;
+import javax.swing.JOptionPane;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+
+/** Messages that must not be overlooked. */
+public final class Messages {
+
+    private static final int COLUMNS = 60;
+    private static final int MOST_ROWS = 26;
+
+    /** What a dialog has above and below its content, in sizes of its type. */
+    private static final double FRAME = 12;
+
+    private Messages() {}
+
+    /** Says what went wrong. */
+    public static void error(Component parent, String message) {
+        show(parent, Texts.get("message.error"), message, JOptionPane.ERROR_MESSAGE);
+    }
+
+    /** Tells something. */
+    public static void tell(Component parent, String title, String message) {
+        show(parent, title, message, JOptionPane.PLAIN_MESSAGE);
+    }
+
+    /** Tells something that is laid out already, with a scroll bar if the screen is too low for it. */
+    public static void tell(Component parent, String title, JComponent content) {
+        JScrollPane scroll = scroll(content);
+        Dimension size = content.getPreferredSize();
+        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        size.height = Math.min(size.height, screen.height - Look.pixels(FRAME));
+        scroll.getViewport().setPreferredSize(size);
+        scroll.getVerticalScrollBar().setUnitIncrement(Look.pixels(2));
+        JOptionPane.showMessageDialog(parent, scroll, title, JOptionPane.PLAIN_MESSAGE);
+    }
+
+    private static void show(Component parent, String title, String message, int kind) {
+        JTextArea text = new JTextArea(message, (int) Math.min(MOST_ROWS, lines(message)), COLUMNS);
+        text.setName("message");
+        text.setEditable(false);
+        text.setLineWrap(true);
+        text.setWrapStyleWord(true);
+        text.setOpaque(false);
+        JOptionPane.showMessageDialog(parent, scroll(text), title, kind);
+    }
+
+    private static JScrollPane scroll(JComponent content) {
+        JScrollPane scroll = new JScrollPane(content);
+        scroll.setBorder(null);
+        return scroll;
+    }
+
+    private static long lines(String message) {
+        return message.lines().mapToLong(line -> 1 + line.length() / COLUMNS).sum();
+    }
+
+    /** Asks a question; true if the answer is yes. */
+    public static boolean confirm(Component parent, String title, String question) {
+        return JOptionPane.showConfirmDialog(parent, question, title, JOptionPane.OK_CANCEL_OPTION)
+                == JOptionPane.OK_OPTION;
+    }
+
+    /** What becomes of changes that were not saved. */
+    public enum Unsaved {
+        SAVE,
+        DISCARD,
+        CANCEL
+    }
+
+    /** Asks what becomes of changes; closing the question means to cancel. */
+    public static Unsaved askAboutChanges(Component parent, String title) {
+        int chosen = choose(
+                parent,
+                Texts.get("unsaved.title"),
+                Texts.get("unsaved.question", title),
+                Texts.get("unsaved.save"),
+                Texts.get("unsaved.discard"),
+                Texts.get("task.cancel"));
+        return Unsaved.values()[chosen];
+    }
+
+    /** Asks which of some answers is meant: its number; Enter gives the first, closing the question the last one. */
+    public static int choose(Component parent, String title, String question, String... answers) {
+        int chosen = JOptionPane.showOptionDialog(
+                parent,
+                question,
+                title,
+                JOptionPane.DEFAULT_OPTION,
+                JOptionPane.WARNING_MESSAGE,
+                null,
+                answers,
+                answers[0]);
+        return chosen == JOptionPane.CLOSED_OPTION ? answers.length - 1 : chosen;
+    }
+
+    /** What an exception says to the user. */
+    public static String of(Throwable failure) {
+        if (failure instanceof OutOfMemoryError || failure.getCause() instanceof OutOfMemoryError) {
+            return Texts.get("message.memory", Runtime.getRuntime().maxMemory() >> 20);
+        }
+        return failure.getMessage() == null ? failure.toString() : failure.getMessage();
+    }
+}

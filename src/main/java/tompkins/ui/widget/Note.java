@@ -1,0 +1,71 @@
+package tompkins.ui.widget;
+
+import java.awt.Color;
+import javax.swing.JComponent;
+import javax.swing.JTextArea;
+import javax.swing.UIManager;
+import javax.swing.text.DefaultCaret;
+
+/** A line of explanation or a message beneath a field, as high as its text needs. */
+public final class Note {
+
+    private final JTextArea area = new WrappingArea(0) {
+        @Override
+        public void updateUI() {
+            super.updateUI();
+            setFont(UIManager.getFont("small.font"));
+            setBorder(null);
+            // a text that nobody edits has no use for a caret that follows it
+            ((DefaultCaret) getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
+            setOpaque(false);
+            setDisabledTextColor(colour());
+            setForeground(colour());
+        }
+    };
+
+    private boolean error;
+
+    /** A note with a text; a note without text takes no room. */
+    public Note(String text) {
+        area.setEditable(false);
+        area.setEnabled(false);
+        area.setFocusable(false);
+        area.updateUI();
+        area.setVisible(false);
+        setText(text);
+    }
+
+    /** The line itself, to be put into a panel. */
+    public JComponent component() {
+        return area;
+    }
+
+    /** What it says. */
+    public String text() {
+        return area.getText();
+    }
+
+    /** Explains. */
+    public void setText(String text) {
+        show(text, false);
+    }
+
+    /** Says what is wrong. */
+    public void setError(String message) {
+        show("\u26A0 " + message, true);
+    }
+
+    private void show(String text, boolean isError) {
+        error = isError;
+        if (!area.getText().equals(text)) {
+            area.setText(text);
+            area.setVisible(!text.isEmpty());
+            area.revalidate();
+        }
+        area.setDisabledTextColor(colour());
+    }
+
+    private Color colour() {
+        return UIManager.getColor(error ? "Tompkins.error" : "Tompkins.note");
+    }
+}

@@ -1,0 +1,49 @@
+package tompkins.ui.widget;
+
+import java.awt.event.ActionEvent;
+import java.util.function.Consumer;
+import javax.swing.AbstractAction;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+
+/** A field for a number; the up and down keys change it by a step, with Shift by ten of them. */
+public final class NumberField {
+
+    private final NumberKind kind;
+    private final JTextField field = new JTextField(6);
+    private final EntryField entry;
+    private Number value = 0;
+
+    /** A field as {@link EntryField}, for the property of the given name. */
+    public NumberField(
+            NumberKind kind, String property, String name, String tip, Note note, Consumer<? super Number> commit) {
+        this.kind = kind;
+        entry = new EntryField(field, name, tip, note, text -> commit.accept(kind.parse(property, text)));
+        step("UP", 1);
+        step("DOWN", -1);
+        step("shift UP", 10);
+        step("shift DOWN", -10);
+    }
+
+    private void step(String key, int steps) {
+        field.getInputMap().put(KeyStroke.getKeyStroke(key), key);
+        field.getActionMap().put(key, new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                field.setText(kind.stepped(value, steps));
+                entry.commit();
+            }
+        });
+    }
+
+    /** The field itself, to be put into a panel. */
+    public JTextField field() {
+        return field;
+    }
+
+    /** Shows a number; the digits that do not fit stay in the model. */
+    public void show(Number number) {
+        value = number;
+        entry.show(kind.text(number));
+    }
+}

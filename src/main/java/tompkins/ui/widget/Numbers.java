@@ -1,0 +1,111 @@
+package tompkins.ui.widget;
+
+import java.math.BigDecimal;
+import java.util.Locale;
+import org.joml.Vector3dc;
+import tompkins.property.InvalidPropertyException;
+import tompkins.property.NumberText;
+import tompkins.spacetime.Event;
+
+/** Numbers as texts and back; always with a decimal point. */
+public final class Numbers {
+
+    private Numbers() {}
+
+    /**
+     * The number that a text writes.
+     *
+     * @throws InvalidPropertyException if it writes none
+     */
+    static double parse(String property, String text) {
+        try {
+            return Double.parseDouble(text.strip().replace('\u2212', '-'));
+        } catch (NumberFormatException e) {
+            throw noNumber(property, "a number such as 0.5 or 2e-3", text);
+        }
+    }
+
+    /**
+     * The whole number that a text writes, as 640 or 1e6.
+     *
+     * @throws InvalidPropertyException if it writes none from the minimum to the maximum, both included
+     */
+    static long parseWhole(String property, String text, long minimum, long maximum) {
+        String allowed = "a whole number";
+        BigDecimal number;
+        try {
+            number = new BigDecimal(text.strip().replace('\u2212', '-'));
+        } catch (NumberFormatException e) {
+            throw new InvalidPropertyException(property, allowed, "\"" + text.strip() + "\"");
+        }
+        if (number.stripTrailingZeros().scale() > 0) {
+            throw new InvalidPropertyException(property, allowed, text.strip());
+        }
+        if (number.compareTo(BigDecimal.valueOf(minimum)) < 0 || number.compareTo(BigDecimal.valueOf(maximum)) > 0) {
+            throw new InvalidPropertyException(property, allowed + " from " + minimum + " to " + maximum, text.strip());
+        }
+        return number.longValueExact();
+    }
+
+    /** What to say of a text that writes no number; many languages write a comma where programs want a point. */
+    static InvalidPropertyException noNumber(String property, String allowed, String text) {
+        boolean comma = text.matches(".*\\d\\s*,\\s*\\d.*");
+        return new InvalidPropertyException(
+                property, comma ? allowed + ", with a point, not a comma" : allowed, "\"" + text.strip() + "\"");
+    }
+
+    /** All digits of a number, but no more than it needs. */
+    public static String text(double value) {
+        // nobody types a negative zero
+        return NumberText.of(value + 0.0);
+    }
+
+    /** As many digits of a number as find room among so many characters. */
+    public static String fitting(double value, int characters) {
+        String text = text(value);
+        for (int digits = characters; digits > 1 && text.length() > characters; digits--) {
+            text = text(NumberText.rounded(value, digits));
+        }
+        return text;
+    }
+
+    /** The first digits of a number, for reading. */
+    public static String brief(double value) {
+        return brief(value, 5);
+    }
+
+    /** The first digits of a number, for reading. */
+    public static String brief(double value, int digits) {
+        if (!Double.isFinite(value)) {
+            return value > 0 ? "\u221e" : value < 0 ? "\u2212\u221e" : Texts.get("number.none");
+        }
+        double rounded = NumberText.rounded(value, digits);
+        double size = Math.abs(rounded);
+        if (size == 0 || size >= 1e-4 && size < 1e7) {
+            return NumberText.plain(rounded, digits);
+        }
+        return String.format(Locale.ROOT, "%." + (digits - 1) + "e", rounded).replaceAll("\\.?0*e([+-])0?", "e$1");
+    }
+
+    /** The first digits of three numbers. */
+    public static String brief(Vector3dc vector) {
+        return "(" + brief(vector.x()) + ", " + brief(vector.y()) + ", " + brief(vector.z()) + ")";
+    }
+
+    /** The first digits of place and time; no line breaks inside the equation of the time. */
+    public static String brief(Event event) {
+        return "(" + brief(event.x()) + ", " + brief(event.y()) + ", " + brief(event.z()) + "; t\u00a0=\u00a0"
+                + brief(event.time()) + ")";
+    }
+
+    /** The least of 1, 2, 5, 10, 20, ... that is not below a positive number. */
+    public static double niceCeiling(double value) {
+        double power = Math.pow(10, Math.floor(Math.log10(value)));
+        for (double step : new double[] {1, 2, 5}) {
+            if (step * power >= value) {
+                return NumberText.rounded(step * power, 1);
+            }
+        }
+        return NumberText.rounded(10 * power, 1);
+    }
+}

@@ -1,0 +1,94 @@
+package tompkins.ui.widget;
+
+import java.awt.Component;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.awt.geom.Path2D;
+import javax.swing.AbstractButton;
+import javax.swing.Icon;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JToggleButton;
+import javax.swing.SwingConstants;
+import javax.swing.SwingUtilities;
+import net.miginfocom.swing.MigLayout;
+
+/** A part of the side panel under a heading that folds it away. */
+public final class Section {
+
+    private static final int ARROW = 9;
+
+    private final JPanel panel =
+            new JPanel(new MigLayout("novisualpadding, insets 0, fillx, wrap 1, hidemode 3, gap 0 6", "[grow,fill]"));
+    private final JToggleButton heading;
+
+    /** A section that is open or folded. */
+    public Section(String title, JComponent content, boolean open) {
+        heading = new JToggleButton(title, new Arrow(), open);
+        heading.setHorizontalAlignment(SwingConstants.LEADING);
+        heading.putClientProperty("JButton.buttonType", "borderless");
+        heading.putClientProperty(
+                "FlatLaf.style",
+                "font: bold; toolbar.selectedBackground: null; toolbar.hoverBackground: $Tompkins.hover;"
+                        + " margin: 3,2,3,2");
+        heading.setName(title);
+        heading.getAccessibleContext().setAccessibleDescription(Texts.get("section.tip"));
+        heading.addItemListener(event -> {
+            content.setVisible(heading.isSelected());
+            panel.revalidate();
+            // once it has its height
+            SwingUtilities.invokeLater(this::comeIntoView);
+        });
+        content.setVisible(open);
+        panel.setOpaque(false);
+        panel.add(heading);
+        panel.add(content, "gapleft 6, gapright 4, gapbottom 8, wmin 0");
+    }
+
+    /** Heading and content. */
+    public JComponent component() {
+        return panel;
+    }
+
+    /** All of it, or from its heading on if there is no room for all. */
+    private void comeIntoView() {
+        panel.scrollRectToVisible(new Rectangle(panel.getSize()));
+        heading.scrollRectToVisible(new Rectangle(heading.getSize()));
+    }
+
+    /** Points down if open, to the right if folded. */
+    private static final class Arrow implements Icon {
+
+        @Override
+        public void paintIcon(Component component, Graphics graphics, int x, int y) {
+            Graphics2D g = (Graphics2D) graphics.create(x, y, ARROW, ARROW);
+            g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+            g.setColor(component.getForeground());
+            Path2D arrow = new Path2D.Double();
+            if (((AbstractButton) component).isSelected()) {
+                arrow.moveTo(1, 3);
+                arrow.lineTo(8, 3);
+                arrow.lineTo(4.5, 7.5);
+            } else {
+                arrow.moveTo(3, 1);
+                arrow.lineTo(3, 8);
+                arrow.lineTo(7.5, 4.5);
+            }
+            arrow.closePath();
+            g.fill(arrow);
+            g.dispose();
+        }
+
+        @Override
+        public int getIconWidth() {
+            return ARROW;
+        }
+
+        @Override
+        public int getIconHeight() {
+            return ARROW;
+        }
+    }
+}

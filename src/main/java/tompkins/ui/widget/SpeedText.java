@@ -1,0 +1,75 @@
+package tompkins.ui.widget;
+
+import java.math.BigDecimal;
+import java.util.Locale;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.joml.Vector3dc;
+import tompkins.property.InvalidPropertyException;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.Velocity;
+
+/** Speeds as people write them: {@code 0.97}, {@code 97%}, {@code gamma 10}, {@code 1-1e-9}, {@code rapidity 2}. */
+public final class SpeedText {
+
+    private static final Pattern NAMED = Pattern.compile("([a-z\\u0370-\\u03ff]+)\\s*=?\\s*(.*)");
+    private static final Pattern BELOW_ONE = Pattern.compile("1(?:\\.0*)?\\s*-\\s*(.*)");
+
+    private static final Map<String, SpeedScale> NAMES = Map.ofEntries(
+            Map.entry("beta", SpeedScale.BETA),
+            Map.entry("\u03b2", SpeedScale.BETA),
+            Map.entry("v", SpeedScale.BETA),
+            Map.entry("gamma", SpeedScale.GAMMA),
+            Map.entry("\u03b3", SpeedScale.GAMMA),
+            Map.entry("rapidity", SpeedScale.RAPIDITY),
+            Map.entry("eta", SpeedScale.RAPIDITY),
+            Map.entry("\u03b7", SpeedScale.RAPIDITY),
+            Map.entry("oneminusbeta", SpeedScale.ONE_MINUS_BETA));
+
+    private SpeedText() {}
+
+    /**
+     * The velocity of the speed that a text writes.
+     *
+     * @param scale the scale of a number without a name
+     * @throws InvalidPropertyException if the text is no speed, or the speed is out of range
+     */
+    public static Velocity parse(String text, SpeedScale scale, Vector3dc direction) {
+        String plain = text.strip()
+                .toLowerCase(Locale.ROOT)
+                .replace('\u2212', '-')
+                .replaceAll("(?<=[0-9.%])\\s*c$", "")
+                .replaceAll("^(?=[-+.0-9].*%$)", "beta ")
+                .replaceAll("^1\\s*-\\s*(beta|\u03b2)\\s*=?\\s*", "oneminusbeta ");
+        Matcher belowOne = BELOW_ONE.matcher(plain);
+        if (belowOne.matches()) {
+            return Velocity.of(SpeedScale.ONE_MINUS_BETA, number(belowOne.group(1), text), direction);
+        }
+        Matcher named = NAMED.matcher(plain);
+        if (!named.matches()) {
+            return Velocity.of(scale, number(plain, text), direction);
+        }
+        SpeedScale other = NAMES.get(named.group(1));
+        if (other == null) {
+            throw wrong(text);
+        }
+        return Velocity.of(other, number(named.group(2), text), direction);
+    }
+
+    private static double number(String digits, String text) {
+        try {
+            return digits.endsWith("%")
+                    ? new BigDecimal(digits.substring(0, digits.length() - 1).strip())
+                            .movePointLeft(2)
+                            .doubleValue()
+                    : Double.parseDouble(digits);
+        } catch (ArithmeticException | NumberFormatException e) {
+            throw wrong(text);
+        }
+    }
+
+    private static InvalidPropertyException wrong(String text) {
+        return Numbers.noNumber("speed", "a number, or like \"97%\", \"gamma 10\", \"1-1e-9\", \"rapidity 2\"", text);
+    }
+}

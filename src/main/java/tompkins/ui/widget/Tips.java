@@ -1,0 +1,18 @@
+package tompkins.ui.widget;
+
+/** Tooltips that wrap their lines. */
+public final class Tips {
+
+    private static final int LONGEST_LINE = 60;
+
+    private Tips() {}
+
+    /** A tooltip of one or more lines. */
+    public static String html(String text) {
+        if (text.length() <= LONGEST_LINE) {
+            return text;
+        }
+        return "<html><body style='width: 260px'>"
+                + text.replace("&", "&amp;").replace("<", "&lt;").replace("\n", "<br>");
+    }
+}

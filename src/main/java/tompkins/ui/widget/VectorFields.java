@@ -1,0 +1,85 @@
+package tompkins.ui.widget;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.math.Vectors;
+import tompkins.property.NumberText;
+
+/** Fields for the two or three components of a vector. */
+public final class VectorFields {
+
+    private static final String[] AXES = {"x", "y", "z"};
+    private static final int DIRECTION_DIGITS = 4;
+
+    private final List<NumberField> fields = new ArrayList<>();
+    private final Vector3d value = new Vector3d();
+    private Vector3dc typed;
+
+    /**
+     * Fields for a property.
+     *
+     * @param property its name, for messages
+     * @param kind which numbers the fields take
+     * @param axes how many fields there are; components without a field are 0
+     * @param commit takes the vector, or throws
+     */
+    public VectorFields(String property, NumberKind kind, int axes, String tip, Note note, Consumer<Vector3dc> commit) {
+        for (int axis = 0; axis < axes; axis++) {
+            int component = axis;
+            String name = Wording.label(property) + " " + AXES[axis];
+            fields.add(new NumberField(kind, property + " (" + AXES[axis] + ")", name, tip, note, number -> {
+                Vector3d next = new Vector3d(value);
+                next.setComponent(component, number.doubleValue());
+                typed = next;
+                commit.accept(next);
+                value.set(next);
+            }));
+        }
+    }
+
+    /** Adds the fields one under the other, each after its name. */
+    public void addInColumn(JPanel panel) {
+        for (int axis = 0; axis < fields.size(); axis++) {
+            JLabel label = new JLabel(AXES[axis]);
+            label.setLabelFor(fields.get(axis).field());
+            panel.add(label);
+            panel.add(fields.get(axis).field(), "wmin 40");
+        }
+    }
+
+    /** Adds the fields side by side. */
+    public void addInRow(JPanel panel) {
+        for (NumberField field : fields) {
+            panel.add(field.field(), "growx, wmin 40, sizegroup vector");
+        }
+    }
+
+    /**
+     * Shows a direction as a unit vector, so that nobody takes it for a velocity; but as it was typed if it was typed here,
+     * so that a second number does not change the first.
+     */
+    public void showDirection(Vector3dc direction) {
+        show(direction.equals(typed) ? direction : roundedUnit(direction));
+    }
+
+    private static Vector3dc roundedUnit(Vector3dc direction) {
+        Vector3d unit = Vectors.unit(direction);
+        return new Vector3d(
+                NumberText.rounded(unit.x, DIRECTION_DIGITS),
+                NumberText.rounded(unit.y, DIRECTION_DIGITS),
+                NumberText.rounded(unit.z, DIRECTION_DIGITS));
+    }
+
+    /** Shows the components of a vector. */
+    public void show(Vector3dc vector) {
+        value.set(vector);
+        for (int axis = 0; axis < fields.size(); axis++) {
+            fields.get(axis).show(vector.get(axis));
+        }
+    }
+}

@@ -1,0 +1,143 @@
+package tompkins.ui.editor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Container;
+import java.lang.reflect.RecordComponent;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.JComboBox;
+import javax.swing.JTextField;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.camera.Camera;
+import tompkins.light.LightSource;
+import tompkins.property.Descriptions;
+import tompkins.property.InvalidPropertyException;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.shutter.Shutter;
+import tompkins.studio.Background;
+import tompkins.studio.RenderSettings;
+import tompkins.studio.Studio;
+import tompkins.surface.LuminousSurface;
+import tompkins.surface.Surface;
+import tompkins.ui.Components;
+import tompkins.ui.model.Branches;
+import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Wording;
+
+class RecordFormTest {
+
+    @BeforeAll
+    static void look() {
+        Look.LIGHT.install();
+    }
+
+    private static final List<Class<?>> FAMILIES = List.of(
+            SceneObject.class,
+            Surface.class,
+            LightSource.class,
+            Shutter.class,
+            Camera.class,
+            Background.class,
+            RenderSettings.class,
+            Studio.class);
+
+    static Stream<Class<?>> allTypes() {
+        return FAMILIES.stream().flatMap(family -> Descriptions.members(family).stream());
+    }
+
+    /** Every property of every type is in its form, or is a branch of the tree. */
+    @ParameterizedTest
+    @MethodSource("allTypes")
+    void formIsComplete(Class<?> type) {
+        List<Object> committed = new ArrayList<>();
+        RecordForm form =
+                new RecordForm(type, component -> !Branches.isBranch(component.getGenericType()), committed::add);
+        form.show(Descriptions.standard(type));
+        List<String> labels = Components.labels((Container) form.component()).toList();
+        Stream<String> expected = Arrays.stream(type.getRecordComponents())
+                .filter(component -> !Branches.isBranch(component.getGenericType()))
+                .map(RecordComponent::getName)
+                .map(Wording::label);
+        assertThat(labels).containsAll(expected.toList());
+        assertThat(committed).as("showing a value changes nothing").isEmpty();
+    }
+
+    /** Fields that lose the focus without a change commit nothing, whatever digits they show. */
+    @ParameterizedTest
+    @MethodSource("allTypes")
+    void leavingFieldsChangesNothing(Class<?> type) {
+        List<Object> committed = new ArrayList<>();
+        RecordForm form =
+                new RecordForm(type, component -> !Branches.isBranch(component.getGenericType()), committed::add);
+        form.show(Descriptions.standard(type));
+        Components.all((Container) form.component())
+                .filter(JTextField.class::isInstance)
+                .forEach(field -> ((JTextField) field).postActionEvent());
+        assertThat(committed).isEmpty();
+    }
+
+    @Test
+    void aFieldGivesTheChangedRecord() {
+        List<Object> committed = new ArrayList<>();
+        RecordForm form = new RecordForm(Sphere.class, component -> true, committed::add);
+        form.show(Sphere.DEFAULT);
+        Components.enter((Container) form.component(), "Radius", "2.5");
+        Sphere expected = new Sphere("sphere", new Vector3d(0, 0, 10), 2.5, Sphere.DEFAULT.surface());
+        assertThat(committed).containsExactly(expected);
+    }
+
+    @Test
+    void aWrongValueIsMarkedWithWhatIsAllowed() {
+        List<Object> committed = new ArrayList<>();
+        RecordForm form = new RecordForm(Sphere.class, component -> true, committed::add);
+        form.show(Sphere.DEFAULT);
+        JTextField radius = Components.enter((Container) form.component(), "Radius", "-1");
+        assertThat(committed).isEmpty();
+        assertThat(Components.isMarked(radius)).isTrue();
+        assertThat(Components.notes((Container) form.component())).anyMatch(text -> text.contains("Radius must be"));
+        Components.enter((Container) form.component(), "Radius", "3");
+        assertThat(Components.isMarked(radius)).isFalse();
+        assertThat(committed).hasSize(1);
+    }
+
+    @Test
+    void anotherTypeStartsWithItsDefault() {
+        List<Object> committed = new ArrayList<>();
+        RecordForm form = new RecordForm(Sphere.class, component -> true, committed::add);
+        form.show(Sphere.DEFAULT);
+        JComboBox<?> surface = Components.find((Container) form.component(), JComboBox.class, "Surface");
+        surface.setSelectedItem(LuminousSurface.class);
+        assertThat(committed).containsExactly(new Sphere("sphere", new Vector3d(0, 0, 10), 1, LuminousSurface.DEFAULT));
+        form.show(committed.get(0));
+        assertThat(Components.labels((Container) form.component())).contains("Colour");
+    }
+
+    @Test
+    void aTypeThatIsRefusedIsNotShown() {
+        RecordForm form = new RecordForm(Sphere.class, component -> true, changed -> {
+            throw new InvalidPropertyException("surface", "another one", "this");
+        });
+        form.show(Sphere.DEFAULT);
+        JComboBox<?> surface = Components.find((Container) form.component(), JComboBox.class, "Surface");
+        Object before = surface.getSelectedItem();
+        surface.setSelectedItem(LuminousSurface.class);
+        assertThat(surface.getSelectedItem()).isEqualTo(before);
+        assertThat(Components.notes((Container) form.component()))
+                .anyMatch(text -> text.contains("Surface must be another one"));
+    }
+
+    @Test
+    void namesBecomeWords() {
+        assertThat(Wording.label("maximumDepth")).isEqualTo("Maximum depth");
+        assertThat(Wording.label("surfaceAlongX")).isEqualTo("Surface along X");
+        assertThat(Wording.label(Sphere.class)).isEqualTo("Sphere");
+    }
+}

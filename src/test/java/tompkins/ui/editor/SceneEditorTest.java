@@ -1,0 +1,192 @@
+package tompkins.ui.editor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Container;
+import java.util.List;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JTextArea;
+import javax.swing.JTree;
+import javax.swing.KeyStroke;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.camera.PanoramicCamera;
+import tompkins.camera.ThinLensCamera;
+import tompkins.light.LightSource;
+import tompkins.property.Descriptions;
+import tompkins.ray.Colour;
+import tompkins.sceneobject.Box;
+import tompkins.sceneobject.CylinderLattice;
+import tompkins.sceneobject.Disc;
+import tompkins.sceneobject.Group;
+import tompkins.sceneobject.Hidden;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
+import tompkins.surface.LorentzWindow;
+import tompkins.ui.Components;
+import tompkins.ui.model.FrontWindow;
+import tompkins.ui.model.Records;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.Look;
+
+class SceneEditorTest {
+
+    @BeforeAll
+    static void look() {
+        Look.LIGHT.install();
+    }
+
+    private final StudioModel model = new StudioModel(
+            Studio.DEFAULT.withScene(List.of(Sphere.DEFAULT, new Group("pair", List.of(Box.DEFAULT, Sphere.DEFAULT)))),
+            null);
+    private final SceneEditor editor = new SceneEditor(model);
+    private final Container panel = (Container) editor.component();
+    private final JTree tree = Components.find(panel, JTree.class, "tree");
+
+    /** Rows: studio, scene with sphere and pair, camera frame, lights, camera. */
+    private void choose(String label) {
+        for (int row = 0; row < tree.getRowCount(); row++) {
+            if (tree.getPathForRow(row).getLastPathComponent().toString().equals(label)) {
+                tree.setSelectionRow(row);
+                tree.expandRow(row);
+                return;
+            }
+        }
+        throw new AssertionError("no line " + label);
+    }
+
+    private void press(String button) {
+        Components.find(panel, JButton.class, button).doClick();
+    }
+
+    static List<Class<?>> objects() {
+        return Descriptions.members(SceneObject.class);
+    }
+
+    @Test
+    void theWindowFollowsTheCameraHere() {
+        model.set(
+                FrontWindow.with(model.studio(), LorentzWindow.DEFAULT).withVelocity(LorentzWindow.DEFAULT.velocity()));
+        tree.setSelectionRow(0);
+        Components.enter(panel, "Speed", "0.5");
+        assertThat(model.studio().velocity().speed()).isEqualTo(0.5);
+        assertThat(FrontWindow.matches(model.studio())).isTrue();
+    }
+
+    @Test
+    void anotherTypeKeepsWhatItHasToo() {
+        ColouredSurface red = new ColouredSurface(new Colour(1, 0, 0), Colour.BLACK);
+        model.set(model.studio().withScene(List.of(new Sphere("mine", new Vector3d(1, 2, 3), 4, red))));
+        choose("Scene");
+        choose("mine");
+        JComboBox<?> types = Components.find(panel, JComboBox.class, "mine");
+        types.setSelectedItem(Disc.class);
+        assertThat(model.studio().scene())
+                .containsExactly(
+                        new Disc("mine", new Vector3d(1, 2, 3), Disc.DEFAULT.normal(), Disc.DEFAULT.radius(), red));
+        model.set(model.studio().withScene(List.of(Sphere.DEFAULT)));
+        types.setSelectedItem(Disc.class);
+        assertThat(model.studio().scene()).as("what was as usual").containsExactly(Disc.DEFAULT);
+
+        Box far = new Box("far", new Vector3d(1, 1, 20), new Vector3d(2, 2, 21), red);
+        model.set(model.studio().withScene(List.of(far)));
+        types.setSelectedItem(CylinderLattice.class);
+        CylinderLattice lattice = (CylinderLattice) model.studio().scene().get(0);
+        assertThat(List.of(lattice.from(), lattice.to())).as("both at once").containsExactly(far.from(), far.to());
+    }
+
+    @Test
+    void whatDoesNotGoTogetherInAnotherTypeIsAsUsualThere() {
+        PanoramicCamera there = Records.with(PanoramicCamera.DEFAULT, "position", new Vector3d(0, 0, 10));
+        model.set(model.studio().withCamera(there));
+        choose("Camera");
+        Components.find(panel, JComboBox.class, "Camera").setSelectedItem(ThinLensCamera.class);
+        assertThat(model.studio().camera()).isEqualTo(ThinLensCamera.DEFAULT);
+    }
+
+    @Test
+    void theDeleteKeyRemovesWhatIsChosen() {
+        choose("Scene");
+        choose("pair");
+        tree.getActionForKeyStroke(KeyStroke.getKeyStroke("DELETE")).actionPerformed(null);
+        assertThat(model.studio().scene()).containsExactly(Sphere.DEFAULT);
+    }
+
+    @Test
+    void remarksMayHaveSeveralLinesWhichAreSeenAtOnce() {
+        tree.setSelectionRow(0);
+        JTextArea remarks = Components.find(panel, JTextArea.class, "Remarks");
+        int height = remarks.getPreferredSize().height;
+        String text = "First.\n\nSecond.\n\nThird.";
+        remarks.setText(text);
+        Components.press(remarks, "ctrl ENTER");
+        assertThat(model.studio().remarks()).isEqualTo(text);
+        assertThat(remarks.getPreferredSize().height).isGreaterThan(height);
+        remarks.setText("Something else");
+        Components.press(remarks, "ESCAPE");
+        assertThat(remarks.getText()).isEqualTo(text);
+    }
+
+    @ParameterizedTest
+    @MethodSource("objects")
+    void everyKindOfObjectCanBeAdded(Class<?> type) {
+        choose("Scene");
+        editor.addElement(type);
+        assertThat(model.studio().scene()).hasSize(3);
+        assertThat(model.studio().scene().get(2)).isEqualTo(Descriptions.standard(type));
+        assertThat(Components.all(panel).count()).isPositive();
+    }
+
+    @Test
+    void everyKindOfLightCanBeAdded() {
+        for (Class<?> type : Descriptions.members(LightSource.class)) {
+            choose("Lights");
+            editor.addElement(type);
+        }
+        assertThat(model.studio().lights())
+                .hasSize(2 + Descriptions.members(LightSource.class).size());
+    }
+
+    @Test
+    void objectsInGroupsAreReached() {
+        choose("Scene");
+        choose("pair");
+        choose("Objects");
+        choose("box");
+        Components.enter(panel, "Description", "crate");
+        Group pair = (Group) model.studio().scene().get(1);
+        assertThat(pair.objects().get(0).description()).isEqualTo("crate");
+        assertThat(tree.getSelectionPath().getLastPathComponent()).hasToString("crate");
+    }
+
+    @Test
+    void elementsAreDuplicatedMovedHiddenShownAndRemoved() {
+        choose("Scene");
+        choose("sphere");
+        press("Duplicate");
+        assertThat(model.studio().scene()).hasSize(3).element(1).isEqualTo(Sphere.DEFAULT);
+        press("Down");
+        assertThat(model.studio().scene()).element(2).isEqualTo(Sphere.DEFAULT);
+        press("Hide");
+        assertThat(model.studio().scene()).element(2).isEqualTo(new Hidden(Sphere.DEFAULT));
+        press("Hide");
+        assertThat(model.studio().scene()).element(2).isEqualTo(Sphere.DEFAULT);
+        press("Remove");
+        assertThat(model.studio().scene()).hasSize(2).element(1).isInstanceOf(Group.class);
+        model.undo();
+        assertThat(model.studio().scene()).hasSize(3);
+    }
+
+    @Test
+    void theCameraIsATypeToChoose() {
+        choose("Camera");
+        Components.enter(panel, "Aperture", "0.25");
+        assertThat(((ThinLensCamera) model.studio().camera()).apertureRadius()).isEqualTo(0.25);
+    }
+}

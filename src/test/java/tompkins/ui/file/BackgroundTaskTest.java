@@ -1,0 +1,116 @@
+package tompkins.ui.file;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import javax.swing.JButton;
+import javax.swing.JFrame;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import tompkins.ui.Components;
+import tompkins.ui.WindowDriver;
+
+/** What becomes of work in the background when it ends, is cancelled, or fails. */
+class BackgroundTaskTest {
+
+    private final List<String> ended = new ArrayList<>();
+    private final CountDownLatch late = new CountDownLatch(1);
+    private JFrame owner;
+
+    @BeforeEach
+    void open() {
+        WindowDriver.requireDisplay();
+        owner = WindowDriver.onEventThread(() -> {
+            JFrame frame = new JFrame();
+            frame.setVisible(true);
+            return frame;
+        });
+    }
+
+    @AfterEach
+    void close() {
+        if (owner != null) {
+            WindowDriver.onEventThread(() -> {
+                owner.dispose();
+                return null;
+            });
+        }
+    }
+
+    private void start(BackgroundTask.Work work) {
+        WindowDriver.onEventThread(() -> {
+            BackgroundTask.start(owner, "work", work, () -> ended.add("done"));
+            return null;
+        });
+    }
+
+    private Stream<JButton> cancel() {
+        return Components.showing(owner, JButton.class).filter(button -> "Cancel".equals(button.getText()));
+    }
+
+    private void cancelWhileItRuns() {
+        WindowDriver.await("the window of the task", () -> cancel().findAny().isPresent());
+        WindowDriver.onEventThread(() -> {
+            cancel().forEach(JButton::doClick);
+            return null;
+        });
+        late.countDown();
+        awaitEnd();
+    }
+
+    private void awaitEnd() {
+        WindowDriver.await("the end", () -> !BackgroundTask.showRunning(owner));
+    }
+
+    @Test
+    void whatWasDoneBeforeCancelCameIsDone() {
+        start(task -> assertThat(late.await(60, TimeUnit.SECONDS)).isTrue());
+        cancelWhileItRuns();
+        assertThat(ended).containsExactly("done");
+    }
+
+    @Test
+    void whatIsNoLongerWantedIsNotDone() {
+        find();
+        cancelWhileItRuns();
+        assertThat(ended).isEmpty();
+    }
+
+    @Test
+    void whatIsFoundAndStillWantedIsTaken() {
+        find();
+        late.countDown();
+        awaitEnd();
+        assertThat(ended).containsExactly("found");
+    }
+
+    private void find() {
+        WindowDriver.onEventThread(() -> {
+            BackgroundTask.find(
+                    owner,
+                    "work",
+                    () -> {
+                        assertThat(late.await(60, TimeUnit.SECONDS)).isTrue();
+                        return "found";
+                    },
+                    ended::add);
+            return null;
+        });
+    }
+
+    @Test
+    void anyErrorIsToldAndEndsTheTask() {
+        start(task -> {
+            throw new LinkageError("a class is missing");
+        });
+        WindowDriver.await("the message", () -> Components.messages(owner).anyMatch("a class is missing"::equals));
+        assertThat(WindowDriver.onEventThread(() -> BackgroundTask.showRunning(owner)))
+                .isFalse();
+        assertThat(ended).isEmpty();
+    }
+}

@@ -1,0 +1,50 @@
+package tompkins.ui.file;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.image.LinearImage;
+import tompkins.render.Quality;
+import tompkins.render.Renderer;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+import tompkins.ui.Studios;
+
+class PhotographTakerTest {
+
+    private static final Progress NO_END = new Progress() {
+        @Override
+        public void setProgress(double share) {}
+
+        @Override
+        public boolean isCancelled() {
+            return false;
+        }
+    };
+
+    /** What is saved is as good as what was chosen for the screen, whatever the scene says. */
+    @ParameterizedTest
+    @MethodSource
+    void photographsHaveTheQualityThatIsWanted(Quality quality) throws InterruptedException {
+        Studio studio = Studios.lattice().withSettings(Studio.DEFAULT.settings().withSize(40, 30));
+        LinearImage taken;
+        LinearImage again;
+        try (PhotographTaker taker = new PhotographTaker()) {
+            taken = taker.take(studio, quality, NO_END, 0, 1);
+            again = taker.take(studio, quality, NO_END, 0, 1);
+        }
+        LinearImage rendered;
+        try (Renderer renderer = new Renderer(1)) {
+            rendered = renderer.render(RenderPlan.of(studio), quality).image();
+        }
+
+        assertThat(taken.rgb()).isEqualTo(rendered.rgb());
+        assertThat(again.rgb()).isEqualTo(rendered.rgb());
+    }
+
+    static Stream<Quality> photographsHaveTheQualityThatIsWanted() {
+        return Stream.of(new Quality.Samples(1), new Quality.Samples(9), new Quality.TargetError(0.02));
+    }
+}

@@ -1,0 +1,97 @@
+package tompkins.ui.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import tompkins.image.LinearImage;
+import tompkins.render.Renderer;
+import tompkins.sceneobject.Parallelogram;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.Sphere;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.surface.LorentzWindow;
+import tompkins.surface.WindowAxes;
+import tompkins.trace.RenderPlan;
+import tompkins.ui.Studios;
+
+class FrontWindowTest {
+
+    private static final Velocity FAST = Velocity.of(0.1, 0, 0.9);
+    private static final LorentzWindow CLEAR = new LorentzWindow(FAST, WindowAxes.FRAME, 1);
+
+    @Test
+    void theWindowStandsInFrontOfTheLens() {
+        Studio studio = FrontWindow.with(Studios.sphere(), CLEAR);
+        assertThat(studio.cameraFrame())
+                .containsExactly(
+                        new Plane(FrontWindow.DESCRIPTION, new Vector3d(0, 0, 0.01), new Vector3d(0, 0, 1), CLEAR));
+        assertThat(FrontWindow.of(studio)).contains(CLEAR);
+        assertThat(FrontWindow.with(studio, null).cameraFrame()).isEmpty();
+    }
+
+    @Test
+    void otherThingsThatMoveWithTheCameraStay() {
+        Studio studio = Studios.sphere().withCameraFrame(List.of(Sphere.DEFAULT));
+        assertThat(FrontWindow.with(FrontWindow.with(studio, CLEAR), null)).isEqualTo(studio);
+    }
+
+    @Test
+    void aMatchingWindowFollowsTheCamera() {
+        Studio studio = FrontWindow.with(Studios.sphere().withVelocity(FAST), CLEAR);
+        Velocity faster = Velocity.of(0, 0, 0.99);
+        Studio moved = FrontWindow.withVelocity(studio, faster);
+        assertThat(moved.velocity()).isEqualTo(faster);
+        assertThat(FrontWindow.matches(moved)).isTrue();
+        Studio free = FrontWindow.withVelocity(FrontWindow.with(studio.withVelocity(Velocity.REST), CLEAR), faster);
+        assertThat(FrontWindow.of(free)).contains(CLEAR);
+    }
+
+    @Test
+    void aWindowOfAnyShapeIsOne() {
+        Parallelogram sheet = Records.with(Parallelogram.DEFAULT, "surface", CLEAR);
+        Studio studio = Studios.sphere().withVelocity(FAST).withCameraFrame(List.of(Sphere.DEFAULT, sheet));
+        assertThat(FrontWindow.of(studio)).contains(CLEAR);
+        Velocity slow = Velocity.of(0, 0, 0.1);
+        assertThat(FrontWindow.withVelocity(studio, slow).cameraFrame())
+                .containsExactly(
+                        Sphere.DEFAULT, Records.with(sheet, "surface", new LorentzWindow(slow, WindowAxes.FRAME, 1)));
+        assertThat(FrontWindow.with(studio, null).cameraFrame()).containsExactly(Sphere.DEFAULT);
+    }
+
+    /** As when a form changes the whole studio at once. */
+    @Test
+    void aWindowThatWasChangedItselfDoesNotFollow() {
+        Studio studio = FrontWindow.with(Studios.sphere().withVelocity(FAST), CLEAR);
+        Velocity slow = Velocity.of(0, 0, 0.1);
+        LorentzWindow other = new LorentzWindow(Velocity.of(0, 0.2, 0), WindowAxes.FRAME, 1);
+        assertThat(FrontWindow.matches(FrontWindow.following(studio, studio.withVelocity(slow))))
+                .isTrue();
+        assertThat(FrontWindow.of(FrontWindow.following(studio, FrontWindow.with(studio.withVelocity(slow), other))))
+                .contains(other);
+    }
+
+    /** In front of a pinhole with the shutter in the lens at time 0 the window undoes the motion (paper, Fig. 4). */
+    @Test
+    void theMatchingWindowShowsThePictureAtRest() throws InterruptedException {
+        Studio rest = Studios.sphere();
+        LinearImage corrected = image(FrontWindow.with(rest.withVelocity(FAST), CLEAR));
+        LinearImage still = image(rest);
+        int different = 0;
+        for (int i = 0; i < still.rgb().length; i++) {
+            different += Math.abs(still.rgb()[i] - corrected.rgb()[i]) > 0.02 ? 1 : 0;
+        }
+        // the window stands a hundredth in front of the lens: pixels at the sphere's edge may differ
+        assertThat((double) different / still.rgb().length).isCloseTo(0, within(0.02));
+        assertThat(image(rest.withVelocity(FAST)).rgb()).isNotEqualTo(still.rgb());
+    }
+
+    private static LinearImage image(Studio studio) throws InterruptedException {
+        try (Renderer renderer = new Renderer(1)) {
+            return renderer.render(RenderPlan.of(studio)).image();
+        }
+    }
+}

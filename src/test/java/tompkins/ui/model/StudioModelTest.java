@@ -1,0 +1,137 @@
+package tompkins.ui.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+
+class StudioModelTest {
+
+    private final StudioModel model = new StudioModel(speed(0), null);
+
+    private static Studio speed(double beta) {
+        return Studio.DEFAULT.withVelocity(Velocity.of(0, 0, beta));
+    }
+
+    @Test
+    void everyStepCanBeTakenBackAndAgain() {
+        model.set(speed(0.1));
+        model.set(speed(0.2));
+        model.undo();
+        assertThat(model.studio()).isEqualTo(speed(0.1));
+        model.undo();
+        assertThat(model.studio()).isEqualTo(speed(0));
+        assertThat(model.canUndo()).isFalse();
+        model.undo();
+        model.redo();
+        model.redo();
+        assertThat(model.studio()).isEqualTo(speed(0.2));
+        assertThat(model.canRedo()).isFalse();
+    }
+
+    @Test
+    void aDragIsOneStep() {
+        Object drag = new Object();
+        model.adjust(speed(0.1), drag);
+        model.adjust(speed(0.2), drag);
+        model.adjust(speed(0.3), drag);
+        model.undo();
+        assertThat(model.studio()).isEqualTo(speed(0));
+    }
+
+    /** As a slider does when its knob is pressed. */
+    @Test
+    void aDragThatBeginsWithTheValueThatIsThereIsAStepOfItsOwn() {
+        Object drag = new Object();
+        model.set(speed(0.1));
+        model.adjust(speed(0.1), drag);
+        model.adjust(speed(0.2), drag);
+        model.adjust(speed(0.2), drag);
+        model.adjust(speed(0.3), drag);
+        model.undo();
+        assertThat(model.studio()).isEqualTo(speed(0.1));
+    }
+
+    @Test
+    void twoDragsOfOneSliderAreTwoSteps() {
+        Object drag = new Object();
+        model.adjust(speed(0.1), drag);
+        model.endGesture();
+        model.adjust(speed(0.2), drag);
+        model.undo();
+        assertThat(model.studio()).isEqualTo(speed(0.1));
+    }
+
+    @Test
+    void aNewStepForgetsWhatWasTakenBack() {
+        model.set(speed(0.1));
+        model.undo();
+        model.set(speed(0.2));
+        assertThat(model.canRedo()).isFalse();
+    }
+
+    @Test
+    void whatChangesNothingIsNoStep() {
+        AtomicInteger told = new AtomicInteger();
+        model.addListener(told::incrementAndGet);
+        model.set(speed(0));
+        assertThat(model.canUndo()).isFalse();
+        assertThat(told).hasValue(0);
+    }
+
+    @Test
+    void resetGoesBackToWhatWasOpenedAndCanBeUndone() {
+        model.open(speed(0.5), Path.of("a.json"));
+        model.set(speed(0.6));
+        model.set(speed(0.7));
+        assertThat(model.isModified()).isTrue();
+        model.reset();
+        assertThat(model.studio()).isEqualTo(speed(0.5));
+        assertThat(model.isModified()).isFalse();
+        model.undo();
+        assertThat(model.studio()).isEqualTo(speed(0.7));
+    }
+
+    @Test
+    void undoOfOpeningGoesBackToTheFileBefore() {
+        model.saved(Path.of("first.json"));
+        model.open(speed(0.5), Path.of("second.json"));
+        model.undo();
+        assertThat(model.file()).isEqualTo(Path.of("first.json"));
+        assertThat(model.studio()).isEqualTo(speed(0));
+        assertThat(model.isModified()).isFalse();
+        model.set(speed(0.1));
+        model.reset();
+        assertThat(model.studio()).isEqualTo(speed(0));
+        model.undo();
+        model.undo();
+        model.redo();
+        model.redo();
+        assertThat(model.studio()).isEqualTo(speed(0));
+        assertThat(model.file()).isEqualTo(Path.of("first.json"));
+    }
+
+    @Test
+    void whatIsUndoneAfterSavingElsewhereBelongsToTheNewFile() {
+        model.open(speed(0.5), Path.of("a.json"));
+        model.set(speed(0.6));
+        model.saved(Path.of("b.json"));
+        model.undo();
+        assertThat(model.file()).isEqualTo(Path.of("b.json"));
+        assertThat(model.studio()).isEqualTo(speed(0.5));
+        assertThat(model.isModified()).isTrue();
+        model.undo();
+        assertThat(model.file()).as("the scene before it had no file").isNull();
+        assertThat(model.isModified()).isFalse();
+        model.redo();
+        model.redo();
+        assertThat(model.isModified()).isFalse();
+        model.set(speed(0.7));
+        model.reset();
+        assertThat(model.studio()).isEqualTo(speed(0.6));
+        assertThat(model.file()).isEqualTo(Path.of("b.json"));
+    }
+}

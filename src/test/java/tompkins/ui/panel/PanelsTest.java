@@ -1,0 +1,503 @@
+package tompkins.ui.panel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.Container;
+import java.awt.Point;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Point2D;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JPanel;
+import javax.swing.JRadioButton;
+import javax.swing.JSlider;
+import javax.swing.JTextField;
+import javax.swing.JToggleButton;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.camera.PanoramicCamera;
+import tompkins.camera.ThinLensCamera;
+import tompkins.image.LinearImage;
+import tompkins.ray.MeshData;
+import tompkins.render.Quality;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.sceneobject.TriangleMesh;
+import tompkins.shutter.AperturePlaneShutter;
+import tompkins.shutter.DetectorPlaneShutter;
+import tompkins.shutter.FixedPointSurfaceShutter;
+import tompkins.shutter.FocusSurfaceShutter;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
+import tompkins.surface.GalileoWindow;
+import tompkins.surface.LorentzWindow;
+import tompkins.trace.RenderPlan;
+import tompkins.ui.Components;
+import tompkins.ui.Studios;
+import tompkins.ui.model.FrontWindow;
+import tompkins.ui.model.Records;
+import tompkins.ui.model.Shutters;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.picture.Comparison;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.widget.DirectionSphere;
+import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Range;
+import tompkins.ui.widget.Texts;
+
+/** The parts of the side panel, without a display. */
+class PanelsTest {
+
+    private final StudioModel model = new StudioModel(Studios.lattice(), null);
+
+    @BeforeAll
+    static void look() {
+        Look.LIGHT.install();
+    }
+
+    private Velocity velocity() {
+        return model.studio().velocity();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.97, 0.97", "gamma 10, 0.994987437106620", "1-1e-9, 0.999999999", "rapidity 2, 0.964027580075817"})
+    void typedSpeedsKeepTheDirection(String text, double beta) {
+        Container panel = (Container) new VelocityPanel(model).component();
+        Components.enter(panel, "Speed", text);
+        assertThat(velocity().speed()).isCloseTo(beta, within(1e-15));
+        assertThat(velocity().direction().angle(new Vector3d(0.1, 0, 0.99))).isCloseTo(0, within(1e-7));
+    }
+
+    @Test
+    void theSliderStepsEvenlyInRapidityAndIsExactAtRest() {
+        Container panel = (Container) new VelocityPanel(model).component();
+        JSlider slider = Components.find(panel, JSlider.class, "Speed, slider");
+        slider.setValue(500);
+        assertThat(velocity().rapidity()).isCloseTo(3, within(0.05));
+        slider.setValue(1000);
+        assertThat(velocity().rapidity()).isCloseTo(6, within(0.05));
+        slider.setValue(0);
+        assertThat(velocity().isRest()).isTrue();
+        slider.setValue(500);
+        assertThat(velocity().given())
+                .as("the direction is not forgotten at rest")
+                .isEqualTo(new Vector3d(0.1, 0, 0.99));
+    }
+
+    @Test
+    void theSwitchShowsTheSameSpeedOnAnotherScale() {
+        model.set(model.studio().withVelocity(Velocity.of(SpeedScale.GAMMA, 10, new Vector3d(0, 0, 1))));
+        Container panel = (Container) new VelocityPanel(model).component();
+        Components.find(panel, JToggleButton.class, "Lorentz factor gamma").doClick();
+        JTextField speed = Components.find(panel, JTextField.class, "Speed");
+        assertThat(speed.getText()).isEqualTo("10");
+        Components.enter(panel, "Speed", "20");
+        assertThat(velocity().gamma()).isEqualTo(20);
+    }
+
+    @Test
+    void aSpeedOfLightIsMarked() {
+        Container panel = (Container) new VelocityPanel(model).component();
+        Velocity before = velocity();
+        JTextField speed = Components.enter(panel, "Speed", "1");
+        assertThat(Components.isMarked(speed)).isTrue();
+        assertThat(velocity()).isSameAs(before);
+        model.set(model.studio().withTransformation(TransformationLaw.GALILEAN));
+        assertThat(speed.getText())
+                .as("the wrong entry stays until it is put right")
+                .isEqualTo("1");
+        model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.5)));
+        assertThat(Components.isMarked(speed)).as("another value came").isFalse();
+    }
+
+    /** A scene with such a speed could not be opened again. */
+    @Test
+    void aSpeedWithoutPicturesIsMarkedWhereverItIsTyped() {
+        model.set(FrontWindow.with(model.studio(), LorentzWindow.DEFAULT));
+        PlayPanel play = new PlayPanel(model, (studio, animation) -> {});
+        play.run(NumberProperty.speed(SpeedScale.RAPIDITY));
+        play.setPlaying(false);
+        Studio before = model.studio();
+        Container camera = (Container) new VelocityPanel(model).component();
+        Container window = (Container) new WindowPanel(model).component();
+        assertThat(Components.isMarked(Components.enter(camera, "Speed", "gamma 1e9")))
+                .isTrue();
+        assertThat(Components.notes(camera)).anyMatch(text -> text.contains("at most that of gamma 1e8"));
+        assertThat(Components.isMarked(Components.enter(window, "Speed", "gamma 1e9")))
+                .isTrue();
+        assertThat(Components.isMarked(Components.enter((Container) play.component(), "to", "20")))
+                .isTrue();
+        assertThat(Components.notes((Container) play.component())).anyMatch(text -> text.contains("gamma 1e8"));
+        assertThat(model.studio()).isSameAs(before);
+    }
+
+    @Test
+    void aSpeedBeyondTheGuaranteeWarns() {
+        Container panel = (Container) new VelocityPanel(model).component();
+        Components.enter(panel, "Speed", "gamma 1e6");
+        assertThat(Components.notes(panel)).noneMatch(text -> text.contains("may be wrong"));
+        Components.enter(panel, "Speed", "gamma 1e7");
+        String warning = velocity().warning().orElseThrow();
+        assertThat(Components.notes(panel)).anyMatch(text -> text.contains(warning));
+    }
+
+    @Test
+    void buttonsTurnTheVelocity() {
+        Container panel = (Container) new VelocityPanel(model).component();
+        double speed = velocity().speed();
+        Components.find(panel, JButton.class, "Backwards").doClick();
+        assertThat(velocity().components().z()).isCloseTo(-speed, within(1e-12));
+        Components.find(panel, JButton.class, "Sideways").doClick();
+        assertThat(velocity().components().x()).isCloseTo(speed, within(1e-12));
+        Components.find(panel, JButton.class, "Rest").doClick();
+        assertThat(velocity().isRest()).isTrue();
+        Components.enter(panel, "Direction y", "1");
+        assertThat(velocity().given()).isEqualTo(new Vector3d(1, 1, 0));
+    }
+
+    @Test
+    void aDirectionIsAUnitVectorUntilItIsTyped() {
+        model.set(model.studio().withVelocity(Velocity.of(0.3, 0, -0.4)));
+        Container panel = (Container) new VelocityPanel(model).component();
+        assertThat(direction(panel)).containsExactly("0.6", "0", "-0.8");
+        Components.enter(panel, "Direction y", "2");
+        Components.enter(panel, "Direction z", "-1");
+        assertThat(direction(panel)).as("as typed").containsExactly("0.6", "2", "-1");
+        assertThat(velocity().given()).isEqualTo(new Vector3d(0.6, 2, -1));
+        assertThat(velocity().speed()).isCloseTo(0.5, within(1e-15));
+        model.undo();
+        assertThat(direction(panel)).containsExactly("0.2683", "0.8944", "-0.3578");
+    }
+
+    private static List<String> direction(Container panel) {
+        return Stream.of("x", "y", "z")
+                .map(axis -> Components.find(panel, JTextField.class, "Direction " + axis)
+                        .getText())
+                .toList();
+    }
+
+    @Test
+    void theArrowFollowsTheMouse() {
+        Vector3d[] turned = new Vector3d[1];
+        DirectionSphere sphere =
+                new DirectionSphere((direction, gesture) -> turned[0] = new Vector3d(direction), () -> {});
+        sphere.setSize(100, 100);
+        for (Vector3d wanted : List.of(new Vector3d(0, 1, 0), new Vector3d(0.6, 0, 0.8), new Vector3d(0, 0, 1))) {
+            Point2D point = sphere.pointOf(wanted);
+            Point pixel = new Point((int) Math.round(point.getX()), (int) Math.round(point.getY()));
+            Vector3d far = sphere.at(pixel.x, pixel.y, false);
+            Vector3d near = sphere.at(pixel.x, pixel.y, true);
+            assertThat(Math.min(far.angle(wanted), near.angle(wanted))).isLessThan(Math.toRadians(12));
+            sphere.dispatchEvent(new MouseEvent(
+                    sphere, MouseEvent.MOUSE_PRESSED, 0, 0, pixel.x, pixel.y, 1, false, MouseEvent.BUTTON1));
+            assertThat(turned[0].length()).isCloseTo(1, within(0.002));
+            assertThat(turned[0].angle(far)).isCloseTo(0, within(0.003));
+        }
+    }
+
+    @Test
+    void anotherShutterOpensSoThatTheMiddleKeepsItsTime() {
+        Container panel = (Container) new ShutterPanel(model).component();
+        JComboBox<?> models = Components.find(panel, JComboBox.class, "Shutter model");
+        models.setSelectedItem(FocusSurfaceShutter.class);
+        // light from the focus at distance 10 crosses the lens at time 0
+        assertThat(model.studio().camera().shutter()).isEqualTo(new FocusSurfaceShutter(-10));
+        models.setSelectedItem(DetectorPlaneShutter.class);
+        assertThat(model.studio().camera().shutter()).isEqualTo(new DetectorPlaneShutter(1, 1));
+        Components.enter(panel, "Detector distance", "0.5");
+        assertThat(model.studio().camera().shutter()).isEqualTo(new DetectorPlaneShutter(1, 0.5));
+        JTextField wrong = Components.enter(panel, "Detector distance", "0");
+        assertThat(Components.isMarked(wrong)).isTrue();
+        Components.enter(panel, "Opens at", "2");
+        assertThat(model.studio().camera().shutter().openingTime()).isEqualTo(2);
+        models.setSelectedItem(AperturePlaneShutter.class);
+        assertThat(model.studio().camera().shutter().openingTime()).isCloseTo(1.5, within(1e-9));
+    }
+
+    /** Light in the middle reaches a detector at distance 1 at time 1, wherever the focus is. */
+    @ParameterizedTest
+    @ValueSource(doubles = {10, -5})
+    void theDetectorOpensForTheLightFromTheFront(double focus) {
+        assertThat(opened(DetectorPlaneShutter.class, focus)).isEqualTo(new DetectorPlaneShutter(1, 1));
+    }
+
+    /** A shutter model in the place of that of the studio, with the camera focused at a distance. */
+    private Shutter opened(Class<?> shutter, double focus) {
+        Studio focused = model.studio().withCamera(model.studio().camera().focusedAt(focus));
+        return Shutters.replaced(focused, shutter).camera().shutter();
+    }
+
+    /** Light from the focus crosses the lens at time 0, as before; of a focus behind the camera that is the time in advance. */
+    @ParameterizedTest
+    @ValueSource(doubles = {10, -5})
+    void theFocusSurfaceOpensForTheLightFromTheFocus(double focus) {
+        assertThat(opened(FocusSurfaceShutter.class, focus)).isEqualTo(new FocusSurfaceShutter(-focus));
+    }
+
+    @Test
+    void theFixedPointSurfaceDoesNotForgetTheOpeningTime() {
+        Container panel = (Container) new ShutterPanel(model).component();
+        JComboBox<?> models = Components.find(panel, JComboBox.class, "Shutter model");
+        models.setSelectedItem(FixedPointSurfaceShutter.class);
+        models.setSelectedItem(AperturePlaneShutter.class);
+        assertThat(model.studio().camera().shutter()).isEqualTo(new AperturePlaneShutter(0));
+        models.setSelectedItem(FixedPointSurfaceShutter.class);
+        Studio other = Studios.lattice()
+                .withVelocity(Velocity.of(0, 0, 0.5))
+                .withCamera(model.studio().camera().withShutter(new FixedPointSurfaceShutter()));
+        model.open(other, null);
+        models.setSelectedItem(AperturePlaneShutter.class);
+        assertThat(model.studio())
+                .as("a scene that begins with it has no time before it")
+                .isEqualTo(Shutters.replaced(other, AperturePlaneShutter.class));
+        assertThat(model.studio().camera().shutter().openingTime()).isNotCloseTo(0, within(1e-3));
+    }
+
+    @Test
+    void timesReachThroughTheScene() {
+        assertThat(new SceneSize().times(model.studio())).isEqualTo(Range.even(-20, 20));
+        double[] coordinates = {0, 0, 10, 30, -45, 10, 0, 40, 10};
+        MeshData triangle = new MeshData("", coordinates, new int[] {0, 1, 2}, new byte[0]);
+        Studio large = model.studio()
+                .withScene(List.of(new TriangleMesh("", triangle, ColouredSurface.DEFAULT), Sphere.DEFAULT));
+        // 1.2 times 45, upwards
+        assertThat(new SceneSize().times(large)).isEqualTo(Range.even(-100, 100));
+    }
+
+    /** What the panels do for each change belongs to the 16 ms between two pictures of a screen. */
+    @Test
+    void scenesWithManyObjectsDoNotSlowTheSlidersDown() {
+        List<SceneObject> many = new ArrayList<>();
+        for (int i = 0; i < 20_000; i++) {
+            many.add(new Sphere("", new Vector3d(i, 0, 10), 0.1, ColouredSurface.DEFAULT));
+        }
+        new LensPanel(model, picking -> {});
+        new ShutterPanel(model);
+        model.open(model.studio().withScene(many), null);
+        List<Long> times = new ArrayList<>();
+        for (int i = 1; i <= 11; i++) {
+            long start = System.nanoTime();
+            model.adjust(model.studio().withVelocity(Velocity.of(0, 0, i / 20.0)), "drag");
+            times.add(System.nanoTime() - start);
+        }
+        Collections.sort(times);
+        assertThat(times.get(5)).isLessThan(16_000_000);
+    }
+
+    @Test
+    void lensAndFocus() {
+        Container panel = (Container) new LensPanel(model, picking -> {}).component();
+        Components.enter(panel, "Aperture", "0.1");
+        Components.enter(panel, "Focus", "4");
+        Components.enter(panel, "Field of view (\u00b0)", "60");
+        Components.enter(panel, "Exposure", "1");
+        Components.enter(panel, "Samples", "16");
+        ThinLensCamera camera = (ThinLensCamera) model.studio().camera();
+        assertThat(camera.apertureRadius()).isEqualTo(0.1);
+        assertThat(camera.focusDistance()).isCloseTo(4, within(1e-12));
+        assertThat(camera.horizontalAngleDegrees()).isEqualTo(60);
+        assertThat(camera.exposureStops()).isEqualTo(1);
+        assertThat(model.studio().settings().samples()).isEqualTo(16);
+        assertThat(Components.isMarked(Components.enter(panel, "Aperture", "-1")))
+                .isTrue();
+        assertThat(Components.isMarked(Components.enter(panel, "Field of view (\u00b0)", "180")))
+                .isTrue();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "Aperture, -1",
+        "Focus, 0",
+        "Field of view (\u00b0), 1000",
+        "Exposure, 1e400",
+        "Samples, 0",
+        "Opens at, 1e400",
+        "Opens at, soon"
+    })
+    void aRefusalSpeaksOfTheFieldByItsLabel(String label, String wrong) {
+        JPanel panel = new JPanel();
+        panel.add(new LensPanel(model, picking -> {}).component());
+        panel.add(new ShutterPanel(model).component());
+        assertThat(Components.isMarked(Components.enter(panel, label, wrong))).isTrue();
+        assertThat(Components.notes(panel)).anyMatch(text -> text.startsWith("\u26a0 " + label + " must be "));
+    }
+
+    @Test
+    void aFocusBehindTheCameraIsShown() {
+        Container panel = (Container) new LensPanel(model, picking -> {}).component();
+        model.set(model.studio().withCamera(model.studio().camera().focusedAt(-5)));
+        assertThat(Components.find(panel, JTextField.class, "Focus").getText()).isEqualTo("-5");
+    }
+
+    @Test
+    void withoutAFocusInTheMiddleNoneIsShown() {
+        Container panel = (Container) new LensPanel(model, picking -> {}).component();
+        Sphere beside = new Sphere("focus", new Vector3d(5, 0, 10), 1, ColouredSurface.DEFAULT);
+        model.set(model.studio().withCamera(Records.with(model.studio().camera(), "focus", beside)));
+        JTextField focus = Components.find(panel, JTextField.class, "Focus");
+        assertThat(focus.getText()).isEqualTo("none");
+        Components.press(focus, "UP");
+        assertThat(Components.isMarked(focus)).isTrue();
+        Components.enter(panel, "Focus", "4");
+        assertThat(model.studio().camera().focusDistance()).isEqualTo(4);
+        Plane along = new Plane("focus", new Vector3d(1, 0, 0), new Vector3d(1, 0, 0), ColouredSurface.DEFAULT);
+        model.set(model.studio().withCamera(Records.with(model.studio().camera(), "focus", along)));
+        assertThat(focus.getText()).isEqualTo("\u221e");
+    }
+
+    @Test
+    void aWideLensWithOneSampleSaysThatNothingIsBlurred() {
+        LensPanel lens = new LensPanel(model, picking -> {});
+        Container panel = (Container) lens.component();
+        Studio wide = model.studio().withCamera(Records.with(model.studio().camera(), "apertureRadius", 0.2));
+        lens.show(picture(wide, new Quality.Samples(1)));
+        assertThat(Components.notes(panel)).containsExactly(Texts.get("lens.oneSample"));
+        lens.show(picture(wide, new Quality.TargetError(0.01)));
+        assertThat(Components.notes(panel)).isEmpty();
+        lens.show(picture(wide, new Quality.Samples(2)));
+        assertThat(Components.notes(panel)).isEmpty();
+        lens.show(picture(model.studio(), new Quality.Samples(1)));
+        assertThat(Components.notes(panel)).isEmpty();
+    }
+
+    private static Picture picture(Studio studio, Quality quality) {
+        LinearImage black = new LinearImage(1, 1, new float[3]);
+        return new Picture(RenderPlan.of(studio), quality, black, true, Duration.ZERO, 1, Double.NaN, List.of());
+    }
+
+    @Test
+    void aPanoramaHasNoAperture() {
+        model.set(model.studio().withCamera(PanoramicCamera.DEFAULT));
+        Container panel = (Container) new LensPanel(model, picking -> {}).component();
+        assertThat(Components.find(panel, JTextField.class, "Aperture").isEnabled())
+                .isFalse();
+        Components.enter(panel, "Focus", "7");
+        assertThat(((PanoramicCamera) model.studio().camera()).focusDistance()).isEqualTo(7);
+    }
+
+    @Test
+    void theWindowFollowsTheCameraWhileItMatches() {
+        Container panel = (Container) new WindowPanel(model).component();
+        JComboBox<?> kinds = Components.find(panel, JComboBox.class, "Kind of window");
+        kinds.setSelectedIndex(2);
+        assertThat(FrontWindow.of(model.studio())).containsInstanceOf(GalileoWindow.class);
+        JButton match = Components.find(panel, JButton.class, "Match the camera");
+        assertThat(match.isEnabled()).as("it matches from the beginning").isFalse();
+        String follows = "The window follows the velocity of the camera, until it is given another one below.";
+        assertThat(Components.notes(panel)).contains(follows);
+        Components.enter(panel, "Transmission", "1");
+        Components.enter(panel, "Speed", "0.5");
+        assertThat(Components.notes(panel)).doesNotContain(follows);
+        model.set(FrontWindow.withVelocity(model.studio(), Velocity.of(0, 0, 0.75)));
+        assertThat(windowVelocity().speed())
+                .as("freed by a velocity of its own")
+                .isEqualTo(0.5);
+        match.doClick();
+        assertThat(windowVelocity()).isEqualTo(Velocity.of(0, 0, 0.75));
+        assertThat(match.isEnabled()).isFalse();
+        model.set(FrontWindow.withVelocity(model.studio(), Velocity.of(0, 0, 0.25)));
+        assertThat(windowVelocity()).as("it follows").isEqualTo(Velocity.of(0, 0, 0.25));
+        kinds.setSelectedIndex(0);
+        assertThat(model.studio().cameraFrame()).isEmpty();
+    }
+
+    private Velocity windowVelocity() {
+        return FrontWindow.velocity(FrontWindow.of(model.studio()).orElseThrow());
+    }
+
+    @Test
+    void theLawIsChosen() {
+        Container panel = (Container) new TransformationPanel(model).component();
+        Components.find(panel, JRadioButton.class, "Galilean (Newton)").doClick();
+        assertThat(model.studio().transformation()).isEqualTo(TransformationLaw.GALILEAN);
+    }
+
+    @Test
+    void comparisonsDifferInOneThing() {
+        ComparePanel panel = comparePanel();
+        Studio now = model.studio();
+        assertThat(panel.otherStudio(now)).isNull();
+        assertThat(panel.view()).isEqualTo(Comparison.NONE);
+        panel.setOther(ComparePanel.Other.AT_REST);
+        assertThat(panel.otherStudio(now)).isEqualTo(now.withVelocity(Velocity.REST));
+        LorentzWindow matching = Records.with(LorentzWindow.DEFAULT, "velocity", now.velocity());
+        assertThat(FrontWindow.matches(panel.otherStudio(FrontWindow.with(now, matching))))
+                .as("a camera at rest sees through its window what is there")
+                .isTrue();
+        panel.setOther(ComparePanel.Other.GALILEAN_CAMERA);
+        assertThat(panel.otherStudio(now)).isEqualTo(now.withTransformation(TransformationLaw.GALILEAN));
+        Components.find((Container) panel.component(), JComboBox.class, "Shutter to compare with")
+                .setSelectedItem(FocusSurfaceShutter.class);
+        panel.setOther(ComparePanel.Other.OTHER_SHUTTER);
+        assertThat(panel.otherStudio(now))
+                .isEqualTo(now.withCamera(now.camera().withShutter(new FocusSurfaceShutter(-10))));
+        assertThat(panel.view()).isEqualTo(Comparison.SPLIT);
+        Components.find((Container) panel.component(), JRadioButton.class, "Difference")
+                .doClick();
+        assertThat(panel.view()).isEqualTo(Comparison.DIFFERENCE);
+    }
+
+    private ComparePanel comparePanel() {
+        return new ComparePanel(() -> model.studio().camera().shutter(), () -> {}, peeking -> {}, () -> "kept");
+    }
+
+    @ParameterizedTest
+    @ValueSource(classes = {AperturePlaneShutter.class, DetectorPlaneShutter.class, FixedPointSurfaceShutter.class})
+    void theOtherShutterIsAnotherOne(Class<?> shutter) {
+        Studio now = Shutters.replaced(model.studio(), shutter);
+        model.set(now);
+        ComparePanel panel = comparePanel();
+        JComboBox<?> shutters =
+                Components.find((Container) panel.component(), JComboBox.class, "Shutter to compare with");
+        shutters.setSelectedItem(shutter);
+        panel.setOther(ComparePanel.Other.OTHER_SHUTTER);
+        assertThat(shutters.getSelectedItem()).isNotEqualTo(shutter);
+        assertThat(panel.otherStudio(now).camera().shutter().getClass()).isEqualTo(shutters.getSelectedItem());
+        shutters.setSelectedItem(shutter);
+        assertThat(panel.otherStudio(now).camera().shutter())
+                .as("who wants the same may have it")
+                .isInstanceOf(shutter);
+    }
+
+    @Test
+    void thereIsNoKeptPictureBeforeOneIsKept() {
+        Container panel = (Container) comparePanel().component();
+        Components.find(panel, JComboBox.class, "Compare with").setSelectedItem(ComparePanel.Other.KEPT_PICTURE);
+        assertThat(Components.notes(panel)).containsExactly("Keep a picture first.");
+        assertThat(Components.find(panel, JRadioButton.class, "Split").isEnabled())
+                .isFalse();
+        Components.find(panel, JButton.class, "Keep this picture").doClick();
+        assertThat(Components.notes(panel)).containsExactly(Texts.get("compare.hint"));
+    }
+
+    @Test
+    void aPointOfTheChartSetsTheQuality() {
+        List<Quality> chosen = new ArrayList<>();
+        QualityPanel panel = new QualityPanel(model, chosen::add);
+        JButton asScene = Components.find((Container) panel.component(), JButton.class, "As the scene says");
+        assertThat(asScene.isEnabled()).isFalse();
+        Quality exact = new Quality.TargetError(0.005);
+        panel.set(exact);
+        assertThat(chosen).containsExactly(exact);
+        assertThat(asScene.isEnabled()).isTrue();
+        asScene.doClick();
+        assertThat(chosen).containsExactly(exact, null);
+        panel.set(new Quality.Samples(16));
+        assertThat(model.studio().settings().samples()).isEqualTo(16);
+    }
+}

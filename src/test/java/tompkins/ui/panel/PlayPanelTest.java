@@ -1,0 +1,226 @@
+package tompkins.ui.panel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Container;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Executors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JSlider;
+import javax.swing.JTextField;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import tompkins.camera.PanoramicCamera;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.shutter.DetectorPlaneShutter;
+import tompkins.shutter.FixedPointSurfaceShutter;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
+import tompkins.ui.Components;
+import tompkins.ui.Studios;
+import tompkins.ui.WindowDriver;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Texts;
+
+/** The panel that runs numbers, without a display. */
+class PlayPanelTest {
+
+    private static final String SPEED = "Speed beta in units of c";
+    private static final String OPENING_TIME = "Opening time of the shutter";
+
+    private final StudioModel model = new StudioModel(Studios.sphere(), null);
+    private final List<Animation> exported = new ArrayList<>();
+    private final PlayPanel play = new PlayPanel(model, (studio, animation) -> exported.add(animation));
+    private final Container panel = (Container) play.component();
+    private final JComboBox<?> numbers = Components.find(panel, JComboBox.class, "Number to run");
+
+    @BeforeAll
+    static void look() {
+        Look.LIGHT.install();
+    }
+
+    @BeforeEach
+    void show() {
+        play.setShown(true);
+    }
+
+    @AfterEach
+    void stop() {
+        play.setPlaying(false);
+    }
+
+    /** Where nothing moves by itself between two steps of a test. */
+    private static void onEventThread(Runnable steps) {
+        WindowDriver.onEventThread(Executors.callable(steps));
+    }
+
+    private List<String> offered() {
+        return IntStream.range(0, numbers.getItemCount())
+                .mapToObj(numbers::getItemAt)
+                .map(Object::toString)
+                .toList();
+    }
+
+    private String chosen() {
+        return numbers.getSelectedItem().toString();
+    }
+
+    private void choose(String name) {
+        numbers.setSelectedIndex(offered().indexOf(name));
+        assertThat(chosen()).isEqualTo(name);
+    }
+
+    private void scrub(int place) {
+        Components.find(panel, JSlider.class, "Time").setValue(place);
+    }
+
+    @Test
+    void nothingRunsWithAValueThatWasRefused() {
+        choose(SPEED);
+        Components.enter(panel, "to", "1");
+        onEventThread(() -> {
+            play.setPlaying(true);
+            assertThat(play.isPlaying()).isFalse();
+        });
+        JButton export = Components.find(panel, JButton.class, Texts.get("play.export"));
+        export.doClick();
+        assertThat(exported).isEmpty();
+        assertThat(Components.notes(panel)).anyMatch(text -> text.startsWith("\u26a0"));
+        // typed, but not yet entered
+        Components.find(panel, JTextField.class, "to").setText("0.9");
+        export.doClick();
+        assertThat(exported).singleElement().extracting(Animation::to).isEqualTo(0.9);
+        onEventThread(() -> {
+            play.setPlaying(true);
+            assertThat(play.isPlaying()).isTrue();
+        });
+    }
+
+    @Test
+    void theNumberOfTheSceneIsShownWhileNothingRuns() {
+        choose(SPEED);
+        model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.25)));
+        assertThat(Components.labels(panel)).contains("0.25");
+    }
+
+    private static SceneObject ball(String name) {
+        return new Sphere(name, new Vector3d(0, 0, 5), 1, ColouredSurface.DEFAULT);
+    }
+
+    private static Studio with(SceneObject... objects) {
+        return Studios.sphere().withScene(List.of(objects));
+    }
+
+    private double radius(int index) {
+        return ((Sphere) model.studio().scene().get(index)).radius();
+    }
+
+    @Test
+    void aNumberThatAnotherSceneLacksRunsNoMore() {
+        onEventThread(() -> {
+            model.open(with(ball("red"), ball("green")), null);
+            choose("Scene \u203a green \u203a Radius");
+            play.setPlaying(true);
+
+            model.open(with(ball("blue"), ball("white")), null);
+
+            assertThat(offered())
+                    .contains("Scene \u203a white \u203a Radius")
+                    .noneMatch(name -> name.contains("red") || name.contains("green"));
+            assertThat(chosen()).isEqualTo(SPEED);
+            assertThat(play.isPlaying()).isFalse();
+            scrub(1000);
+            assertThat(model.studio().velocity().speed()).isEqualTo(0.99);
+            assertThat(model.studio().scene()).isEqualTo(List.of(ball("blue"), ball("white")));
+        });
+    }
+
+    @Test
+    void aNumberThatBothScenesHaveRunsOn() {
+        onEventThread(() -> {
+            choose("Camera \u203a Exposure");
+            Components.enter(panel, "to", "3");
+            play.setPlaying(true);
+
+            model.open(with(ball("red")), null);
+
+            assertThat(chosen()).isEqualTo("Camera \u203a Exposure");
+            assertThat(play.isPlaying()).isTrue();
+            assertThat(Components.find(panel, JTextField.class, "to").getText()).isEqualTo("3");
+            scrub(1000);
+            assertThat(model.studio().camera().exposureStops()).isEqualTo(3);
+        });
+    }
+
+    @Test
+    void anotherObjectOfTheSameNameIsAnotherNumber() {
+        model.open(with(ball("red"), ball("ball"), ball("ball")), null);
+        numbers.setSelectedIndex(offered().lastIndexOf("Scene \u203a ball \u203a Radius"));
+
+        scrub(1000);
+        assertThat(List.of(radius(0), radius(1), radius(2))).containsExactly(1.0, 1.0, 2.0);
+
+        model.set(with(ball("ball"), ball("ball")));
+        assertThat(chosen()).isEqualTo(SPEED);
+    }
+
+    @Test
+    void keysGoOnFromWhatWasTakenLast() {
+        JTextField to = Components.find(panel, JTextField.class, "to");
+        Components.press(to, "UP");
+        Components.press(to, "UP");
+        assertThat(to.getText()).isEqualTo("0.992");
+        Components.enter(panel, "to", "0.5");
+        Components.enter(panel, "to", "soon");
+        Components.press(to, "ESCAPE");
+        assertThat(to.getText()).isEqualTo("0.5");
+    }
+
+    @Test
+    void camerasAndShuttersBringTheirOwnNumbers() {
+        Studio studio = model.studio();
+        model.set(studio.withCamera(studio.camera().withShutter(DetectorPlaneShutter.DEFAULT)));
+        assertThat(offered()).contains("Camera \u203a Shutter \u203a Detector distance");
+        model.set(studio.withCamera(PanoramicCamera.DEFAULT));
+        assertThat(offered())
+                .contains("Camera \u203a Focus")
+                .doesNotContain("Camera \u203a Aperture", "Camera \u203a Shutter \u203a Detector distance");
+    }
+
+    @Test
+    void aShutterWithoutOpeningTimeHasNoneToRun() {
+        choose(OPENING_TIME);
+        Shutter fixed = FixedPointSurfaceShutter.DEFAULT;
+        model.set(model.studio().withCamera(model.studio().camera().withShutter(fixed)));
+        assertThat(chosen()).isEqualTo(SPEED);
+        play.run(NumberProperty.openingTime());
+        assertThat(play.isPlaying()).isFalse();
+        assertThat(Components.notes(panel)).anyMatch(text -> text.startsWith("\u26a0 " + OPENING_TIME));
+    }
+
+    /** The list is that of the scene, also after the panel was hidden. */
+    @Test
+    void aHiddenPanelCatchesUpWhenItIsShown() {
+        onEventThread(() -> {
+            play.setShown(false);
+            model.open(with(ball("red")), null);
+            play.run(NumberProperty.speed(SpeedScale.BETA));
+            assertThat(play.isPlaying()).isTrue();
+            assertThat(Stream.of("red", "sphere")
+                            .filter(name -> offered().contains("Scene \u203a " + name + " \u203a Radius")))
+                    .containsExactly("red");
+        });
+    }
+}

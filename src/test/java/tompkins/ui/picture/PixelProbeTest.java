@@ -1,0 +1,167 @@
+package tompkins.ui.picture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.geom.Point2D;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Plane;
+import tompkins.spacetime.Event;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
+import tompkins.surface.LorentzWindow;
+import tompkins.surface.Mirror;
+import tompkins.surface.Refractive;
+import tompkins.trace.RenderPlan;
+import tompkins.ui.Studios;
+import tompkins.ui.model.FrontWindow;
+import tompkins.ui.widget.Numbers;
+
+/** What the probe says is held against closed formulas: aberration, the light cone, Doppler's factor. */
+class PixelProbeTest {
+
+    private static final double BETA = 0.8;
+    private static final double GAMMA = 1 / 0.6;
+
+    private static PixelProbe.Reading read(Studio studio, double x, double y) {
+        return PixelProbe.read(RenderPlan.of(studio), new Point2D.Double(x, y));
+    }
+
+    @Test
+    void atRestBothFramesAgree() {
+        PixelProbe.Reading reading = read(Studios.sphere(), 32, 24);
+        assertThat(reading.object()).isEqualTo("sphere");
+        assertThat(reading.inScene()).isEqualTo(reading.inCamera());
+        assertThat(reading.inScene().z()).isCloseTo(9, within(1e-12));
+        assertThat(reading.inScene().time()).isCloseTo(-9, within(1e-12));
+        assertThat(reading.angleDegrees()).isNaN();
+        assertThat(reading.frequencyRatio()).isEqualTo(1);
+    }
+
+    /** Straight ahead nothing is bent: in the scene the light left at z = 9, t = -9, which is nearer for the camera. */
+    @Test
+    void straightAheadInMotion() {
+        Studio moving = Studios.sphere().withVelocity(Velocity.of(0, 0, BETA));
+        PixelProbe.Reading reading = read(moving, 32, 24);
+        assertThat(reading.inScene().z()).isCloseTo(9, within(1e-12));
+        // z = gamma (z' - beta t'), t = gamma (t' - beta z')
+        assertThat(reading.inCamera().z()).isCloseTo(GAMMA * (9 + BETA * 9), within(1e-12));
+        assertThat(reading.inCamera().time()).isCloseTo(GAMMA * (-9 - BETA * 9), within(1e-12));
+        assertThat(reading.frequencyRatio()).isCloseTo(3, within(1e-12));
+        assertThat(reading.angleDegrees()).isCloseTo(0, within(1e-12));
+    }
+
+    @Test
+    void besideTheAxisTheRayIsBentByAberration() {
+        Studio moving = Studios.sphere().withVelocity(Velocity.of(0, 0, BETA));
+        // a pinhole 20 degrees wide, 64 pixels: the pixel edge 0.7 to the right of the middle
+        double tangent = 0.7 / 32 * Math.tan(Math.toRadians(10));
+        PixelProbe.Reading reading = read(moving, 32.7, 24);
+        double cosine = 1 / Math.hypot(1, tangent);
+        double sceneCosine = (cosine - BETA) / (1 - BETA * cosine);
+        Event event = reading.inScene();
+        double distance = event.position().length();
+        assertThat(event.z() / distance).isCloseTo(sceneCosine, within(1e-12));
+        assertThat(event.position().sub(new Vector3d(0, 0, 10)).length()).isCloseTo(1, within(1e-11));
+        assertThat(event.time()).isCloseTo(-distance, within(1e-12));
+        assertThat(reading.frequencyRatio()).isCloseTo(1 / (GAMMA * (1 - BETA * cosine)), within(1e-12));
+        assertThat(reading.angleDegrees()).isCloseTo(Math.toDegrees(Math.atan(tangent)), within(1e-9));
+        // the half angles of aberration: tan(s/2) = sqrt((1 + beta) / (1 - beta)) tan(c/2)
+        double sceneHalf = Math.sqrt((1 + BETA) / (1 - BETA)) * Math.tan(Math.atan(tangent) / 2);
+        assertThat(reading.sceneAngleDegrees()).isCloseTo(Math.toDegrees(2 * Math.atan(sceneHalf)), within(1e-9));
+        Event camera = reading.inCamera();
+        assertThat(camera.x() / camera.z()).isCloseTo(tangent, within(1e-12));
+        assertThat(camera.position().length()).isCloseTo(-camera.time(), within(1e-11));
+    }
+
+    /** What was picked is sharp: the focus lies at the depth at which the camera sees the point. */
+    @Test
+    void pickedDistanceIsThatOfTheEventInTheCameraFrame() {
+        Studio moving = Studios.sphere().withVelocity(Velocity.of(0, 0, BETA));
+        RenderPlan plan = RenderPlan.of(moving);
+        double depth = PixelProbe.depth(plan, PixelProbe.read(plan, new Point2D.Double(32, 24)));
+        assertThat(depth).isCloseTo(27, within(1e-11));
+        Studio focused = moving.withCamera(moving.camera().focusedAt(depth));
+        assertThat(focused.camera().focusDistance()).isCloseTo(27, within(1e-11));
+    }
+
+    @Test
+    void theBackgroundIsNoObject() {
+        PixelProbe.Reading reading = read(Studios.sphere(), 0.5, 0.5);
+        assertThat(reading.object()).isNull();
+        assertThat(reading.inScene()).isNull();
+        assertThat(PixelProbe.story(reading)).contains("background");
+    }
+
+    /** Of the light that a slab before the lens reflects nothing is told but in the story, under what it left. */
+    @Test
+    void behindGlassTheMainBranchIsRead() {
+        Studio studio = Studios.sphere()
+                .withCameraFrame(
+                        List.of(new Box("slab", new Vector3d(-5, -5, 2), new Vector3d(5, 5, 3), Refractive.DEFAULT)))
+                .withVelocity(Velocity.of(0, 0, 0.6));
+        PixelProbe.Reading reading = read(studio, 32, 24);
+        assertThat(reading.object()).isEqualTo("sphere");
+        assertThat(reading.frequencyRatio()).isCloseTo(2, within(1e-12));
+        assertThat(reading.sceneAngleDegrees()).isCloseTo(0, within(1e-12));
+        List<String> story = PixelProbe.story(reading);
+        int crossing = story.indexOf(
+                "Enters the scene frame at " + Numbers.brief(reading.life().sceneStart()));
+        assertThat(story.get(crossing + 1)).isEqualTo("in the direction (0, 0, 1)");
+        assertThat(story.get(crossing + 3)).startsWith("Hits sphere after");
+        assertThat(story).anyMatch(line -> line.startsWith("\u2003Hits slab"));
+    }
+
+    /** What the mirror sends on meets the wall behind the camera. */
+    @Test
+    void theStoryTellsTheShareOfARayThatIsNotTheWholeLight() {
+        Vector3d forwards = new Vector3d(0, 0, 1);
+        Studio studio = Studio.DEFAULT.withScene(List.of(
+                new Plane("near", new Vector3d(0, 0, 5), forwards, new Mirror(0.25)),
+                new Plane("far", new Vector3d(0, 0, -5), forwards, ColouredSurface.DEFAULT)));
+        List<String> story = PixelProbe.story(read(studio, 320, 240));
+        assertThat(story).containsOnlyOnce("with at most 0.25 of the light");
+        int share = story.indexOf("with at most 0.25 of the light");
+        assertThat(story.get(share - 1)).startsWith("Hits far after 10,");
+    }
+
+    @Test
+    void theStoryNamesBothFramesAndTheObject() {
+        Studio moving = Studios.sphere().withVelocity(Velocity.of(0, 0, BETA));
+        assertThat(String.join("\n", PixelProbe.story(read(moving, 32, 24))))
+                .contains(
+                        "Pixel 32, 24",
+                        "camera frame at (0, 0, 0; t\u00a0=\u00a00)",
+                        "Hits sphere after 9",
+                        "camera/scene 3");
+    }
+
+    @Test
+    void aQuestionThatCannotBeAnsweredIsToldAndTheNextOneIsAnswered() throws InterruptedException {
+        BlockingQueue<Object> answers = new LinkedBlockingQueue<>();
+        Point2D middle = new Point2D.Double(32, 24);
+        try (PixelProbe probe = new PixelProbe(answers::add)) {
+            probe.ask(null, middle, answers::add);
+            assertThat(answers.poll(60, TimeUnit.SECONDS)).isInstanceOf(NullPointerException.class);
+            probe.ask(RenderPlan.of(Studios.sphere()), middle, answers::add);
+            assertThat(answers.poll(60, TimeUnit.SECONDS)).isInstanceOf(PixelProbe.Reading.class);
+        }
+    }
+
+    @Test
+    void theObjectBehindAWindowIsFound() {
+        Velocity fast = Velocity.of(0, 0, BETA);
+        Studio moving = Studios.sphere().withVelocity(fast);
+        Studio corrected = FrontWindow.with(moving, FrontWindow.withVelocity(LorentzWindow.DEFAULT, fast));
+        PixelProbe.Reading reading = read(corrected, 32, 24);
+        assertThat(reading.object()).isEqualTo("sphere");
+        assertThat(reading.life().hits()).hasSize(2);
+    }
+}

@@ -1,0 +1,160 @@
+package tompkins.ui.picture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import tompkins.image.ToneCurve;
+import tompkins.render.Renderer;
+import tompkins.sceneobject.Group;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.RenderSettings;
+import tompkins.studio.Studio;
+import tompkins.surface.Mirror;
+import tompkins.trace.RenderPlan;
+import tompkins.ui.Studios;
+
+@Timeout(120)
+class RenderControllerTest {
+
+    private final List<Picture> pictures = new CopyOnWriteArrayList<>();
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    private final RenderController controller = new RenderController(pictures::add, failures::add);
+
+    @AfterEach
+    void close() {
+        controller.close();
+    }
+
+    private static void await(BooleanSupplier condition) throws InterruptedException {
+        while (!condition.getAsBoolean()) {
+            Thread.sleep(5);
+        }
+    }
+
+    private Picture last() {
+        return pictures.get(pictures.size() - 1);
+    }
+
+    @Test
+    void thePictureIsThatOfTheRendererToTheBit() throws InterruptedException {
+        Studio studio = Studios.lattice()
+                .withSettings(Studio.DEFAULT.settings().withSize(160, 120).withSamples(5));
+        controller.show(studio);
+        await(() -> !pictures.isEmpty() && last().complete());
+        try (Renderer renderer = new Renderer(1)) {
+            float[] expected = renderer.render(RenderPlan.of(studio)).image().rgb();
+            assertThat(last().image().rgb()).isEqualTo(expected);
+        }
+        assertThat(controller.progress()).isEqualTo(1);
+        assertThat(controller.isBusy()).isFalse();
+    }
+
+    @Test
+    void theNewestChangeWins() throws InterruptedException {
+        Studio studio = Studios.lattice();
+        Studio newest = studio;
+        for (int i = 0; i < 60; i++) {
+            newest = studio.withVelocity(Velocity.of(0, 0, i / 100.0));
+            controller.show(newest);
+            Thread.sleep(3);
+        }
+        Studio expected = newest;
+        await(() -> !pictures.isEmpty() && last().complete() && last().studio().equals(expected));
+        long completed = pictures.stream().filter(Picture::complete).count();
+        assertThat(completed).as("most of the changes were overtaken").isLessThan(40);
+    }
+
+    @Test
+    void aSlowPictureShowsSomethingAndGivesWay() throws InterruptedException {
+        controller.show(Studios.slow());
+        await(() -> !pictures.isEmpty());
+        assertThat(last().complete()).isFalse();
+        controller.show(Studios.sphere());
+        await(() -> last().studio().equals(Studios.sphere()) && last().complete());
+    }
+
+    /** In a ball of perfect mirrors a ray goes on until it is given up: even the coarsest pass takes long. */
+    @Test
+    void aPictureIsSeenWhileAHandMovesHoweverLongItTakes() throws InterruptedException {
+        Studio mirrors = Studios.sphere()
+                .withScene(List.of(new Sphere("mirror", new Vector3d(0.5, 0, 0), 3, new Mirror(1))))
+                .withSettings(new RenderSettings(320, 240, 1, 1, 5_000, ToneCurve.LINEAR));
+        int changes = 0;
+        while (pictures.isEmpty()) {
+            controller.show(mirrors.withVelocity(Velocity.of(0, 0, ++changes * 1e-4)));
+            Thread.sleep(20);
+        }
+        assertThat(last().complete()).isFalse();
+    }
+
+    @Test
+    void stopEndsTheWorkAndKeepsThePicture() throws InterruptedException {
+        controller.show(Studios.slow());
+        await(() -> !pictures.isEmpty());
+        controller.stop();
+        await(() -> !controller.isBusy());
+        int count = pictures.size();
+        Thread.sleep(100);
+        assertThat(pictures).hasSize(count).noneMatch(Picture::complete);
+        controller.stop();
+        assertThat(controller.isStopped()).as("stopped twice").isTrue();
+        controller.show(Studios.sphere());
+        assertThat(controller.isStopped()).isFalse();
+        await(() -> last().complete());
+        controller.stop();
+        assertThat(controller.isStopped()).as("complete before").isFalse();
+    }
+
+    @Test
+    void aPictureThatIsStillBeingPlannedCanBeStopped() throws InterruptedException {
+        controller.show(Studios.sphere().withScene(Collections.nCopies(400_000, Sphere.DEFAULT)));
+        await(RenderControllerTest::isPlanning);
+        assertThat(controller.isBusy()).isTrue();
+        assertThat(controller.progress()).isEqualTo(0);
+        controller.stop();
+        assertThat(isPlanning()).isTrue();
+        assertThat(controller.isBusy()).isFalse();
+        await(() -> !isPlanning());
+        Thread.sleep(100);
+        assertThat(controller.isBusy()).isFalse();
+        assertThat(pictures).isEmpty();
+        controller.show(Studios.sphere());
+        await(() -> !pictures.isEmpty() && last().complete());
+    }
+
+    private static boolean isPlanning() {
+        return Thread.getAllStackTraces().entrySet().stream()
+                .filter(thread -> thread.getKey().getName().equals("tompkins-plan"))
+                .flatMap(thread -> Stream.of(thread.getValue()))
+                .anyMatch(call -> call.getClassName().equals(RenderPlan.class.getName()));
+    }
+
+    @Test
+    void aPictureThatCannotBeMadeIsReportedAndTheNextOneComes() throws InterruptedException {
+        Studio group = Studios.sphere().withScene(List.of(nested()));
+        controller.show(group);
+        await(() -> !failures.isEmpty());
+        assertThat(controller.isBusy()).isFalse();
+        controller.show(Studios.sphere());
+        await(() -> !pictures.isEmpty() && last().complete());
+    }
+
+    /** Groups in groups, too deep for any stack. */
+    private static SceneObject nested() {
+        SceneObject object = Sphere.DEFAULT;
+        for (int depth = 0; depth < 1_000_000; depth++) {
+            object = new Group("group", List.of(object));
+        }
+        return object;
+    }
+}

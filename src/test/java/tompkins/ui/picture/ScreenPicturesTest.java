@@ -1,0 +1,80 @@
+package tompkins.ui.picture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Dimension;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.Test;
+import tompkins.image.LinearImage;
+import tompkins.render.Quality;
+import tompkins.render.Renderer;
+import tompkins.trace.RenderPlan;
+import tompkins.ui.Studios;
+
+class ScreenPicturesTest {
+
+    private final BlockingQueue<Object> events = new LinkedBlockingQueue<>();
+
+    private Object nextEvent() throws InterruptedException {
+        return events.poll(10, TimeUnit.SECONDS);
+    }
+
+    private static Picture picture(RenderPlan plan, LinearImage image) {
+        return new Picture(plan, Quality.of(plan.studio()), image, true, Duration.ZERO, 1, Double.NaN, List.of());
+    }
+
+    private static Picture grey(int width, int height) {
+        float[] rgb = new float[3 * width * height];
+        Arrays.fill(rgb, 0.5f);
+        return picture(RenderPlan.of(Studios.sphere()), new LinearImage(width, height, rgb));
+    }
+
+    /** Stretched to the place of another picture, it would show another scene. */
+    @Test
+    void aPictureOfOtherProportionsIsNotCompared() throws InterruptedException {
+        try (ScreenPictures screen = new ScreenPictures(events::add, events::add)) {
+            screen.setCanvas(new Dimension(100, 100));
+            screen.setNow(grey(64, 48));
+            screen.setOther(grey(32, 24));
+            ScreenPicture shown = await(picture -> picture.other() != null);
+            assertThat(shown.otherImage()).isNotNull();
+            screen.setNow(grey(64, 32));
+            shown = await(picture -> picture.now().image().height() == 32);
+            assertThat(shown.other()).isNotNull();
+            assertThat(shown.otherImage()).isNull();
+            screen.setNow(grey(64, 48));
+            shown = await(picture -> picture.now().image().height() == 48);
+            assertThat(shown.otherImage()).isNotNull();
+        }
+    }
+
+    private ScreenPicture await(Predicate<ScreenPicture> condition) throws InterruptedException {
+        ScreenPicture shown = (ScreenPicture) nextEvent();
+        while (!condition.test(shown)) {
+            shown = (ScreenPicture) nextEvent();
+        }
+        return shown;
+    }
+
+    @Test
+    void aPictureThatCannotBePreparedIsToldAndTheNextOneIsShown() throws InterruptedException {
+        RenderPlan plan = RenderPlan.of(Studios.sphere());
+        try (Renderer renderer = new Renderer(1);
+                ScreenPictures screen = new ScreenPictures(events::add, events::add)) {
+            screen.setNow(picture(plan, null));
+            assertThat(nextEvent()).isInstanceOf(NullPointerException.class);
+            Picture good = picture(plan, renderer.render(plan).image());
+            screen.setNow(good);
+            assertThat(nextEvent())
+                    .isInstanceOf(ScreenPicture.class)
+                    .extracting("now")
+                    .isSameAs(good);
+        }
+    }
+}

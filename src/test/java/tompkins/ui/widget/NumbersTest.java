@@ -1,0 +1,95 @@
+package tompkins.ui.widget;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.text.BreakIterator;
+import java.util.Locale;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.property.InvalidPropertyException;
+import tompkins.spacetime.Event;
+
+class NumbersTest {
+
+    @ParameterizedTest
+    @CsvSource({"0, 0", "-0.0, 0", "10, 10", "0.97, 0.97", "1e-9, 1e-9", "-2.5e-7, -2.5e-7", "1.5e12, 1.5e12"})
+    void textsAreShortAndExact(double value, String text) {
+        assertThat(Numbers.text(value)).isEqualTo(text);
+        assertThat(Numbers.parse("value", text)).isEqualTo(value + 0.0);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"3.14159265, 3.1416", "100000, 100000", "-0.1, -0.1", "1e-9, 1e-9", "123456789, 1.2346e8", "0, 0"})
+    void briefTextsHaveFiveDigits(double value, String text) {
+        assertThat(Numbers.brief(value)).isEqualTo(text.replace("e8", "e+8"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "0.90000000000000013, 0.9",
+        "0.52181175, 0.5218118",
+        "1.2345678e-9, 1.2346e-9",
+        "99999999.4, 99999999",
+        "2, 2"
+    })
+    void asManyDigitsAreShownAsFit(double value, String text) {
+        assertThat(Numbers.fitting(value, 9)).isEqualTo(text);
+    }
+
+    @Test
+    void infinityHasASign() {
+        assertThat(Numbers.brief(Double.POSITIVE_INFINITY)).isEqualTo("\u221e");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.03, 0.05", "1, 1", "1.01, 2", "12, 20", "49, 50", "51, 100", "99999, 100000"})
+    void endsOfSlidersAreRoundNumbers(double value, double end) {
+        assertThat(Numbers.niceCeiling(value)).isEqualTo(end);
+    }
+
+    /** Asks what text areas ask for the places where a line may end. */
+    @Test
+    void theTimeOfAnEventStaysOnOneLine() {
+        String text = "Starts at " + Numbers.brief(new Event(1, 2, 3, 0.5));
+        assertThat(text.replace('\u00a0', ' ')).isEqualTo("Starts at (1, 2, 3; t = 0.5)");
+
+        BreakIterator lines = BreakIterator.getLineInstance(Locale.ROOT);
+        lines.setText(text);
+
+        assertThat(lines.following(text.indexOf('t', 10))).isEqualTo(text.length());
+        assertThat(lines.isBoundary(text.indexOf('2'))).isTrue();
+    }
+
+    @Test
+    void noNumberIsRefused() {
+        assertThatThrownBy(() -> Numbers.parse("radius", "wide"))
+                .isInstanceOf(InvalidPropertyException.class)
+                .hasMessageContaining("radius")
+                .hasMessageContaining("wide");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = ';',
+            value = {"0,9; true", "-1 , 5; true", "0.9.; false", "wide, high; false"})
+    void aDecimalCommaIsNamed(String text, boolean named) {
+        assertThatThrownBy(() -> Numbers.parse("radius", text))
+                .satisfies(refusal -> assertThat(refusal.getMessage().contains("with a point, not a comma"))
+                        .isEqualTo(named));
+    }
+
+    @Test
+    void slidersReachTheirEndsExactlyAndComeBackToTheirPlace() {
+        for (Range range : new Range[] {Range.even(-20, 20), new Range(0, 0.5, 2), new Range(1, 256, 4)}) {
+            assertThat(range.value(0)).isEqualTo(range.minimum());
+            assertThat(range.value(1)).isEqualTo(range.maximum());
+            for (double place = 0; place <= 1; place += 0.125) {
+                assertThat(range.place(range.value(place))).isCloseTo(place, within(0.03));
+            }
+            assertThat(range.place(range.maximum() * 7)).isEqualTo(1);
+        }
+    }
+}
