@@ -121,7 +121,7 @@ final class ArgumentMistake {
     private static String example(OptionSpec option) {
         boolean hasUsualValue =
                 option.fallbackValue() != null && !option.fallbackValue().isEmpty();
-        String value = hasUsualValue ? option.fallbackValue() : isFraction(option) ? "0.5" : "8";
+        String value = hasUsualValue ? option.fallbackValue() : isFraction(option) ? "1.5" : "8";
         return ", such as " + option.longestName() + "=" + value;
     }
 

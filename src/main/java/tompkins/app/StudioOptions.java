@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import picocli.CommandLine.Option;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
@@ -23,6 +24,12 @@ final class StudioOptions {
     private String beta;
 
     @Option(
+            names = "--gamma",
+            paramLabel = "G",
+            description = "Lorentz factor of the camera, which keeps its direction; one at rest sets off along z")
+    private Double gamma;
+
+    @Option(
             names = "--shutter",
             paramLabel = "NAME",
             completionCandidates = ShutterNames.class,
@@ -38,12 +45,7 @@ final class StudioOptions {
         if (size != null) {
             changed = changed.withSettings(sized(studio.settings()));
         }
-        if (beta != null) {
-            Studio still = changed;
-            Vector3d components = new Vector3d(numbers("--beta", beta, "0,0,0.9"));
-            String hint = SpeedScale.roundingHint(Stream.of(beta.split(",")));
-            changed = MistakeException.inOption("--beta", hint, () -> still.withVelocity(Velocity.of(components)));
-        }
+        changed = withVelocity(changed);
         Shutter model = changed.camera().shutter();
         if (shutter != null) {
             model = shutterNamed(shutter, model);
@@ -57,6 +59,25 @@ final class StudioOptions {
             }
         }
         return changed.withCamera(changed.camera().withShutter(model));
+    }
+
+    private Studio withVelocity(Studio studio) {
+        if (beta != null && gamma != null) {
+            throw new MistakeException("only one of --beta, --gamma may be given");
+        }
+        if (beta != null) {
+            Vector3d components = new Vector3d(numbers("--beta", beta, "0,0,0.9"));
+            String hint = SpeedScale.roundingHint(Stream.of(beta.split(",")));
+            String fasterSpeeds = hint.isEmpty() ? "" : hint + ", and --gamma";
+            return MistakeException.inOption(
+                    "--beta", fasterSpeeds, () -> studio.withVelocity(Velocity.of(components)));
+        }
+        if (gamma != null) {
+            Vector3dc direction = studio.velocity().direction();
+            return MistakeException.inOption(
+                    "--gamma", () -> studio.withVelocity(Velocity.of(SpeedScale.GAMMA, gamma, direction)));
+        }
+        return studio;
     }
 
     private RenderSettings sized(RenderSettings settings) {

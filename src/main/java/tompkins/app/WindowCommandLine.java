@@ -22,6 +22,9 @@ final class WindowCommandLine implements CommandLineWriter {
     /** Lorentz factors that differ by less than this share of them give pictures that nobody can tell apart. */
     private static final double SAME = 1e-9;
 
+    /** A unit vector that was made a unit vector again may differ by this. */
+    private static final double SAME_DIRECTION = 1e-15;
+
     private final Path jar;
 
     /** Writes calls of the program that is running. */
@@ -63,13 +66,22 @@ final class WindowCommandLine implements CommandLineWriter {
         if (settings.seed() != before.seed()) {
             line.append(" --seed ").append(settings.seed());
         }
-        if (!studio.velocity().equals(opened.velocity())) {
-            Vector3dc beta = studio.velocity().components();
-            line.append(" --beta=")
-                    .append(NumberText.of(beta.x()) + "," + NumberText.of(beta.y()) + "," + NumberText.of(beta.z()));
-        }
+        appendVelocity(line, studio.velocity(), opened.velocity());
         appendShutter(line, studio.camera().shutter(), opened.camera().shutter());
         return Optional.of(line.toString());
+    }
+
+    private static void appendVelocity(StringBuilder line, Velocity now, Velocity before) {
+        if (now.equals(before)) {
+            return;
+        }
+        if (hasSayableComponents(now)) {
+            Vector3dc beta = now.components();
+            line.append(" --beta=")
+                    .append(NumberText.of(beta.x()) + "," + NumberText.of(beta.y()) + "," + NumberText.of(beta.z()));
+        } else {
+            line.append(" --gamma=").append(NumberText.of(now.gamma()));
+        }
     }
 
     private static void appendShutter(StringBuilder line, Shutter now, Shutter before) {
@@ -88,13 +100,17 @@ final class WindowCommandLine implements CommandLineWriter {
 
     /** Whether the options can say all that has changed. */
     private static boolean isSayable(Studio studio, Studio opened) {
-        if (!studio.velocity().equals(opened.velocity()) && !isSayable(studio.velocity())) {
+        Velocity velocity = studio.velocity();
+        boolean velocitySayable = velocity.equals(opened.velocity())
+                || hasSayableComponents(velocity)
+                || velocity.direction().equals(opened.velocity().direction(), SAME_DIRECTION);
+        if (!velocitySayable) {
             return false;
         }
         Shutter now = studio.camera().shutter();
         Shutter start = withoutTime(now, opened.camera().shutter());
         RenderSettings settings = studio.settings();
-        Studio said = opened.withVelocity(studio.velocity())
+        Studio said = opened.withVelocity(velocity)
                 .withCamera(opened.camera().withShutter(start.openedAt(now.openingTime())))
                 .withSettings(opened.settings()
                         .withSize(settings.width(), settings.height())
@@ -104,7 +120,7 @@ final class WindowCommandLine implements CommandLineWriter {
     }
 
     /** Whether components of the velocity tell its speed: near that of light they do not have the digits. */
-    private static boolean isSayable(Velocity velocity) {
+    private static boolean hasSayableComponents(Velocity velocity) {
         try {
             double gamma = Velocity.of(velocity.components()).gamma();
             return Math.abs(gamma - velocity.gamma()) <= SAME * velocity.gamma();

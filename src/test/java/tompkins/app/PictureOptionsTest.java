@@ -1,6 +1,7 @@
 package tompkins.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 import static tompkins.app.ProgramRun.FIG1B;
 
 import java.io.IOException;
@@ -13,6 +14,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.io.StudioReader;
+import tompkins.spacetime.Velocity;
 
 /** Options of the commands that take or explain a picture: what they change, and how mistakes in them are named. */
 class PictureOptionsTest {
@@ -26,6 +29,7 @@ class PictureOptionsTest {
         ProgramRun.of("render", "scenes/fig3a.json", "-o", plain, "--size", "64x48", "--samples", 2);
         String[][] changes = {
             {"--beta", "0,0,0.5"},
+            {"--gamma", "3"},
             {"--time", "1.3"},
             {"--shutter", "focus-surface"},
             {"--seed", "5"},
@@ -61,9 +65,15 @@ class PictureOptionsTest {
             value = {
                 "--beta 0,0,1 | --beta must be shorter than 1",
                 "--beta 0.6,0.8,0 | shorter than 1",
-                "--beta 0,-.99999999999999999,0 | was [0, -1, 0] with length 1; -.99999999999999999 was rounded to 1",
+                "--beta 0,-.99999999999999999,0 | was [0, -1, 0] with length 1; -.99999999999999999 was rounded to 1: "
+                        + "nearer to the speed of light come \"gamma\" and \"oneMinusBeta\" in the velocity of a scene "
+                        + "file, and --gamma",
                 "--beta 0,0,NaN | 3 numbers with commas between them, such as --beta=0,0,0.9, was 0,0,NaN",
                 "--beta 1,2 | 3 numbers with commas between them, such as --beta=0,0,0.9, was 1,2",
+                "--gamma 0.9 | --gamma must be 1 or above, was 0.9",
+                "--gamma NaN | --gamma must be 1 or above, was NaN",
+                "--gamma 1e9 | --gamma must be at most that of gamma 1e8, was that of gamma 1e9",
+                "--gamma fast | --gamma must be a number, such as --gamma=1.5, was fast",
                 "--size 640 | 640x480",
                 "--size 0x480 | --size 0x480: width must be a whole number from 1 to 65535, was 0",
                 "--size 60000x60000 | 100000000 pixels",
@@ -78,8 +88,8 @@ class PictureOptionsTest {
                 "--samples --force | --samples needs a whole number, such as --samples=8",
                 "--error scenes/fig1b.json | --error must be a number, such as --error=0.002, was scenes/fig1b.json; "
                         + "without a number it must come after SCENE",
-                "--seconds long | --seconds must be a number, such as --seconds=0.5, was long",
-                "--time now | --time must be a number, such as --time=0.5, was now",
+                "--seconds long | --seconds must be a number, such as --seconds=1.5, was long",
+                "--time now | --time must be a number, such as --time=1.5, was now",
                 "--seed 1.5 | --seed must be a whole number, such as --seed=8, was 1.5",
                 "--seed 99999999999999999999 | from -9223372036854775808 to 9223372036854775807",
                 "--threads --force | --threads needs a whole number, such as --threads=8",
@@ -102,6 +112,33 @@ class PictureOptionsTest {
         assertThat(run.code()).isEqualTo(2);
         assertThat(run.err()).contains(said.trim()).doesNotContain("Exception").doesNotContain("\tat ");
         assertThat(picture).doesNotExist();
+    }
+
+    /** gamma = 1.25 belongs to beta = 0.6. */
+    @ParameterizedTest
+    @CsvSource({"0;0;0, 0;0;0.6", "0;0;0.1, 0;0;0.6", "0.3;0;0.4, 0.36;0;0.48", "-0.5;0;0, -0.6;0;0"})
+    void aLorentzFactorKeepsTheDirection(String before, String after) throws IOException {
+        Path slow = folder.resolve("slow.png");
+        Path fast = folder.resolve("fast.png");
+        ProgramRun.of("render", FIG1B, "-o", slow, "--size", "4x3", "--beta=" + before.replace(';', ','));
+
+        assertThat(ProgramRun.of("render", slow, "-o", fast, "--gamma=1.25").code())
+                .isZero();
+
+        Velocity velocity = StudioReader.read(fast).velocity();
+        String[] beta = after.split(";");
+        assertThat(velocity.components().x()).isCloseTo(Double.parseDouble(beta[0]), within(1e-15));
+        assertThat(velocity.components().z()).isCloseTo(Double.parseDouble(beta[2]), within(1e-15));
+        assertThat(velocity.components().y()).isZero();
+    }
+
+    @Test
+    void onlyOneVelocityMayBeGiven() {
+        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", folder.resolve("a.png"), "--beta=0,0,0.5", "--gamma=2");
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err().trim()).isEqualTo("only one of --beta, --gamma may be given");
+        assertThat(folder).isEmptyDirectory();
     }
 
     @ParameterizedTest

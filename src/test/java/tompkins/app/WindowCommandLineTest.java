@@ -2,6 +2,7 @@ package tompkins.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -111,12 +112,25 @@ class WindowCommandLineTest {
         assertThat(Double.parseDouble(option.substring("--beta=0,0,".length()))).isCloseTo(Math.tanh(2), within(1e-15));
     }
 
+    /** Components of 1 - 5e-17 would be 1; gamma of 1 - 2e-16 is 1/sqrt(4e-16). */
+    @Test
+    void aSpeedThatComponentsCannotTellIsSaidAsALorentzFactor() {
+        assertThat(words(OPENED.withVelocity(Velocity.of(SpeedScale.GAMMA, 1e7, new Vector3d(0, 0, 3))))
+                        .get(2))
+                .isEqualTo("--gamma=10000000");
+        String option = words(OPENED.withVelocity(Velocity.of(SpeedScale.ONE_MINUS_BETA, 2e-16, new Vector3d(0, 0, 1))))
+                .get(2)
+                .toString();
+        assertThat(option).startsWith("--gamma=");
+        assertThat(Double.parseDouble(option.substring("--gamma=".length()))).isCloseTo(5e7, withinPercentage(1e-12));
+    }
+
     static Stream<Studio> unsayable() {
         return Stream.of(
                 OPENED.withScene(List.of()),
                 OPENED.withTransformation(TransformationLaw.GALILEAN),
-                OPENED.withVelocity(Velocity.of(SpeedScale.GAMMA, 1e7, new Vector3d(0, 0, 1))),
-                OPENED.withVelocity(Velocity.of(SpeedScale.ONE_MINUS_BETA, 5.3e-17, new Vector3d(0, 0, 1))),
+                OPENED.withVelocity(Velocity.of(SpeedScale.GAMMA, 1e7, new Vector3d(0, 1, 1))),
+                OPENED.withVelocity(Velocity.of(SpeedScale.ONE_MINUS_BETA, 5.3e-17, new Vector3d(0, 1e-9, 1))),
                 with(new FocusSurfaceShutter(1)).withScene(List.of()));
     }
 
