@@ -121,10 +121,20 @@ class ArchitectureTest {
     }
 
     @Test
+    void everyPartOfTheWindowIsKnown() {
+        classes()
+                .that()
+                .resideInAPackage("tompkins.ui.*..")
+                .should()
+                .resideInAnyPackage(within(PARTS_OF_WINDOW))
+                .check(CLASSES);
+    }
+
+    @Test
     void partsOfTheWindowDoNotUseTheWindow() {
         noClasses()
                 .that()
-                .resideInAnyPackage(within(PARTS_OF_WINDOW))
+                .resideInAPackage("tompkins.ui.*..")
                 .should()
                 .dependOnClassesThat()
                 .resideInAPackage("tompkins.ui")

@@ -163,7 +163,9 @@ final class ArgumentMistake {
         return command.argGroups().stream()
                 .map(group -> group.allOptionsNested().stream()
                         .map(OptionSpec::longestName)
-                        .collect(Collectors.joining(", ")))
+                        .toList())
+                .filter(names -> names.stream().anyMatch(mistake.getMessage()::contains))
+                .map(names -> String.join(", ", names))
                 .findFirst()
                 .map(names -> "only one of " + names + " may be given, and only once")
                 .orElse(mistake.getMessage());

@@ -4,10 +4,11 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
+import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Option;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
+import tompkins.property.Require;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
@@ -20,14 +21,22 @@ final class StudioOptions {
     @Option(names = "--size", paramLabel = "WxH", description = "size of the picture in pixels, such as 640x480")
     private String size;
 
-    @Option(names = "--beta", paramLabel = "X,Y,Z", description = "velocity of the camera in units of c")
-    private String beta;
+    /** What was said of the velocity; one at most. */
+    private static final class Motion {
 
-    @Option(
-            names = "--gamma",
-            paramLabel = "G",
-            description = "Lorentz factor of the camera, which keeps its direction; one at rest sets off along z")
-    private Double gamma;
+        @Option(names = "--beta", paramLabel = "X,Y,Z", description = "velocity of the camera in units of c")
+        private String beta;
+
+        @Option(
+                names = "--gamma",
+                paramLabel = "G",
+                description =
+                        "Lorentz factor of the camera, which keeps its direction; along z if the scene gives none")
+        private Double gamma;
+    }
+
+    @ArgGroup
+    private Motion motion = new Motion();
 
     @Option(
             names = "--shutter",
@@ -62,20 +71,18 @@ final class StudioOptions {
     }
 
     private Studio withVelocity(Studio studio) {
-        if (beta != null && gamma != null) {
-            throw new MistakeException("only one of --beta, --gamma may be given");
-        }
-        if (beta != null) {
-            Vector3d components = new Vector3d(numbers("--beta", beta, "0,0,0.9"));
-            String hint = SpeedScale.roundingHint(Stream.of(beta.split(",")));
+        if (motion.beta != null) {
+            Vector3d components = new Vector3d(numbers("--beta", motion.beta, "0,0,0.9"));
+            String hint = SpeedScale.roundingHint(Stream.of(motion.beta.split(",")));
             String fasterSpeeds = hint.isEmpty() ? "" : hint + ", and --gamma";
             return MistakeException.inOption(
                     "--beta", fasterSpeeds, () -> studio.withVelocity(Velocity.of(components)));
         }
-        if (gamma != null) {
-            Vector3dc direction = studio.velocity().direction();
-            return MistakeException.inOption(
-                    "--gamma", () -> studio.withVelocity(Velocity.of(SpeedScale.GAMMA, gamma, direction)));
+        if (motion.gamma != null) {
+            double gamma = MistakeException.inOption(
+                    "--gamma", () -> Require.within("gamma", motion.gamma, 1, Velocity.LARGEST_GAMMA));
+            return studio.withVelocity(
+                    Velocity.of(SpeedScale.GAMMA, gamma, studio.velocity().givenDirection()));
         }
         return studio;
     }

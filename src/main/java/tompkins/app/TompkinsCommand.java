@@ -47,8 +47,8 @@ final class TompkinsCommand implements Callable<Integer> {
     private CommandSpec spec;
 
     /**
-     * The command line for some arguments. It knows all commands, but for those that the arguments have no use for: to look at all
-     * of them takes a tenth of a second of every start.
+     * The command line for some arguments. If they call a command it knows that one only: to look at all of them takes a tenth of
+     * a second of every start.
      */
     static CommandLine commandLine(String... arguments) {
         CommandLine commandLine = new CommandLine(new TompkinsCommand());
@@ -56,7 +56,7 @@ final class TompkinsCommand implements Callable<Integer> {
             return commandLine;
         }
         String first = arguments[0];
-        // the help tells of the others
+        // the help, which is a command, too, tells of the others
         if (COMMANDS.containsKey(first) && COMMANDS.get(first) != HelpCommand.class) {
             return commandLine.addSubcommand(first, COMMANDS.get(first));
         }

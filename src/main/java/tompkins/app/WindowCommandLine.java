@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.joml.Vector3dc;
+import tompkins.math.Vectors;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
@@ -103,7 +104,7 @@ final class WindowCommandLine implements CommandLineWriter {
         Velocity velocity = studio.velocity();
         boolean velocitySayable = velocity.equals(opened.velocity())
                 || hasSayableComponents(velocity)
-                || velocity.direction().equals(opened.velocity().direction(), SAME_DIRECTION);
+                || velocity.direction().equals(Vectors.unit(opened.velocity().givenDirection()), SAME_DIRECTION);
         if (!velocitySayable) {
             return false;
         }

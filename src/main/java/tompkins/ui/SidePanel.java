@@ -119,10 +119,6 @@ final class SidePanel {
         return scroll;
     }
 
-    ComparePanel compare() {
-        return compare;
-    }
-
     /** Shows what there is to say about the picture on the screen. */
     void show(Picture picture) {
         RenderPlan made = picture.plan();

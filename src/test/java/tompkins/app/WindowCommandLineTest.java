@@ -112,7 +112,7 @@ class WindowCommandLineTest {
         assertThat(Double.parseDouble(option.substring("--beta=0,0,".length()))).isCloseTo(Math.tanh(2), within(1e-15));
     }
 
-    /** Components of 1 - 5e-17 would be 1; gamma of 1 - 2e-16 is 1/sqrt(4e-16). */
+    /** Near 1 components have too few digits; gamma of 1 - 2e-16 is 1/sqrt(4e-16). */
     @Test
     void aSpeedThatComponentsCannotTellIsSaidAsALorentzFactor() {
         assertThat(words(OPENED.withVelocity(Velocity.of(SpeedScale.GAMMA, 1e7, new Vector3d(0, 0, 3))))
@@ -123,6 +123,32 @@ class WindowCommandLineTest {
                 .toString();
         assertThat(option).startsWith("--gamma=");
         assertThat(Double.parseDouble(option.substring("--gamma=".length()))).isCloseTo(5e7, withinPercentage(1e-12));
+    }
+
+    /** Three times a vector has its direction, but the unit vector may differ in the last digit. */
+    @Test
+    void aFastCameraIsTakenAgainWithItsDirection() throws IOException {
+        Vector3d[] directions = {new Vector3d(1, 2, 3), new Vector3d(7.3, 4.1, -2.1), new Vector3d(-3.3, 9.7, 0.1)};
+        for (Vector3d direction : directions) {
+            Studio slow = OPENED.withVelocity(Velocity.of(SpeedScale.BETA, 0, new Vector3d(direction).mul(3)));
+            Path scene = folder.resolve("slow.json");
+            StudioWriter.save(slow, scene);
+            Studio fast = slow.withVelocity(Velocity.of(SpeedScale.GAMMA, 12345678.9, direction));
+            String line = new WindowCommandLine(JAR)
+                    .of(fast, Quality.of(fast), slow, scene)
+                    .orElseThrow();
+            List<Object> words = new ArrayList<>(
+                    Arrays.asList((Object[]) line.substring(PROGRAM.length()).split(" ")));
+            Path picture = folder.resolve("fast.png");
+            words.addAll(List.of("--size", "4x3", "--force", "-o", picture));
+
+            ProgramRun run = ProgramRun.of(words.toArray());
+
+            assertThat(run.code()).as(run.err()).isZero();
+            Velocity taken = StudioReader.read(picture).velocity();
+            assertThat(taken.gamma()).isEqualTo(12345678.9);
+            assertThat(taken.direction().distance(fast.velocity().direction())).isLessThan(1e-15);
+        }
     }
 
     static Stream<Studio> unsayable() {

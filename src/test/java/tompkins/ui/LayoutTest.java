@@ -108,7 +108,8 @@ class LayoutTest {
     private void checkSidePanel(Look look, float size, Locale locale) {
         use(look, size, locale);
         SidePanel side = sidePanel();
-        side.compare().setOther(ComparePanel.Other.OTHER_SHUTTER);
+        Components.find((Container) side.component(), JComboBox.class, Texts.get("compare.name"))
+                .setSelectedItem(ComparePanel.Other.OTHER_SHUTTER);
         JViewport viewport = ((JScrollPane) side.component()).getViewport();
         Container column = (Container) viewport.getView();
         Components.all(column)

@@ -10,6 +10,7 @@ import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.concurrent.Executors;
 import java.util.stream.IntStream;
+import javax.swing.JComboBox;
 import javax.swing.JRadioButton;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.AfterEach;
@@ -128,7 +129,8 @@ class PhotographViewTest {
     private void compareWithRest() {
         ComparePanel panel =
                 new ComparePanel(() -> model.studio().camera().shutter(), () -> {}, peeking -> {}, () -> "kept");
-        panel.setOther(ComparePanel.Other.AT_REST);
+        Components.find((Container) panel.component(), JComboBox.class, "Compare with")
+                .setSelectedItem(ComparePanel.Other.AT_REST);
         Components.find(panel.component(), JRadioButton.class, "Difference").setSelected(true);
         view.compare(panel);
     }

@@ -53,10 +53,8 @@ final class ColourEditor implements ValueEditor {
     private void choose(Component parent, Note note) {
         Color chosen = JColorChooser.showDialog(parent, Texts.get("colour.title"), screenColour());
         if (chosen != null) {
-            ValueEditors.attempt(
-                    note,
-                    () -> commit.accept(
-                            new Colour(share(chosen.getRed()), share(chosen.getGreen()), share(chosen.getBlue()))));
+            note.attempt(() -> commit.accept(
+                    new Colour(share(chosen.getRed()), share(chosen.getGreen()), share(chosen.getBlue()))));
         }
     }
 

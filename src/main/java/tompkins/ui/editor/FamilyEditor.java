@@ -8,7 +8,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
-import tompkins.ui.model.Branches;
+import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Tips;
@@ -31,7 +31,7 @@ final class FamilyEditor implements ValueEditor {
         this.commit = commit;
         this.note = note;
         Descriptions.members(family).forEach(types::addItem);
-        types.setRenderer(ValueEditors.renderer(type -> Wording.label((Class<?>) type)));
+        types.setRenderer(Naming.renderer(type -> Wording.label((Class<?>) type)));
         types.setName(name);
         types.getAccessibleContext().setAccessibleName(name);
         types.addActionListener(event -> updating.unless(this::choose));
@@ -51,7 +51,7 @@ final class FamilyEditor implements ValueEditor {
 
     private void choose() {
         Class<?> chosen = (Class<?>) types.getSelectedItem();
-        if (chosen != shownType && !ValueEditors.attempt(note, () -> commit.accept(alike(chosen)))) {
+        if (chosen != shownType && !note.attempt(() -> commit.accept(alike(chosen)))) {
             updating.during(() -> types.setSelectedItem(shownType));
         }
     }

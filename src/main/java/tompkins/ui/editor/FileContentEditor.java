@@ -79,7 +79,7 @@ public final class FileContentEditor implements ValueEditor {
             Object content = reader.read(file);
             return () -> {
                 if (button.isShowing()) {
-                    ValueEditors.attempt(note, () -> commit.accept(content));
+                    note.attempt(() -> commit.accept(content));
                 }
             };
         } catch (IOException problem) {

@@ -19,7 +19,6 @@ import tompkins.property.Descriptions;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
-import tompkins.ui.model.Branches;
 import tompkins.ui.model.FrontWindow;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.model.StudioPath;
@@ -198,7 +197,7 @@ public final class SceneEditor {
         StudioPath path = listPath();
         int place = isElement() ? place() + 1 : list().size();
         List<?> longer = inserted(list(), place, Descriptions.standard(type));
-        if (ValueEditors.attempt(note, () -> model.set(path.with(model.studio(), longer)))) {
+        if (note.attempt(() -> model.set(path.with(model.studio(), longer)))) {
             tree.select(path.then(place));
         }
     }
@@ -207,7 +206,7 @@ public final class SceneEditor {
         StudioPath path = listPath();
         int next = place() + step;
         List<?> changed = change.apply(list());
-        if (ValueEditors.attempt(note, () -> model.set(path.with(model.studio(), changed)))) {
+        if (note.attempt(() -> model.set(path.with(model.studio(), changed)))) {
             tree.select(changed.isEmpty() ? path : path.then(Math.max(0, Math.min(changed.size() - 1, next))));
         }
     }

@@ -13,17 +13,15 @@ import javax.swing.tree.DefaultTreeModel;
 import javax.swing.tree.TreePath;
 import javax.swing.tree.TreeSelectionModel;
 import tompkins.property.Descriptions;
-import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
-import tompkins.ui.model.Branches;
 import tompkins.ui.model.StudioPath;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.Wording;
 
 /** The studio as a tree: its lists, and what may hold lists. It follows the model and keeps what is open and chosen. */
-public final class StudioTree {
+final class StudioTree {
 
     /**
      * One line of the tree.
@@ -123,7 +121,7 @@ public final class StudioTree {
         if (value instanceof List<?> list) {
             Class<?> elements = Descriptions.elementType(type).orElseThrow();
             for (int i = 0; i < list.size(); i++) {
-                node.add(node(list.get(i), path.then(i), elements, name(list.get(i))));
+                node.add(node(list.get(i), path.then(i), elements, Wording.nameOf(list.get(i))));
             }
             return node;
         }
@@ -135,17 +133,9 @@ public final class StudioTree {
                         part,
                         path.then(component.getName()),
                         component.getGenericType(),
-                        part instanceof SceneObject object ? title + ": " + name(object) : title));
+                        part instanceof SceneObject object ? title + ": " + Wording.nameOf(object) : title));
             }
         }
         return node;
-    }
-
-    /** What an element of a list is called. */
-    public static String name(Object element) {
-        if (element instanceof Hidden hidden) {
-            return Texts.get("tree.hidden", hidden.description());
-        }
-        return element instanceof SceneObject object ? object.description() : Wording.label(element.getClass());
     }
 }

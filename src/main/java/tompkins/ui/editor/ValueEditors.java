@@ -1,14 +1,10 @@
 package tompkins.ui.editor;
 
-import java.awt.Component;
 import java.lang.reflect.RecordComponent;
 import java.util.function.Consumer;
-import java.util.function.Function;
-import javax.swing.DefaultListCellRenderer;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
-import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import net.miginfocom.swing.MigLayout;
@@ -36,7 +32,7 @@ import tompkins.ui.widget.VectorFields;
 import tompkins.ui.widget.Wording;
 
 /** Chooses the controls for a component of a description by its type. */
-public final class ValueEditors {
+final class ValueEditors {
 
     private ValueEditors() {}
 
@@ -131,7 +127,7 @@ public final class ValueEditors {
         JCheckBox box = new JCheckBox();
         Naming.name(box, label, tip);
         box.addActionListener(event -> {
-            if (!attempt(note, () -> commit.accept(box.isSelected()))) {
+            if (!note.attempt(() -> commit.accept(box.isSelected()))) {
                 box.setSelected(!box.isSelected());
             }
         });
@@ -140,36 +136,11 @@ public final class ValueEditors {
 
     private static ValueEditor choice(Class<?> type, String label, String tip, Note note, Consumer<Object> commit) {
         JComboBox<Object> box = new JComboBox<>(type.getEnumConstants());
-        box.setRenderer(renderer(value -> Wording.label((Enum<?>) value)));
+        box.setRenderer(Naming.renderer(value -> Wording.label((Enum<?>) value)));
         Naming.name(box, label, tip);
         Updating updating = new Updating();
-        box.addActionListener(event ->
-                updating.unless(() -> attempt(note, () -> commit.accept(box.getSelectedItem()))));
+        box.addActionListener(event -> updating.unless(() -> note.attempt(() -> commit.accept(box.getSelectedItem()))));
         return editor(box, value -> updating.during(() -> box.setSelectedItem(value)));
-    }
-
-    /** Shows the objects of a combo box by their names. */
-    public static DefaultListCellRenderer renderer(Function<Object, String> name) {
-        return new DefaultListCellRenderer() {
-            @Override
-            public Component getListCellRendererComponent(
-                    JList<?> list, Object value, int index, boolean selected, boolean focused) {
-                return super.getListCellRendererComponent(
-                        list, value == null ? "" : name.apply(value), index, selected, focused);
-            }
-        };
-    }
-
-    /** Does what may be refused; a refusal is shown in the note. */
-    public static boolean attempt(Note note, Runnable change) {
-        try {
-            change.run();
-            note.setText("");
-            return true;
-        } catch (InvalidPropertyException wrong) {
-            note.setError(Wording.message(wrong));
-            return false;
-        }
     }
 
     private static ValueEditor editor(JComponent component, Consumer<Object> show) {

@@ -22,7 +22,7 @@ import tompkins.ui.widget.Texts;
 /** Work that takes a while, away from the event thread; a small window shows how far it is, and can cancel it. */
 public final class BackgroundTask implements Progress {
 
-    /** The work. */
+    /** What a task does, on a thread of its own. */
     public interface Work {
 
         /**

@@ -11,6 +11,7 @@ import tompkins.studio.Studio;
 
 /** What is lost when a scene is saved over its file. */
 public enum Loss {
+    /** The file holds the scene as it was read or saved, and nothing else. */
     NOTHING,
 
     /** The comments and the layout of someone who wrote the file by hand. */

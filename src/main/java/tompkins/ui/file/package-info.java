@@ -1,2 +1,2 @@
-/** What loading, saving and other long work of the window needs, away from the event thread. */
+/** Opening and saving: what is asked, dropped or put on the clipboard, and work that takes a while. */
 package tompkins.ui.file;

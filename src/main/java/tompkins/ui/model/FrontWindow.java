@@ -71,7 +71,7 @@ public final class FrontWindow {
     }
 
     /** The velocity of a window. */
-    public static Velocity velocity(Surface window) {
+    private static Velocity velocity(Surface window) {
         return window instanceof LorentzWindow lorentz ? lorentz.velocity() : ((GalileoWindow) window).velocity();
     }
 

@@ -16,8 +16,11 @@ public record Animation(NumberProperty property, double from, double to, double 
 
     /** How an animation runs. */
     public enum Course {
+        /** From the first value to the last. */
         FORWARDS,
+        /** From the last value to the first. */
         BACKWARDS,
+        /** From the first value to the last and back, in the same time. */
         THERE_AND_BACK
     }
 

@@ -18,7 +18,6 @@ import tompkins.shutter.Shutter;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
-import tompkins.ui.editor.ValueEditors;
 import tompkins.ui.model.FrontWindow;
 import tompkins.ui.model.Shutters;
 import tompkins.ui.picture.Comparison;
@@ -34,10 +33,15 @@ public final class ComparePanel {
 
     /** What there is to compare with. */
     public enum Other {
+        /** No other picture. */
         NOTHING,
+        /** The camera does not move. */
         AT_REST,
+        /** The camera moves as in Newton's world. */
         GALILEAN_CAMERA,
+        /** The camera has a shutter of another model. */
         OTHER_SHUTTER,
+        /** A picture that was on the screen before. */
         KEPT_PICTURE
     }
 
@@ -65,10 +69,10 @@ public final class ComparePanel {
             Supplier<Shutter> shutterNow, Runnable changed, Consumer<Boolean> peeking, Supplier<String> keeping) {
         this.shutterNow = shutterNow;
         this.changed = changed;
-        others.setRenderer(ValueEditors.renderer(other -> Wording.label((Other) other)));
+        others.setRenderer(Naming.renderer(other -> Wording.label((Other) other)));
         name(others, "compare.name");
         Descriptions.members(Shutter.class).forEach(shutters::addItem);
-        shutters.setRenderer(ValueEditors.renderer(shutter -> Wording.label((Class<?>) shutter)));
+        shutters.setRenderer(Naming.renderer(shutter -> Wording.label((Class<?>) shutter)));
         name(shutters, "compare.shutter");
         name(peek, "compare.peek");
         peek.getModel()
@@ -142,11 +146,6 @@ public final class ComparePanel {
     /** What the picture is compared with. */
     public Other other() {
         return (Other) others.getSelectedItem();
-    }
-
-    /** Chooses what to compare with, as if it had been chosen in the panel. */
-    public void setOther(Other other) {
-        others.setSelectedItem(other);
     }
 
     /** How the two are shown. */

@@ -12,7 +12,6 @@ import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
-import tompkins.ui.editor.StudioTree;
 import tompkins.ui.model.FrontWindow;
 import tompkins.ui.model.StudioPath;
 import tompkins.ui.widget.Texts;
@@ -88,7 +87,7 @@ public record NumberProperty(
             }
         } else if (value instanceof List<?> list) {
             for (int i = 0; i < list.size() && properties.size() < MOST; i++) {
-                collect(list.get(i), path.then(i), name + " \u203a " + StudioTree.name(list.get(i)), properties);
+                collect(list.get(i), path.then(i), name + " \u203a " + Wording.nameOf(list.get(i)), properties);
             }
         } else if (value instanceof Record) {
             for (RecordComponent component : Descriptions.components(value.getClass())) {

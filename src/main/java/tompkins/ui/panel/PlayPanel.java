@@ -15,11 +15,9 @@ import javax.swing.JSlider;
 import javax.swing.JToggleButton;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
-import tompkins.property.InvalidPropertyException;
 import tompkins.property.Require;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
-import tompkins.ui.editor.ValueEditors;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Naming;
@@ -75,7 +73,7 @@ public final class PlayPanel {
         name(properties, "play.property");
         properties.addActionListener(event -> updating.unless(this::suggestValues));
         name(courses, "play.course");
-        courses.setRenderer(ValueEditors.renderer(course -> Wording.label((Animation.Course) course)));
+        courses.setRenderer(Naming.renderer(course -> Wording.label((Animation.Course) course)));
         name(play, "play.play");
         play.addActionListener(event -> setPlaying(play.isSelected()));
         name(loop, "play.loop");
@@ -294,13 +292,10 @@ public final class PlayPanel {
     private void moveTo(double share) {
         time = share;
         Animation animation = animation();
-        try {
-            model.adjust(animation.studio(model.studio(), share), gesture);
+        if (note.attempt(() -> model.adjust(animation.studio(model.studio(), share), gesture))) {
             value.setText(Numbers.brief(animation.value(share)));
-            note.setText("");
-        } catch (InvalidPropertyException wrong) {
+        } else {
             setPlaying(false);
-            note.setError(Wording.message(wrong));
         }
         updating.during(() -> scrubber.setValue((int) Math.round(share * STEPS)));
     }

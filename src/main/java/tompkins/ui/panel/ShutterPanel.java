@@ -17,7 +17,6 @@ import tompkins.shutter.Shutter;
 import tompkins.spacetime.Event;
 import tompkins.studio.Studio;
 import tompkins.ui.editor.RecordForm;
-import tompkins.ui.editor.ValueEditors;
 import tompkins.ui.model.Shutters;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Look;
@@ -95,7 +94,7 @@ public final class ShutterPanel {
     private void choose() {
         Class<?> chosen = (Class<?>) models.getSelectedItem();
         if (chosen != shownModel) {
-            ValueEditors.attempt(note, () -> replaceBy(chosen));
+            note.attempt(() -> replaceBy(chosen));
         }
     }
 

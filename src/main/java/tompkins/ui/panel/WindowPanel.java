@@ -10,7 +10,6 @@ import tompkins.surface.GalileoWindow;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.Surface;
 import tompkins.ui.editor.RecordForm;
-import tompkins.ui.editor.ValueEditors;
 import tompkins.ui.model.FrontWindow;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Naming;
@@ -48,7 +47,7 @@ public final class WindowPanel {
     /** A panel for the window before the lens in the studio of a model, which follows its changes. */
     public WindowPanel(StudioModel model) {
         this.model = model;
-        kinds.setRenderer(ValueEditors.renderer(kind -> Wording.label((Kind) kind)));
+        kinds.setRenderer(Naming.renderer(kind -> Wording.label((Kind) kind)));
         Naming.name(kinds, Texts.get("window.name"), Texts.get("window.tip"));
         kinds.addActionListener(event -> updating.unless(() -> choose((Kind) kinds.getSelectedItem())));
         Naming.name(match, Texts.get("window.match"), Texts.get("window.matchTip"));

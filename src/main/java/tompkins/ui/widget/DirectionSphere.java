@@ -135,7 +135,7 @@ public final class DirectionSphere extends JPanel {
     }
 
     /** The direction under a point: on the far half of the sphere, on the near half with {@code near}. */
-    public Vector3d at(int x, int y, boolean near) {
+    Vector3d at(int x, int y, boolean near) {
         double across = (x - getWidth() / 2.0) / radius();
         double up = (getHeight() / 2.0 - y) / radius();
         double off = Math.hypot(across, up);
@@ -151,7 +151,7 @@ public final class DirectionSphere extends JPanel {
     }
 
     /** The point of this component at which a direction ends. */
-    public Point2D pointOf(Vector3dc unit) {
+    Point2D pointOf(Vector3dc unit) {
         Vector3d view = toView(unit);
         return new Point2D.Double(getWidth() / 2.0 + view.x * radius(), getHeight() / 2.0 - view.y * radius());
     }

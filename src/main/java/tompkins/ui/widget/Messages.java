@@ -25,12 +25,12 @@ public final class Messages {
         show(parent, Texts.get("message.error"), message, JOptionPane.ERROR_MESSAGE);
     }
 
-    /** Tells something. */
+    /** Shows a message until it is closed. */
     public static void tell(Component parent, String title, String message) {
         show(parent, title, message, JOptionPane.PLAIN_MESSAGE);
     }
 
-    /** Tells something that is laid out already, with a scroll bar if the screen is too low for it. */
+    /** Shows a message that is laid out already, with a scroll bar if the screen is too low for it. */
     public static void tell(Component parent, String title, JComponent content) {
         JScrollPane scroll = scroll(content);
         Dimension size = content.getPreferredSize();

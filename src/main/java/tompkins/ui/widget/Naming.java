@@ -1,7 +1,11 @@
 package tompkins.ui.widget;
 
+import java.awt.Component;
+import java.util.function.Function;
 import javax.accessibility.AccessibleContext;
+import javax.swing.DefaultListCellRenderer;
 import javax.swing.JComponent;
+import javax.swing.JList;
 
 /** Says what a component is called and what it means: to the mouse, to screen readers and to tests. */
 public final class Naming {
@@ -15,5 +19,17 @@ public final class Naming {
         AccessibleContext accessible = component.getAccessibleContext();
         accessible.setAccessibleName(name);
         accessible.setAccessibleDescription(tip);
+    }
+
+    /** Shows the objects of a combo box by their names. */
+    public static DefaultListCellRenderer renderer(Function<Object, String> name) {
+        return new DefaultListCellRenderer() {
+            @Override
+            public Component getListCellRendererComponent(
+                    JList<?> list, Object value, int index, boolean selected, boolean focused) {
+                return super.getListCellRendererComponent(
+                        list, value == null ? "" : name.apply(value), index, selected, focused);
+            }
+        };
     }
 }

@@ -5,6 +5,7 @@ import javax.swing.JComponent;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
 import javax.swing.text.DefaultCaret;
+import tompkins.property.InvalidPropertyException;
 
 /** A line of explanation or a message beneath a field, as high as its text needs. */
 public final class Note {
@@ -45,7 +46,7 @@ public final class Note {
         return area.getText();
     }
 
-    /** Explains. */
+    /** Shows an explanation; an empty one takes no room. */
     public void setText(String text) {
         show(text, false);
     }
@@ -63,6 +64,18 @@ public final class Note {
             area.revalidate();
         }
         area.setDisabledTextColor(colour());
+    }
+
+    /** Does what may be refused, and says why if it is; whether it was done. */
+    public boolean attempt(Runnable change) {
+        try {
+            change.run();
+            setText("");
+            return true;
+        } catch (InvalidPropertyException wrong) {
+            setError(Wording.message(wrong));
+            return false;
+        }
     }
 
     private Color colour() {

@@ -69,12 +69,12 @@ public final class Numbers {
         return text;
     }
 
-    /** The first digits of a number, for reading. */
+    /** The first five digits of a number, for reading. */
     public static String brief(double value) {
         return brief(value, 5);
     }
 
-    /** The first digits of a number, for reading. */
+    /** The first {@code digits} digits of a number, for reading. */
     public static String brief(double value, int digits) {
         if (!Double.isFinite(value)) {
             return value > 0 ? "\u221e" : value < 0 ? "\u2212\u221e" : Texts.get("number.none");

@@ -4,6 +4,8 @@ import java.lang.reflect.RecordComponent;
 import java.util.Locale;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
+import tompkins.sceneobject.Hidden;
+import tompkins.sceneobject.SceneObject;
 import tompkins.ui.model.Records;
 
 /** What the window calls types and properties: their names in words, and their meanings as tooltips. */
@@ -25,6 +27,14 @@ public final class Wording {
     public static String label(Enum<?> value) {
         String words = value.name().toLowerCase(Locale.ROOT).replace('_', ' ');
         return Texts.getOr("value." + value.name(), capital(words));
+    }
+
+    /** What an element of a list is called. */
+    public static String nameOf(Object element) {
+        if (element instanceof Hidden hidden) {
+            return Texts.get("tree.hidden", hidden.description());
+        }
+        return element instanceof SceneObject object ? object.description() : label(element.getClass());
     }
 
     /** The meaning of a type, or an empty text. */

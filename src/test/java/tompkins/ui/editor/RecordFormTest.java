@@ -28,7 +28,6 @@ import tompkins.studio.Studio;
 import tompkins.surface.LuminousSurface;
 import tompkins.surface.Surface;
 import tompkins.ui.Components;
-import tompkins.ui.model.Branches;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Wording;
 

@@ -1,21 +1,22 @@
-package tompkins.ui.model;
+package tompkins.ui.editor;
 
 import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
 import java.util.HashSet;
 import java.util.Set;
 import tompkins.property.Descriptions;
+import tompkins.ui.model.Records;
 
 /**
  * Tells what a tree of the studio shows as branches from what a form shows: branches are lists, and whatever may hold lists
  * at any depth, such as groups of objects.
  */
-public final class Branches {
+final class Branches {
 
     private Branches() {}
 
     /** Whether values of a type are branches. */
-    public static boolean isBranch(Type type) {
+    static boolean isBranch(Type type) {
         return holdsLists(type, new HashSet<>());
     }
 
@@ -33,7 +34,7 @@ public final class Branches {
     }
 
     /** Whether a type is a list. */
-    public static boolean isList(Type type) {
+    static boolean isList(Type type) {
         return Descriptions.elementType(type).isPresent();
     }
 }
