@@ -300,9 +300,13 @@ final class FileActions {
     /** Puts the command line that takes this photograph on the clipboard. */
     void copyCommandLine() {
         Optional<String> command = commandLine.of(model.studio(), view.quality(), model.opened(), model.file());
-        command.ifPresent(
-                text -> Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(text), null));
-        status.say(command.map(text -> Texts.get("file.commandCopied", text)).orElse(Texts.get("file.saveFirst")));
+        if (command.isEmpty()) {
+            // the clipboard may still hold the command of another photograph
+            Messages.error(frame, Texts.get(model.file() == null ? "file.copyNeedsFile" : "file.saveFirst"));
+            return;
+        }
+        Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(command.get()), null);
+        status.say(Texts.get("file.commandCopied", command.get()));
     }
 
     /** Whether files can be dropped on the window, and what becomes of them. */

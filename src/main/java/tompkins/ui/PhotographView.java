@@ -118,7 +118,9 @@ final class PhotographView implements AutoCloseable {
     private void show(ScreenPicture pictures) {
         canvas.show(pictures);
         listener.shown(pictures.now());
-        if (pin != null && pinnedPicture().plan() != pinnedPlan) {
+        if (pin != null && !pictures.now().holds(pin)) {
+            setPin(null);
+        } else if (pin != null && pinnedPicture().plan() != pinnedPlan) {
             readPin();
         }
     }

@@ -254,7 +254,7 @@ public final class TompkinsWindow {
                 FileContentEditor.Choosers choosers = files::chooser;
                 editor.getRootPane().putClientProperty(FileContentEditor.CHOOSERS, choosers);
                 menus.bindKeys(editor.getRootPane());
-                Keys.bind(editor.getRootPane(), Keys.ESCAPE, () -> editor.setVisible(false));
+                Keys.bindEscape(editor.getRootPane(), () -> editor.setVisible(false));
                 fitEditor();
                 editor.setLocationRelativeTo(frame);
             }

@@ -14,6 +14,7 @@ import javax.swing.JDialog;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTree;
+import javax.swing.MenuSelectionManager;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -25,6 +26,7 @@ import tompkins.sceneobject.Sphere;
 import tompkins.surface.PictureSurface;
 import tompkins.surface.Surface;
 import tompkins.ui.model.Records;
+import tompkins.ui.widget.Texts;
 
 /** The keys of the window with the tree of the scene. */
 @Timeout(600)
@@ -122,6 +124,24 @@ class EditorWindowTest {
         driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
         assertThat(Components.isMarked(radius())).isFalse();
         assertThat(radiusOfTheSphere()).isEqualTo(0.25);
+    }
+
+    @Test
+    void escapeClosesAnOpenMenuBeforeTheEditor() {
+        JTree tree = driver.find(JTree.class, "tree");
+        WindowDriver.onEventThread(() -> {
+            tree.setSelectionRow(1);
+            return null;
+        });
+        driver.click(driver.find(JButton.class, Texts.get("tree.add")));
+        WindowDriver.await("the menu", EditorWindowTest::isMenuOpen);
+        driver.key(KeyEvent.VK_ESCAPE);
+        WindowDriver.await("the end of the menu", () -> !isMenuOpen());
+        assertThat(isOpen()).isTrue();
+    }
+
+    private static boolean isMenuOpen() {
+        return MenuSelectionManager.defaultManager().getSelectedPath().length > 0;
     }
 
     @Test

@@ -34,6 +34,7 @@ import tompkins.render.Renderer;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
+import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
@@ -182,6 +183,29 @@ class WindowTest {
                 () -> Components.find(driver.window().frame(), JTextArea.class, "ray.story")
                         .getText()
                         .contains("Pixel 160, 120"));
+    }
+
+    @Test
+    void aPinThatLiesBesideASmallerPictureIsGone() {
+        driver.completePicture();
+        driver.click(driver.centre(driver.find(PictureCanvas.class, "picture")));
+        JTextArea story = driver.find(JTextArea.class, "ray.story");
+        WindowDriver.await(
+                "the pinned ray", () -> story.isShowing() && story.getText().contains("Pixel 160, 120"));
+
+        size(161, 121);
+        assertThat(story.isShowing()).isTrue();
+        size(160, 120);
+        assertThat(story.isShowing()).isFalse();
+    }
+
+    private void size(int width, int height) {
+        StudioModel model = driver.window().model();
+        WindowDriver.onEventThread(() -> {
+            model.set(model.studio().withSettings(model.studio().settings().withSize(width, height)));
+            return null;
+        });
+        driver.completePicture();
     }
 
     @Test

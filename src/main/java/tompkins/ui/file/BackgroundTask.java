@@ -56,7 +56,7 @@ public final class BackgroundTask implements Progress {
         JButton cancel = new JButton(Texts.get("task.cancel"));
         cancel.setName(Texts.get("task.cancel"));
         cancel.addActionListener(event -> cancelled = true);
-        Keys.bind(dialog.getRootPane(), Keys.ESCAPE, cancel::doClick);
+        Keys.bindEscape(dialog.getRootPane(), cancel::doClick);
         bar.getAccessibleContext().setAccessibleName(title);
         panel.add(cancel, "growx 0, alignx right");
         dialog.setContentPane(panel);

@@ -114,7 +114,7 @@ public final class QualityPanel {
             state.setName("state");
             chart.setName("chart");
             dialog.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
-            Keys.bind(dialog.getRootPane(), Keys.ESCAPE, dialog::dispose);
+            Keys.bindEscape(dialog.getRootPane(), dialog::dispose);
             dialog.addWindowListener(new WindowAdapter() {
                 @Override
                 public void windowClosed(WindowEvent event) {

@@ -1,5 +1,7 @@
 package tompkins.ui.picture;
 
+import java.awt.Rectangle;
+import java.awt.geom.Point2D;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -40,5 +42,10 @@ public record Picture(
         List<String> sentences = new ArrayList<>(plan.sentences());
         sentences.add(quality.sentence(plan));
         return sentences;
+    }
+
+    /** Whether a place, in pixels, lies on the picture. */
+    public boolean holds(Point2D place) {
+        return new Rectangle(image.width(), image.height()).contains(place);
     }
 }

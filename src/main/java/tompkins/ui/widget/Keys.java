@@ -5,12 +5,13 @@ import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
+import javax.swing.MenuSelectionManager;
 
 /** Keys that mean the same everywhere. */
 public final class Keys {
 
     /** Leaves or stops what is going on. */
-    public static final KeyStroke ESCAPE = KeyStroke.getKeyStroke("ESCAPE");
+    static final KeyStroke ESCAPE = KeyStroke.getKeyStroke("ESCAPE");
 
     /** Takes what was typed where Enter begins another line. */
     static final KeyStroke CONTROL_ENTER = KeyStroke.getKeyStroke("ctrl ENTER");
@@ -20,6 +21,18 @@ public final class Keys {
     /** Does something when a key is pressed in a window, unless what has the focus there uses that key itself. */
     public static void bind(JRootPane window, KeyStroke key, Runnable action) {
         bind(window, JComponent.WHEN_IN_FOCUSED_WINDOW, key, action);
+    }
+
+    /** Does something when Escape is pressed in a window; if a menu is open there, Escape closes that. */
+    public static void bindEscape(JRootPane window, Runnable action) {
+        bind(window, ESCAPE, () -> {
+            MenuSelectionManager menus = MenuSelectionManager.defaultManager();
+            if (menus.getSelectedPath().length > 0) {
+                menus.clearSelectedPath();
+            } else {
+                action.run();
+            }
+        });
     }
 
     /** Does something when a key is pressed in a component that has the focus. */
