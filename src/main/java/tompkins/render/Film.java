@@ -77,22 +77,12 @@ final class Film {
         return (int) Arrays.stream(samples).filter(count -> count != 0).count();
     }
 
-    /** The mean square, over the channels, of the second difference between the means of three pixels that have samples. */
-    double secondDifference(int before, int pixel, int after) {
-        // first pictures have one sample a pixel: nothing is divided where there is nothing to divide
-        boolean single = samples[before] == 1 && samples[pixel] == 1 && samples[after] == 1;
-        double sum = 0;
-        for (int channel = 0; channel < 3; channel++) {
-            double difference = single
-                    ? (double) sums[3 * before + channel] + sums[3 * after + channel] - 2.0 * sums[3 * pixel + channel]
-                    : mean(before, channel) + mean(after, channel) - 2 * mean(pixel, channel);
-            sum += difference * difference;
-        }
-        return sum / 3;
-    }
-
-    private double mean(int pixel, int channel) {
-        return (double) sums[3 * pixel + channel] / samples(pixel);
+    /** The mean of a channel of a pixel that has samples. */
+    double mean(int pixel, int channel) {
+        double sum = sums[3 * pixel + channel];
+        int count = samples(pixel);
+        // the window asks for every neighbour of every pixel: no division where there is nothing to divide
+        return count == 1 ? sum : sum / count;
     }
 
     /**

@@ -63,7 +63,13 @@ final class Roughness {
         if (before < 0 || after < 0) {
             return 0;
         }
-        return film.secondDifference(before, row * width + column, after);
+        int pixel = row * width + column;
+        double sum = 0;
+        for (int channel = 0; channel < 3; channel++) {
+            double difference = film.mean(before, channel) + film.mean(after, channel) - 2 * film.mean(pixel, channel);
+            sum += difference * difference;
+        }
+        return sum / 3;
     }
 
     private int neighbour(int column, int row) {
