@@ -50,7 +50,8 @@ final class WindowCommandLine implements CommandLineWriter {
 
     @Override
     public Optional<String> of(Studio studio, Quality quality, Studio opened, Path file) {
-        if (file == null || !isSayable(studio, opened)) {
+        Optional<String> velocity = velocity(studio.velocity(), opened.velocity());
+        if (file == null || velocity.isEmpty() || !isSayable(studio, opened)) {
             return Optional.empty();
         }
         StringBuilder line = new StringBuilder("java -jar " + quoted(jar) + " render " + quoted(file));
@@ -67,22 +68,24 @@ final class WindowCommandLine implements CommandLineWriter {
         if (settings.seed() != before.seed()) {
             line.append(" --seed ").append(settings.seed());
         }
-        appendVelocity(line, studio.velocity(), opened.velocity());
+        line.append(velocity.get());
         appendShutter(line, studio.camera().shutter(), opened.camera().shutter());
         return Optional.of(line.toString());
     }
 
-    private static void appendVelocity(StringBuilder line, Velocity now, Velocity before) {
+    /** What the line needs for a velocity, no letter if that has not changed; empty if no option can say it. */
+    private static Optional<String> velocity(Velocity now, Velocity before) {
         if (now.equals(before)) {
-            return;
+            return Optional.of("");
         }
         if (hasSayableComponents(now)) {
             Vector3dc beta = now.components();
-            line.append(" --beta=")
-                    .append(NumberText.of(beta.x()) + "," + NumberText.of(beta.y()) + "," + NumberText.of(beta.z()));
-        } else {
-            line.append(" --gamma=").append(NumberText.of(now.gamma()));
+            return Optional.of(" --beta=" + NumberText.of(beta.x()) + "," + NumberText.of(beta.y()) + ","
+                    + NumberText.of(beta.z()));
         }
+        return now.direction().equals(Vectors.unit(before.givenDirection()), SAME_DIRECTION)
+                ? Optional.of(" --gamma=" + NumberText.of(now.gamma()))
+                : Optional.empty();
     }
 
     private static void appendShutter(StringBuilder line, Shutter now, Shutter before) {
@@ -99,19 +102,12 @@ final class WindowCommandLine implements CommandLineWriter {
         return now.getClass() == before.getClass() ? before : (Shutter) Descriptions.standard(now.getClass());
     }
 
-    /** Whether the options can say all that has changed. */
+    /** Whether the options can say all that has changed beside the velocity. */
     private static boolean isSayable(Studio studio, Studio opened) {
-        Velocity velocity = studio.velocity();
-        boolean velocitySayable = velocity.equals(opened.velocity())
-                || hasSayableComponents(velocity)
-                || velocity.direction().equals(Vectors.unit(opened.velocity().givenDirection()), SAME_DIRECTION);
-        if (!velocitySayable) {
-            return false;
-        }
         Shutter now = studio.camera().shutter();
         Shutter start = withoutTime(now, opened.camera().shutter());
         RenderSettings settings = studio.settings();
-        Studio said = opened.withVelocity(velocity)
+        Studio said = opened.withVelocity(studio.velocity())
                 .withCamera(opened.camera().withShutter(start.openedAt(now.openingTime())))
                 .withSettings(opened.settings()
                         .withSize(settings.width(), settings.height())

@@ -98,7 +98,10 @@ class WindowCommandLineTest {
     }
 
     private List<Object> words(Studio studio) {
-        String line = line(studio, file).orElseThrow();
+        return words(line(studio, file).orElseThrow());
+    }
+
+    private static List<Object> words(String line) {
         assertThat(line).startsWith(PROGRAM + "render ");
         return new ArrayList<>(
                 Arrays.asList((Object[]) line.substring(PROGRAM.length()).split(" ")));
@@ -137,8 +140,7 @@ class WindowCommandLineTest {
             String line = new WindowCommandLine(JAR)
                     .of(fast, Quality.of(fast), slow, scene)
                     .orElseThrow();
-            List<Object> words = new ArrayList<>(
-                    Arrays.asList((Object[]) line.substring(PROGRAM.length()).split(" ")));
+            List<Object> words = words(line);
             Path picture = folder.resolve("fast.png");
             words.addAll(List.of("--size", "4x3", "--force", "-o", picture));
 
