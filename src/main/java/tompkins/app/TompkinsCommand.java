@@ -28,7 +28,7 @@ import tompkins.ui.TompkinsWindow;
         })
 final class TompkinsCommand implements Callable<Integer> {
 
-    /** The commands by name, in the order in which the help lists them. */
+    /** The commands by name, in the order in which the help lists them before itself. */
     private static final Map<String, Class<?>> COMMANDS = new LinkedHashMap<>();
 
     static {
@@ -37,7 +37,6 @@ final class TompkinsCommand implements Callable<Integer> {
         COMMANDS.put("explain", ExplainCommand.class);
         COMMANDS.put("trace", TraceCommand.class);
         COMMANDS.put("study", StudyCommand.class);
-        COMMANDS.put("help", HelpCommand.class);
     }
 
     @Parameters(arity = "0..1", paramLabel = "SCENE", description = "scene file or saved photograph to open")
@@ -56,12 +55,11 @@ final class TompkinsCommand implements Callable<Integer> {
             return commandLine;
         }
         String first = arguments[0];
-        // the help, which is a command, too, tells of the others
-        if (COMMANDS.containsKey(first) && COMMANDS.get(first) != HelpCommand.class) {
+        if (COMMANDS.containsKey(first)) {
             return commandLine.addSubcommand(first, COMMANDS.get(first));
         }
         COMMANDS.forEach(commandLine::addSubcommand);
-        return commandLine;
+        return commandLine.addSubcommand("help", HelpCommand.class);
     }
 
     @Override
