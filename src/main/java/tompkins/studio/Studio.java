@@ -4,6 +4,7 @@ import java.util.List;
 import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.AmbientLight;
+import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
 import tompkins.light.PointLight;
 import tompkins.property.Meaning;
@@ -42,6 +43,9 @@ public record Studio(
         @Meaning("The law by which the velocity changes what the camera sees")
         TransformationLaw transformation,
 
+        @Meaning("What the motion does to brightness and colours, under the Lorentz transformation")
+        ColourLaw colours,
+
         @Meaning("Size and quality of the picture") RenderSettings settings) {
 
     /** An empty scene, lit as in the paper, and its camera at rest. */
@@ -56,6 +60,7 @@ public record Studio(
             ThinLensCamera.DEFAULT,
             Velocity.REST,
             TransformationLaw.LORENTZ,
+            ColourLaw.UNCHANGED,
             RenderSettings.DEFAULT);
 
     /** Checks that nothing is missing, and that the camera is not too fast for a picture. */
@@ -70,6 +75,7 @@ public record Studio(
         Require.present("camera", camera);
         Velocity.required("velocity", velocity);
         Require.present("transformation", transformation);
+        Require.present("colours", colours);
         Require.present("settings", settings);
     }
 
@@ -90,32 +96,37 @@ public record Studio(
 
     /** The same studio with another scene. */
     public Studio withScene(List<SceneObject> objects) {
-        return with(objects, cameraFrame, camera, velocity, transformation, settings);
+        return with(objects, cameraFrame, camera, velocity, transformation, colours, settings);
     }
 
     /** The same studio with other objects that move with the camera. */
     public Studio withCameraFrame(List<SceneObject> objects) {
-        return with(scene, objects, camera, velocity, transformation, settings);
+        return with(scene, objects, camera, velocity, transformation, colours, settings);
     }
 
     /** The same studio with another camera. */
     public Studio withCamera(Camera other) {
-        return with(scene, cameraFrame, other, velocity, transformation, settings);
+        return with(scene, cameraFrame, other, velocity, transformation, colours, settings);
     }
 
     /** The same studio with another velocity of the camera. */
     public Studio withVelocity(Velocity other) {
-        return with(scene, cameraFrame, camera, other, transformation, settings);
+        return with(scene, cameraFrame, camera, other, transformation, colours, settings);
     }
 
     /** The same studio under another law. */
     public Studio withTransformation(TransformationLaw law) {
-        return with(scene, cameraFrame, camera, velocity, law, settings);
+        return with(scene, cameraFrame, camera, velocity, law, colours, settings);
+    }
+
+    /** The same studio under another law of colours. */
+    public Studio withColours(ColourLaw law) {
+        return with(scene, cameraFrame, camera, velocity, transformation, law, settings);
     }
 
     /** The same studio with other settings of the picture. */
     public Studio withSettings(RenderSettings other) {
-        return with(scene, cameraFrame, camera, velocity, transformation, other);
+        return with(scene, cameraFrame, camera, velocity, transformation, colours, other);
     }
 
     private Studio with(
@@ -124,6 +135,7 @@ public record Studio(
             Camera newCamera,
             Velocity newVelocity,
             TransformationLaw newTransformation,
+            ColourLaw newColours,
             RenderSettings newSettings) {
         return new Studio(
                 title,
@@ -136,6 +148,7 @@ public record Studio(
                 newCamera,
                 newVelocity,
                 newTransformation,
+                newColours,
                 newSettings);
     }
 }

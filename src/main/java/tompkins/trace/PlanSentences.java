@@ -3,6 +3,8 @@ package tompkins.trace;
 import java.util.List;
 import java.util.Locale;
 import tompkins.camera.ThinLensCamera;
+import tompkins.light.ColourLaw;
+import tompkins.property.NumberText;
 import tompkins.ray.Ray;
 import tompkins.sceneobject.ObjectTree;
 import tompkins.sceneobject.Primitive;
@@ -18,12 +20,15 @@ final class PlanSentences {
     private final ObjectTree scene;
     private final ObjectTree cameraFrame;
     private final boolean atRest;
+    private final LightShift shift;
 
-    PlanSentences(Studio studio, ObjectTree scene, ObjectTree cameraFrame, boolean atRest) {
+    /** The sentences; the shift is null if the light of the scene stays as it is. */
+    PlanSentences(Studio studio, ObjectTree scene, ObjectTree cameraFrame, boolean atRest, LightShift shift) {
         this.studio = studio;
         this.scene = scene;
         this.cameraFrame = cameraFrame;
         this.atRest = atRest;
+        this.shift = shift;
     }
 
     void addTo(List<String> sentences) {
@@ -33,7 +38,7 @@ final class PlanSentences {
         sentences.add(cameraObjects());
         sentences.add(search());
         sentences.add(recursion());
-        sentences.add("Colours stay as they are in the scene: no Doppler shift, no searchlight effect.");
+        sentences.add(colours());
         studio.velocity().warning().ifPresent(warning -> sentences.add("Warning: " + warning + "."));
         if (missesFocus()) {
             sentences.add("Warning: the focus has no surface, so that "
@@ -119,6 +124,21 @@ final class PlanSentences {
                         "Some surfaces send rays on: at most %d times, and only as long as these bring 1/%.0f of the light.",
                         studio.settings().maximumDepth(), 1 / Ray.FAINTEST)
                 : "No mirrors, glass, windows or filters: each ray ends where it hits.";
+    }
+
+    private String colours() {
+        if (shift == null) {
+            return "Colours stay as they are in the scene: no Doppler shift, no searchlight effect"
+                    + (studio.colours() == ColourLaw.UNCHANGED || atRest
+                            ? "."
+                            : ", of which only the Lorentz transformation tells.");
+        }
+        String change = shift.law() == ColourLaw.DOPPLER
+                ? "Colours and brightness shift with the Doppler factor D, as in the light of a black body"
+                : "The searchlight effect alone: light becomes brighter by the fourth power of the Doppler factor D";
+        return format(
+                "%s. The exposure follows the middle of the picture, where D is %s: by %+.1f stops.",
+                change, NumberText.plain(shift.middle(), 4), shift.stops());
     }
 
     private static String format(String pattern, Object... values) {

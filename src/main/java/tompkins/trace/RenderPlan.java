@@ -6,6 +6,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.CameraRays;
 import tompkins.camera.PixelSampler;
+import tompkins.light.ColourLaw;
 import tompkins.math.Vectors;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
@@ -16,6 +17,7 @@ import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.shutter.LensRay;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.IdentityTransformation;
+import tompkins.spacetime.LorentzTransformation;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.studio.Studio;
 
@@ -30,6 +32,7 @@ public final class RenderPlan {
     private final SpaceTimeTransformation sceneFromCamera;
     private final CameraRays cameraRays;
     private final FrameCrossing crossing;
+    private final LightShift shift;
     private final PreparedScene scene;
     private final ObjectTree cameraFrame;
     private final double lensSlowness;
@@ -40,6 +43,7 @@ public final class RenderPlan {
         cameraRays = studio.camera()
                 .rays(studio.settings().width(), studio.settings().height(), sceneFromCamera);
         crossing = new FrameCrossing(sceneFromCamera, lensEvent());
+        shift = lightShift();
         scene = previous != null && previous.scene.isOf(studio, crossing.origin())
                 ? previous.scene
                 : new PreparedScene(
@@ -72,6 +76,16 @@ public final class RenderPlan {
      */
     public static RenderPlan of(Studio studio, RenderPlan previous) {
         return new RenderPlan(studio, previous, false);
+    }
+
+    /** What becomes of the light of the scene, or null if it stays as it is: only relativity says how else it looks. */
+    private LightShift lightShift() {
+        if (studio.colours() == ColourLaw.UNCHANGED || !(sceneFromCamera instanceof LorentzTransformation)) {
+            return null;
+        }
+        Vector3dc middle = chiefDirection(width() / 2.0, height() / 2.0);
+        Ray ray = Ray.fromCamera(0, 0, 0, middle.x(), middle.y(), middle.z(), 0);
+        return new LightShift(studio.colours(), 1 / sceneFromCamera.transform(ray).frequency);
     }
 
     /** The event at which light for the middle of the picture crosses the centre of the lens; time 0 if none does. */
@@ -149,7 +163,7 @@ public final class RenderPlan {
                 depth,
                 counts,
                 witness);
-        SceneEntry entry = new SceneEntry(isAtRest() ? null : crossing, sceneTracer, witness);
+        SceneEntry entry = new SceneEntry(isAtRest() ? null : crossing, sceneTracer, shift, witness);
         RayTracer cameraTracer = cameraFrame.size() == 0
                 ? null
                 : new RayTracer(
@@ -165,7 +179,7 @@ public final class RenderPlan {
     /** The plan in sentences: what this picture needs, what it leaves out, and why; of its samples the quality tells. */
     public List<String> sentences() {
         List<String> sentences = new ArrayList<>();
-        new PlanSentences(studio, scene.objects(), cameraFrame, isAtRest()).addTo(sentences);
+        new PlanSentences(studio, scene.objects(), cameraFrame, isAtRest(), shift).addTo(sentences);
         return sentences;
     }
 }

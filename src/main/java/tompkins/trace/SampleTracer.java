@@ -208,7 +208,8 @@ public final class SampleTracer {
         return !taker.isStopped();
     }
 
-    private void takeFromScene(int index, Colour colour) {
+    private void takeFromScene(int index, Colour light) {
+        Colour colour = sceneEntry.inCameraFrame(light, rays.frequency[index]);
         take(index, cameraTracer == null ? colour : sums[index].plus(factors[index].times(colour)));
     }
 

@@ -9,12 +9,20 @@ final class SceneEntry implements Beyond {
 
     private final FrameCrossing crossing;
     private final RayTracer sceneTracer;
+    private final LightShift shift;
     private final RayWitness witness;
 
-    /** The way into the scene; the crossing is null if both frames are one, the witness may be null. */
-    SceneEntry(FrameCrossing crossing, RayTracer sceneTracer, RayWitness witness) {
+    /**
+     * The way into the scene.
+     *
+     * @param crossing the change of frame, or null if both frames are one
+     * @param shift what becomes of the light, or null if it stays as it is
+     * @param witness watches the rays; may be null
+     */
+    SceneEntry(FrameCrossing crossing, RayTracer sceneTracer, LightShift shift, RayWitness witness) {
         this.crossing = crossing;
         this.sceneTracer = sceneTracer;
+        this.shift = shift;
         this.witness = witness;
     }
 
@@ -24,7 +32,13 @@ final class SceneEntry implements Beyond {
         if (witness != null) {
             witness.crosses(crossed);
         }
-        return sceneTracer.colourOf(crossed);
+        double frequency = crossed.frequency;
+        return inCameraFrame(sceneTracer.colourOf(crossed), frequency);
+    }
+
+    /** The colour in the camera frame of light from the scene; the frequency is that of its ray in the scene frame. */
+    Colour inCameraFrame(Colour light, double frequency) {
+        return shift == null ? light : shift.seen(light, frequency);
     }
 
     /** Takes each ray of a block into the scene frame; no witness is told. */

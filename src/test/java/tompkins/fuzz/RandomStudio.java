@@ -12,6 +12,7 @@ import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.ToneCurve;
 import tompkins.light.AmbientLight;
+import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
 import tompkins.light.PointLight;
 import tompkins.property.InvalidPropertyException;
@@ -143,6 +144,7 @@ public final class RandomStudio {
                 camera(),
                 velocity(),
                 pick(TransformationLaw.values()),
+                pick(ColourLaw.values()),
                 new RenderSettings(
                         16, 12, 1 + random.nextInt(2), random.nextLong(), pick(10, 100, 1000), ToneCurve.LINEAR)));
     }

@@ -10,6 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.fuzz.RandomStudio;
+import tompkins.light.ColourLaw;
 import tompkins.ray.Colour;
 import tompkins.render.RenderReport;
 import tompkins.sceneobject.Box;
@@ -124,6 +125,7 @@ class EnergyTest {
                 Photograph.pinhole(new Vector3d(0, 0, 1), 20, 0),
                 velocity,
                 TransformationLaw.LORENTZ,
+                ColourLaw.UNCHANGED,
                 Studio.DEFAULT.settings().withSize(size, size)));
     }
 }

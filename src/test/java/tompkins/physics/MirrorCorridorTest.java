@@ -10,6 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.ThinLensCamera;
+import tompkins.light.ColourLaw;
 import tompkins.ray.Colour;
 import tompkins.render.RenderReport;
 import tompkins.sceneobject.Plane;
@@ -49,6 +50,7 @@ class MirrorCorridorTest {
                 camera,
                 Velocity.REST,
                 TransformationLaw.LORENTZ,
+                ColourLaw.UNCHANGED,
                 settings));
     }
 

@@ -10,6 +10,7 @@ import tompkins.camera.Camera;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
+import tompkins.light.ColourLaw;
 import tompkins.ray.Colour;
 import tompkins.render.RenderJob;
 import tompkins.render.Renderer;
@@ -55,6 +56,7 @@ final class Photograph {
                 camera,
                 velocity,
                 TransformationLaw.LORENTZ,
+                ColourLaw.UNCHANGED,
                 Studio.DEFAULT.settings().withSize(width, height)));
     }
 

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Named;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.AmbientLight;
+import tompkins.light.ColourLaw;
 import tompkins.light.PointLight;
 import tompkins.ray.Colour;
 import tompkins.ray.PixelPicture;
@@ -171,6 +172,8 @@ public final class VariedStudios {
                 Named.of("rest", studio.withVelocity(Velocity.REST)),
                 Named.of("nearly the speed of light", studio.withVelocity(Velocity.of(0, 0, 0.9999999))),
                 Named.of("Galilean world", studio.withTransformation(TransformationLaw.GALILEAN)),
+                Named.of("searchlight effect", studio.withColours(ColourLaw.SEARCHLIGHT)),
+                Named.of("shifted colours", studio.withColours(ColourLaw.DOPPLER)),
                 Named.of("far from the origin", late.withScene(List.of(nearTheCamera))),
                 Named.of("big lattice", moving(List.of(bigLattice()))));
     }
@@ -187,6 +190,7 @@ public final class VariedStudios {
                 PaperStudios.camera(0, AperturePlaneShutter.DEFAULT),
                 Velocity.of(0.1, -0.05, 0.6),
                 TransformationLaw.LORENTZ,
+                ColourLaw.UNCHANGED,
                 Studio.DEFAULT.settings());
         return studio.withSettings(studio.settings().withSize(80, 60));
     }

@@ -25,6 +25,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
+import tompkins.light.ColourLaw;
 import tompkins.property.Descriptions;
 import tompkins.ray.MeshData;
 import tompkins.render.Quality;
@@ -402,9 +403,19 @@ class PanelsTest {
 
     @Test
     void theLawIsChosen() {
-        Container panel = (Container) new TransformationPanel(model).component();
+        Container panel = (Container) LawPanel.ofTransformation(model).component();
         Components.find(panel, JRadioButton.class, "Galilean (Newton)").doClick();
         assertThat(model.studio().transformation()).isEqualTo(TransformationLaw.GALILEAN);
+    }
+
+    @Test
+    void theLawOfColoursIsChosen() {
+        Container panel = (Container) LawPanel.ofColours(model).component();
+        assertThat(Components.find(panel, JRadioButton.class, "As in the scene").isSelected())
+                .isTrue();
+        Studio before = model.studio();
+        Components.find(panel, JRadioButton.class, "Doppler shift").doClick();
+        assertThat(model.studio()).isEqualTo(before.withColours(ColourLaw.DOPPLER));
     }
 
     @Test

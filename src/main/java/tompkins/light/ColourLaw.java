@@ -1,0 +1,59 @@
+package tompkins.light;
+
+import tompkins.ray.Colour;
+
+/**
+ * What the motion of the camera does to the light of the scene, under the Lorentz transformation. The Doppler factor D is the
+ * frequency in the camera frame divided by that in the scene frame.
+ */
+public enum ColourLaw {
+
+    /** Nothing: brightness and colours stay as they are in the scene. */
+    UNCHANGED {
+        @Override
+        public Colour seen(Colour light, double dopplerFactor) {
+            return light;
+        }
+
+        @Override
+        public double brightness(double dopplerFactor) {
+            return 1;
+        }
+    },
+
+    /**
+     * The searchlight effect alone: all light becomes brighter by D^4, as the radiance of all wavelengths together does
+     * (Weiskopf, Kraus, Ruder 1999), and keeps its colour.
+     */
+    SEARCHLIGHT {
+        @Override
+        public Colour seen(Colour light, double dopplerFactor) {
+            return light.times(brightness(dopplerFactor));
+        }
+
+        @Override
+        public double brightness(double dopplerFactor) {
+            double square = dopplerFactor * dopplerFactor;
+            return square * square;
+        }
+    },
+
+    /** Wavelengths are divided by D, and what is visible then becomes brighter or darker with them. */
+    DOPPLER {
+        @Override
+        public Colour seen(Colour light, double dopplerFactor) {
+            return BlackBodyColours.seen(light, dopplerFactor);
+        }
+
+        @Override
+        public double brightness(double dopplerFactor) {
+            return BlackBodyColours.brightness(dopplerFactor);
+        }
+    };
+
+    /** How light that has a colour in the scene looks in the camera frame. */
+    public abstract Colour seen(Colour light, double dopplerFactor);
+
+    /** The luminance in the camera frame of light that is white in the scene, 1 if nothing changes. */
+    public abstract double brightness(double dopplerFactor);
+}

@@ -1,0 +1,60 @@
+package tompkins.trace;
+
+import tompkins.light.ColourLaw;
+import tompkins.ray.Colour;
+
+/**
+ * What becomes of the light of the scene on its way into the camera frame. It is metered: white light keeps its luminance in the
+ * middle of the picture, since a fast camera would see all things ahead thousands of times too bright. Immutable, shared by all
+ * threads.
+ */
+final class LightShift {
+
+    /** Light that is fainter than this in the middle of the picture stays dark. */
+    private static final double MOST_GAIN = 0x1p20;
+
+    /** Far brighter than a picture can show, and still a number when it is summed. */
+    private static final double BRIGHTEST = 0x1p80;
+
+    private final ColourLaw law;
+    private final double middle;
+    private final double gain;
+
+    /** The shift under a law, for a picture with the given Doppler factor in its middle. */
+    LightShift(ColourLaw law, double middle) {
+        this.law = law;
+        this.middle = middle;
+        gain = Math.min(MOST_GAIN, 1 / law.brightness(middle));
+    }
+
+    /**
+     * The colour in the camera frame.
+     *
+     * @param light the colour in the scene frame
+     * @param frequency frequency in the scene frame divided by that in the camera frame
+     */
+    Colour seen(Colour light, double frequency) {
+        Colour seen = law.seen(light, 1 / frequency);
+        return new Colour(limited(seen.red()), limited(seen.green()), limited(seen.blue()));
+    }
+
+    private double limited(double channel) {
+        double metered = channel * gain;
+        return metered > BRIGHTEST ? BRIGHTEST : metered;
+    }
+
+    /** The law. */
+    ColourLaw law() {
+        return law;
+    }
+
+    /** The Doppler factor in the middle of the picture. */
+    double middle() {
+        return middle;
+    }
+
+    /** By how many stops the metering makes the picture brighter. */
+    double stops() {
+        return Math.log(gain) / Math.log(2);
+    }
+}

@@ -1,0 +1,52 @@
+package tompkins.ui.panel;
+
+import java.util.function.BiFunction;
+import java.util.function.Function;
+import javax.swing.ButtonGroup;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JRadioButton;
+import tompkins.light.ColourLaw;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.studio.Studio;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.Naming;
+import tompkins.ui.widget.Rows;
+import tompkins.ui.widget.Texts;
+
+/** A choice between a few laws of nature. */
+public final class LawPanel {
+
+    private final JPanel panel = Rows.column();
+
+    private <L extends Enum<L>> LawPanel(
+            StudioModel model, L[] laws, Function<Studio, L> reading, BiFunction<Studio, L, Studio> change) {
+        ButtonGroup group = new ButtonGroup();
+        for (L law : laws) {
+            String key = "law." + law.name();
+            JRadioButton button = new JRadioButton(Texts.get(key));
+            Naming.name(button, button.getText(), Texts.get(key + ".tip"));
+            button.addActionListener(event -> model.set(change.apply(model.studio(), law)));
+            group.add(button);
+            panel.add(button);
+            Runnable update = () -> button.setSelected(reading.apply(model.studio()) == law);
+            model.addListener(update);
+            update.run();
+        }
+    }
+
+    /** The law of motion of the studio in a model: Einstein's, Newton's, or none. */
+    public static LawPanel ofTransformation(StudioModel model) {
+        return new LawPanel(model, TransformationLaw.values(), Studio::transformation, Studio::withTransformation);
+    }
+
+    /** What the motion does to the colours of the studio in a model. */
+    public static LawPanel ofColours(StudioModel model) {
+        return new LawPanel(model, ColourLaw.values(), Studio::colours, Studio::withColours);
+    }
+
+    /** The panel itself. */
+    public JComponent component() {
+        return panel;
+    }
+}

@@ -1,0 +1,151 @@
+package tompkins.physics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.joml.Vector2d;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.camera.Camera;
+import tompkins.camera.PanoramicCamera;
+import tompkins.image.LinearImage;
+import tompkins.light.ColourLaw;
+import tompkins.ray.Colour;
+import tompkins.sceneobject.Disc;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.trace.RayLife;
+
+/** The light of a scene that shines alike in all directions, in pictures that a fast camera takes of it. */
+class LightShiftTest {
+
+    private static final int WIDTH = 120;
+    private static final int HEIGHT = 60;
+
+    /** A white shell around the camera. */
+    private static Studio shell(Camera camera, Velocity velocity, ColourLaw law) {
+        SceneObject shell = new Sphere("shell", new Vector3d(), 100, Photograph.WHITE);
+        return Photograph.of(List.of(shell), camera, velocity, WIDTH, HEIGHT)
+                .studio()
+                .withColours(law);
+    }
+
+    private static LinearImage picture(Studio studio) {
+        Photograph photograph = new Photograph(studio);
+        assertThat(photograph.job().report().notFinite()).isZero();
+        return photograph.image();
+    }
+
+    /** Isotropic radiation has gamma^2 (1 + beta^2/3) times the energy in the camera frame: Poynting, Larmor, von Laue. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0.1, 0.5, 0.9})
+    void searchlightHoldsTheEnergyOfRadiation(double beta) {
+        Studio studio = shell(Photograph.wholeSky(), Velocity.of(0, 0, beta), ColourLaw.SEARCHLIGHT);
+        LinearImage picture = picture(studio);
+        double energy = 0;
+        double solidAngle = 0;
+        for (int row = 0; row < HEIGHT; row++) {
+            double share = Math.cos(Math.PI * ((row + 0.5) / HEIGHT - 0.5));
+            for (int column = 0; column < WIDTH; column++) {
+                energy += share * picture.value(column, row, 1);
+                solidAngle += share;
+            }
+        }
+        // straight ahead, in the middle of the picture, D^2 is (1 + beta)/(1 - beta), and the metering makes D^4 to 1
+        double unmetered = Math.pow((1 + beta) / (1 - beta), 2) * energy / solidAngle;
+        assertThat(unmetered).isCloseTo((1 + beta * beta / 3) / (1 - beta * beta), within(0.005 * unmetered));
+    }
+
+    @Test
+    void searchlightFallsToTheSides() {
+        double beta = 0.6;
+        Studio studio = shell(
+                Photograph.pinhole(new Vector3d(0, 0, 1), 100, 0), Velocity.of(0, 0, beta), ColourLaw.SEARCHLIGHT);
+        Photograph photograph = new Photograph(studio);
+        for (int column = 0; column < WIDTH; column += 7) {
+            double cosine = photograph.cameraDirection(new Vector2d(column + 0.5, 12.5)).z;
+            double expected = Math.pow((1 - beta) / (1 - beta * cosine), 4);
+            assertThat(photograph.image().value(column, 12, 2))
+                    .isCloseTo((float) expected, within((float) (1e-6 * expected)));
+        }
+    }
+
+    /** A camera that looks to the side, where light is a little red, and is metered there. */
+    @Test
+    void skyIsBlueAheadAndRedBehind() {
+        PanoramicCamera sideways = new PanoramicCamera(
+                new Vector3d(),
+                new Vector3d(1, 0, 0),
+                new Vector3d(0, 1, 0),
+                360,
+                180,
+                10,
+                0,
+                Photograph.wholeSky().shutter());
+        LinearImage picture = picture(shell(sideways, Velocity.of(0, 0, 0.2), ColourLaw.DOPPLER));
+        int middle = HEIGHT / 2;
+        // the middle lies between two columns
+        double luminance = (luminance(picture, WIDTH / 2 - 1, middle) + luminance(picture, WIDTH / 2, middle)) / 2;
+        assertThat(luminance).isCloseTo(1, within(0.001));
+        int ahead = WIDTH / 4;
+        int behind = 3 * WIDTH / 4;
+        // D is 1.2247 and 0.8165 there; Wien's law for 450 nm against 610 nm
+        assertThat(picture.value(ahead, middle, 2) / picture.value(ahead, middle, 0))
+                .isCloseTo(1.27f, within(0.08f));
+        assertThat(picture.value(behind, middle, 2) / picture.value(behind, middle, 0))
+                .isCloseTo(0.75f, within(0.08f));
+        assertThat(picture.value(ahead, middle, 1)).isGreaterThan(picture.value(behind, middle, 1));
+    }
+
+    private static double luminance(LinearImage picture, int column, int row) {
+        return 0.2126 * picture.value(column, row, 0)
+                + 0.7152 * picture.value(column, row, 1)
+                + 0.0722 * picture.value(column, row, 2);
+    }
+
+    @Test
+    void whatMovesWithTheCameraKeepsItsColour() {
+        Studio studio =
+                shell(Photograph.pinhole(new Vector3d(0, 0, 1), 20, 0), Velocity.of(0, 0, 0.9), ColourLaw.DOPPLER);
+        Disc disc = new Disc("disc", new Vector3d(0, 0, 1), new Vector3d(0, 0, -1), 0.05, Photograph.GREEN);
+        RayLife life = new Photograph(studio.withCameraFrame(List.of(disc))).trace(WIDTH / 2.0, HEIGHT / 2.0);
+        assertThat(life.colour()).isEqualTo(new Colour(0, 1, 0));
+    }
+
+    @ParameterizedTest
+    @EnumSource(value = TransformationLaw.class, names = "LORENTZ", mode = EnumSource.Mode.EXCLUDE)
+    void onlyRelativityShiftsLight(TransformationLaw law) {
+        Studio studio = shell(Photograph.wholeSky(), Velocity.of(0, 0, 0.5), ColourLaw.DOPPLER)
+                .withTransformation(law);
+        assertThat(picture(studio).rgb())
+                .isEqualTo(picture(studio.withColours(ColourLaw.UNCHANGED)).rgb());
+    }
+
+    @Test
+    void cameraAtRestSeesTheSceneAsItIs() {
+        Studio studio = shell(Photograph.wholeSky(), Velocity.REST, ColourLaw.SEARCHLIGHT);
+        assertThat(picture(studio).rgb()).containsOnly(1);
+    }
+
+    /** In one pixel the light is more than 1e33 times as bright as in the scene, in the middle of the picture nearly dark. */
+    @ParameterizedTest
+    @EnumSource(ColourLaw.class)
+    void nothingIsTooFast(ColourLaw law) {
+        Studio atRest = shell(Photograph.wholeSky(), Velocity.REST, law);
+        Vector3d direction = new Photograph(atRest).cameraDirection(new Vector2d(3.5, 30.5));
+        for (Vector3d velocity : List.of(direction, direction.negate(new Vector3d()))) {
+            Studio studio = atRest.withVelocity(Velocity.of(SpeedScale.GAMMA, Velocity.LARGEST_GAMMA, velocity));
+            for (float value : picture(studio).rgb()) {
+                assertThat(value).isFinite().isNotNegative();
+            }
+        }
+    }
+}
