@@ -55,26 +55,33 @@ final class BlackBodyColours {
 
     /** The colour in the camera frame; what a screen cannot show of it is left out. */
     static Colour seen(Colour light, double dopplerFactor) {
+        double place = place(dopplerFactor);
         return new Colour(
-                Math.max(0, channel(0, light, dopplerFactor)),
-                Math.max(0, channel(1, light, dopplerFactor)),
-                Math.max(0, channel(2, light, dopplerFactor)));
+                Math.max(0, channel(0, light, place)),
+                Math.max(0, channel(1, light, place)),
+                Math.max(0, channel(2, light, place)));
     }
 
     /** The luminance in the camera frame of what is white in the scene. */
     static double brightness(double dopplerFactor) {
-        return LUMINANCE.x * channel(0, Colour.WHITE, dopplerFactor)
-                + LUMINANCE.y * channel(1, Colour.WHITE, dopplerFactor)
-                + LUMINANCE.z * channel(2, Colour.WHITE, dopplerFactor);
+        double place = place(dopplerFactor);
+        return LUMINANCE.x * channel(0, Colour.WHITE, place)
+                + LUMINANCE.y * channel(1, Colour.WHITE, place)
+                + LUMINANCE.z * channel(2, Colour.WHITE, place);
     }
 
-    private static double channel(int row, Colour light, double dopplerFactor) {
-        double place = (Math.log(dopplerFactor) - LEAST) * STEPS_PER_UNIT;
+    /** Where a Doppler factor stands in the table, in entries. */
+    private static double place(double dopplerFactor) {
+        return (Math.log(dopplerFactor) - LEAST) * STEPS_PER_UNIT;
+    }
+
+    private static double channel(int row, Colour light, double place) {
         if (!(place >= 0)) {
             return 0;
         }
-        if (place >= ENTRIES - 1) {
-            return entry(ENTRIES - 1, row, light) * dopplerFactor / Math.exp(MOST);
+        double beyond = place - (ENTRIES - 1);
+        if (beyond >= 0) {
+            return entry(ENTRIES - 1, row, light) * Math.exp(beyond / STEPS_PER_UNIT);
         }
         int before = (int) place;
         double share = place - before;

@@ -22,6 +22,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
+import tompkins.light.ColourLaw;
 import tompkins.render.Quality;
 import tompkins.sceneobject.Sphere;
 import tompkins.shutter.DetectorPlaneShutter;
@@ -157,6 +158,7 @@ class WindowCommandLineTest {
         return Stream.of(
                 OPENED.withScene(List.of()),
                 OPENED.withTransformation(TransformationLaw.GALILEAN),
+                OPENED.withColours(ColourLaw.DOPPLER),
                 OPENED.withVelocity(Velocity.of(SpeedScale.GAMMA, 1e7, new Vector3d(0, 1, 1))),
                 OPENED.withVelocity(Velocity.of(SpeedScale.ONE_MINUS_BETA, 5.3e-17, new Vector3d(0, 1e-9, 1))),
                 with(new FocusSurfaceShutter(1)).withScene(List.of()));
