@@ -16,7 +16,7 @@ import tompkins.ray.Colour;
 final class BlackBodyColours {
 
     /** Temperature of the light that is white, in kelvins. */
-    private static final double WHITE = 6504;
+    private static final double WHITE_TEMPERATURE = 6504;
 
     /** h c/k in nanometres times kelvins (CODATA 2018). */
     private static final double SECOND_RADIATION_CONSTANT = 1.438776877e7;
@@ -76,7 +76,7 @@ final class BlackBodyColours {
     }
 
     private static double channel(int row, Colour light, double place) {
-        if (!(place >= 0)) {
+        if (place < 0) {
             return 0;
         }
         double beyond = place - (ENTRIES - 1);
@@ -115,7 +115,7 @@ final class BlackBodyColours {
         Vector3d middle = new Vector3d();
         Vector3d shortWaves = new Vector3d();
         for (int wavelength = SHORTEST; wavelength <= LONGEST; wavelength += STEP) {
-            double radiance = radiance(wavelength, dopplerFactor * WHITE);
+            double radiance = radiance(wavelength, dopplerFactor * WHITE_TEMPERATURE);
             Vector3d seen = SCREEN.transform(matching(wavelength)).mul(radiance);
             double inScene = dopplerFactor * wavelength;
             double aboveFirst = above(FIRST_EDGE, inScene);

@@ -38,7 +38,10 @@ public enum ColourLaw {
         }
     },
 
-    /** Wavelengths are divided by D, and what is visible then becomes brighter or darker with them. */
+    /**
+     * Wavelengths are divided by D, and what is visible then becomes brighter or darker with them, as if the scene were lit by a
+     * black body of 6504 K (the model stands in docs/conventions.md).
+     */
     DOPPLER {
         @Override
         public Colour seen(Colour light, double dopplerFactor) {
@@ -51,9 +54,18 @@ public enum ColourLaw {
         }
     };
 
-    /** How light that has a colour in the scene looks in the camera frame. */
+    /**
+     * How light looks in the camera frame.
+     *
+     * @param light its colour in the scene frame
+     * @param dopplerFactor D, from 0 upwards
+     */
     public abstract Colour seen(Colour light, double dopplerFactor);
 
-    /** The luminance in the camera frame of light that is white in the scene, 1 if nothing changes. */
+    /**
+     * The luminance in the camera frame of light that is white in the scene, 1 if nothing changes.
+     *
+     * @param dopplerFactor D, from 0 upwards
+     */
     public abstract double brightness(double dopplerFactor);
 }

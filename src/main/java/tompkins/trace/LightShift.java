@@ -5,12 +5,12 @@ import tompkins.ray.Colour;
 
 /**
  * What becomes of the light of the scene on its way into the camera frame. It is metered: white light keeps its luminance in the
- * middle of the picture, since a fast camera would see all things ahead thousands of times too bright. Immutable, shared by all
- * threads.
+ * middle of the picture, since a fast camera would see all things ahead thousands of times too bright. What moves with the camera
+ * is left as it is. Immutable, shared by all threads.
  */
 final class LightShift {
 
-    /** Light that is fainter than this in the middle of the picture stays dark. */
+    /** The scene is made brighter by so much at most; what is fainter stays dark. */
     private static final double MOST_GAIN = 0x1p20;
 
     /** Far brighter than a picture can show, and still a number when it is summed. */
@@ -31,10 +31,10 @@ final class LightShift {
      * The colour in the camera frame.
      *
      * @param light the colour in the scene frame
-     * @param frequency frequency in the scene frame divided by that in the camera frame
+     * @param dopplerFactor frequency in the camera frame divided by that in the scene frame
      */
-    Colour seen(Colour light, double frequency) {
-        Colour seen = law.seen(light, 1 / frequency);
+    Colour seen(Colour light, double dopplerFactor) {
+        Colour seen = law.seen(light, dopplerFactor);
         return new Colour(limited(seen.red()), limited(seen.green()), limited(seen.blue()));
     }
 
@@ -53,7 +53,12 @@ final class LightShift {
         return middle;
     }
 
-    /** By how many stops the metering makes the picture brighter. */
+    /** Whether the middle of the picture stays dark, because it is too faint. */
+    boolean isTooFaint() {
+        return gain == MOST_GAIN;
+    }
+
+    /** By how many stops the metering makes the scene brighter. */
     double stops() {
         return Math.log(gain) / Math.log(2);
     }

@@ -40,6 +40,10 @@ final class PlanSentences {
         sentences.add(recursion());
         sentences.add(colours());
         studio.velocity().warning().ifPresent(warning -> sentences.add("Warning: " + warning + "."));
+        if (shift != null && shift.isTooFaint()) {
+            sentences.add(
+                    "Warning: the light of the scene is too faint in the middle of the picture, where it stays dark.");
+        }
         if (missesFocus()) {
             sentences.add("Warning: the focus has no surface, so that "
                     + (studio.camera().shutter().needsFocus()
@@ -129,16 +133,17 @@ final class PlanSentences {
     private String colours() {
         if (shift == null) {
             return "Colours stay as they are in the scene: no Doppler shift, no searchlight effect"
-                    + (studio.colours() == ColourLaw.UNCHANGED || atRest
+                    + (studio.colours() == ColourLaw.UNCHANGED
+                                    || studio.velocity().isRest()
                             ? "."
-                            : ", of which only the Lorentz transformation tells.");
+                            : "; these are worked out under the Lorentz transformation only.");
         }
         String change = shift.law() == ColourLaw.DOPPLER
                 ? "Colours and brightness shift with the Doppler factor D, as in the light of a black body"
-                : "The searchlight effect alone: light becomes brighter by the fourth power of the Doppler factor D";
+                : "The searchlight effect alone: brightness changes with the fourth power of the Doppler factor D";
         return format(
-                "%s. The exposure follows the middle of the picture, where D is %s: by %+.1f stops.",
-                change, NumberText.plain(shift.middle(), 4), shift.stops());
+                "%s. The light of the scene is metered in the middle of the picture, where D is %s: %+.1f stops.",
+                change, NumberText.plain(shift.middle(), 4), Math.round(10 * shift.stops()) / 10.0);
     }
 
     private static String format(String pattern, Object... values) {

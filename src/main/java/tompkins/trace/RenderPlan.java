@@ -43,7 +43,6 @@ public final class RenderPlan {
         cameraRays = studio.camera()
                 .rays(studio.settings().width(), studio.settings().height(), sceneFromCamera);
         crossing = new FrameCrossing(sceneFromCamera, lensEvent());
-        shift = lightShift();
         scene = previous != null && previous.scene.isOf(studio, crossing.origin())
                 ? previous.scene
                 : new PreparedScene(
@@ -53,6 +52,8 @@ public final class RenderPlan {
         cameraFrame = new ObjectTree(collector.primitives(), plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE);
         lensSlowness =
                 LensMedium.slowness(cameraFrame.primitives(), studio.camera().position());
+        // last, for it follows a ray by this plan
+        shift = lightShift();
     }
 
     /**
@@ -78,14 +79,23 @@ public final class RenderPlan {
         return new RenderPlan(studio, previous, false);
     }
 
-    /** What becomes of the light of the scene, or null if it stays as it is: only relativity says how else it looks. */
+    /** What becomes of the light of the scene: null unless the studio asks for a change, and the change of frame is Lorentz's. */
     private LightShift lightShift() {
-        if (studio.colours() == ColourLaw.UNCHANGED || !(sceneFromCamera instanceof LorentzTransformation)) {
-            return null;
+        return studio.colours() == ColourLaw.UNCHANGED || !(sceneFromCamera instanceof LorentzTransformation)
+                ? null
+                : new LightShift(studio.colours(), middleDopplerFactor());
+    }
+
+    /** The Doppler factor in the middle of the picture, behind windows and mirrors that move with the camera. */
+    private double middleDopplerFactor() {
+        RayLife middle = RayLife.of(this, width() / 2.0, height() / 2.0, 0, 0);
+        if (middle != null && middle.sceneStart() != null) {
+            return middle.frequencyRatio();
         }
-        Vector3dc middle = chiefDirection(width() / 2.0, height() / 2.0);
-        Ray ray = Ray.fromCamera(0, 0, 0, middle.x(), middle.y(), middle.z(), 0);
-        return new LightShift(studio.colours(), 1 / sceneFromCamera.transform(ray).frequency);
+        // no light of the scene comes there: as if nothing stood before the lens
+        Vector3dc direction = chiefDirection(width() / 2.0, height() / 2.0);
+        Ray ray = Ray.fromCamera(0, 0, 0, direction.x(), direction.y(), direction.z(), 0);
+        return 1 / sceneFromCamera.transform(ray).frequency;
     }
 
     /** The event at which light for the middle of the picture crosses the centre of the lens; time 0 if none does. */

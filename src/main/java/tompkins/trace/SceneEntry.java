@@ -32,13 +32,16 @@ final class SceneEntry implements Beyond {
         if (witness != null) {
             witness.crosses(crossed);
         }
-        double frequency = crossed.frequency;
-        return inCameraFrame(sceneTracer.colourOf(crossed), frequency);
+        return inCameraFrame(sceneTracer.colourOf(crossed), crossed.frequency);
     }
 
-    /** The colour in the camera frame of light from the scene; the frequency is that of its ray in the scene frame. */
+    /**
+     * The colour in the camera frame of light from the scene.
+     *
+     * @param frequency that of its ray: in the scene frame divided by that in the camera frame
+     */
     Colour inCameraFrame(Colour light, double frequency) {
-        return shift == null ? light : shift.seen(light, frequency);
+        return shift == null ? light : shift.seen(light, 1 / frequency);
     }
 
     /** Takes each ray of a block into the scene frame; no witness is told. */

@@ -107,6 +107,32 @@ class ExplainCommandTest {
                 .contains("different pixels may see the scene from different places");
     }
 
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            doppler     | lorentz  | 0.6    | shift with the Doppler factor D, as in the light of a black body. The light of \
+            the scene is metered in the middle of the picture, where D is 2: -3.1 stops.
+            searchlight | lorentz  | 0.6    | The searchlight effect alone: brightness changes with the fourth power of the \
+            Doppler factor D. The light of the scene is metered in the middle of the picture, where D is 2: -4.0 stops.
+            searchlight | lorentz  | 1e-12  | where D is 1: +0.0 stops.
+            searchlight | lorentz  | -0.999 | Warning: the light of the scene is too faint in the middle of the picture
+            doppler     | galilean | 0.6    | no searchlight effect; these are worked out under the Lorentz transformation only.
+            doppler     | none     | 0.6    | no searchlight effect; these are worked out under the Lorentz transformation only.
+            doppler     | lorentz  | 0      | no Doppler shift, no searchlight effect.
+            unchanged   | lorentz  | 0.6    | no Doppler shift, no searchlight effect.
+            """)
+    void explainTellsWhatBecomesOfColours(String colours, String law, double speed, String said) throws IOException {
+        Path scene = folder.resolve("colours.json");
+        Files.writeString(
+                scene,
+                String.format(
+                        Locale.ROOT,
+                        "{'colours': '%s', 'transformation': '%s', 'velocity': [0, 0, %s]}".replace('\'', '"'),
+                        colours,
+                        law,
+                        speed));
+        assertThat(ProgramRun.of("explain", scene, "--size", "8x6").out()).contains(said);
+    }
+
     @Test
     void explainReadsWellForAnEmptyScene() throws IOException {
         Path empty = Files.writeString(folder.resolve("empty.json"), "{}");

@@ -13,6 +13,7 @@ import javax.swing.JPanel;
 import javax.swing.JRadioButton;
 import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
+import tompkins.light.ColourLaw;
 import tompkins.property.Descriptions;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.TransformationLaw;
@@ -39,6 +40,8 @@ public final class ComparePanel {
         AT_REST,
         /** The camera moves as in Newton's world. */
         GALILEAN_CAMERA,
+        /** Brightness and colours do not change with the speed. */
+        UNCHANGED_COLOURS,
         /** The camera has a shutter of another model. */
         OTHER_SHUTTER,
         /** A picture that was on the screen before. */
@@ -173,6 +176,7 @@ public final class ComparePanel {
             case NOTHING, KEPT_PICTURE -> null;
             case AT_REST -> FrontWindow.withVelocity(now, Velocity.of(new Vector3d()));
             case GALILEAN_CAMERA -> now.withTransformation(TransformationLaw.GALILEAN);
+            case UNCHANGED_COLOURS -> now.withColours(ColourLaw.UNCHANGED);
             case OTHER_SHUTTER -> Shutters.replaced(now, (Class<?>) shutters.getSelectedItem());
         };
     }

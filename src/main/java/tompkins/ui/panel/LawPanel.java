@@ -11,8 +11,10 @@ import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Naming;
+import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Wording;
 
 /** A choice between a few laws of nature. */
 public final class LawPanel {
@@ -20,12 +22,15 @@ public final class LawPanel {
     private final JPanel panel = Rows.column();
 
     private <L extends Enum<L>> LawPanel(
-            StudioModel model, L[] laws, Function<Studio, L> reading, BiFunction<Studio, L, Studio> change) {
+            StudioModel model,
+            L[] laws,
+            Function<Studio, L> reading,
+            BiFunction<Studio, L, Studio> change,
+            Function<Studio, String> remark) {
         ButtonGroup group = new ButtonGroup();
         for (L law : laws) {
-            String key = "law." + law.name();
-            JRadioButton button = new JRadioButton(Texts.get(key));
-            Naming.name(button, button.getText(), Texts.get(key + ".tip"));
+            JRadioButton button = new JRadioButton(Wording.label(law));
+            Naming.name(button, button.getText(), Texts.get("law." + law.name()));
             button.addActionListener(event -> model.set(change.apply(model.studio(), law)));
             group.add(button);
             panel.add(button);
@@ -33,16 +38,27 @@ public final class LawPanel {
             model.addListener(update);
             update.run();
         }
+        Note note = new Note(remark.apply(model.studio()));
+        model.addListener(() -> note.setText(remark.apply(model.studio())));
+        panel.add(note.component(), "wmin 0");
     }
 
     /** The law of motion of the studio in a model: Einstein's, Newton's, or none. */
     public static LawPanel ofTransformation(StudioModel model) {
-        return new LawPanel(model, TransformationLaw.values(), Studio::transformation, Studio::withTransformation);
+        return new LawPanel(
+                model, TransformationLaw.values(), Studio::transformation, Studio::withTransformation, studio -> "");
     }
 
     /** What the motion does to the colours of the studio in a model. */
     public static LawPanel ofColours(StudioModel model) {
-        return new LawPanel(model, ColourLaw.values(), Studio::colours, Studio::withColours);
+        return new LawPanel(
+                model, ColourLaw.values(), Studio::colours, Studio::withColours, LawPanel::missingEffectOnColours);
+    }
+
+    private static String missingEffectOnColours(Studio studio) {
+        boolean shifts = studio.transformation() == TransformationLaw.LORENTZ
+                && !studio.velocity().isRest();
+        return shifts || studio.colours() == ColourLaw.UNCHANGED ? "" : Texts.get("colours.noEffect");
     }
 
     /** The panel itself. */

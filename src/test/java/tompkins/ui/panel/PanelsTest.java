@@ -416,6 +416,11 @@ class PanelsTest {
         Studio before = model.studio();
         Components.find(panel, JRadioButton.class, "Doppler shift").doClick();
         assertThat(model.studio()).isEqualTo(before.withColours(ColourLaw.DOPPLER));
+        assertThat(Components.notes(panel)).noneMatch(text -> text.startsWith("No effect here"));
+        model.set(model.studio().withVelocity(Velocity.REST));
+        assertThat(Components.notes(panel)).anyMatch(text -> text.startsWith("No effect here"));
+        model.set(before.withColours(ColourLaw.SEARCHLIGHT).withTransformation(TransformationLaw.GALILEAN));
+        assertThat(Components.notes(panel)).anyMatch(text -> text.startsWith("No effect here"));
     }
 
     @Test
@@ -432,6 +437,8 @@ class PanelsTest {
                 .isTrue();
         compareWith(panel, ComparePanel.Other.GALILEAN_CAMERA);
         assertThat(panel.otherStudio(now)).isEqualTo(now.withTransformation(TransformationLaw.GALILEAN));
+        compareWith(panel, ComparePanel.Other.UNCHANGED_COLOURS);
+        assertThat(panel.otherStudio(now.withColours(ColourLaw.DOPPLER))).isEqualTo(now);
         Components.find((Container) panel.component(), JComboBox.class, "Shutter to compare with")
                 .setSelectedItem(FocusSurfaceShutter.class);
         compareWith(panel, ComparePanel.Other.OTHER_SHUTTER);
