@@ -33,6 +33,7 @@ public final class LensPanel {
     private final NumberRow focus;
     private final NumberRow samples;
     private final Note oneSample = new Note("");
+    private final Note otherSamples = new Note("");
     private final JToggleButton pick = new JToggleButton(Texts.get("lens.pick"));
 
     /** The panel; {@code picking} is told when a point of the picture is to be picked, and when not any more. */
@@ -77,6 +78,7 @@ public final class LensPanel {
         field.addTo(panel);
         exposure.addTo(panel);
         samples.addTo(panel);
+        panel.add(otherSamples.component(), "span, growx, wmin 0");
         model.addListener(() -> update(field, exposure));
         update(field, exposure);
     }
@@ -103,11 +105,13 @@ public final class LensPanel {
         return panel;
     }
 
-    /** Says of the picture on the screen if its one sample leaves a wide lens without effect. */
+    /** Says of the picture on the screen if its one sample leaves a wide lens without effect, or if it has others than the scene says. */
     public void show(Picture picture) {
         boolean sharp =
                 picture.studio().camera().hasWideLens() && picture.quality().equals(new Quality.Samples(1));
         oneSample.setText(sharp ? Texts.get("lens.oneSample") : "");
+        boolean wished = picture.quality() instanceof Quality.TargetError;
+        otherSamples.setText(wished ? Texts.get("lens.otherSamples") : "");
     }
 
     /** The picture was clicked: nothing is to be picked any more. */

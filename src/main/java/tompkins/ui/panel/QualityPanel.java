@@ -47,6 +47,8 @@ public final class QualityPanel {
     private final JButton measure = new JButton(Texts.get("quality.measure"));
     private final StudioModel model;
     private final Consumer<Quality> choose;
+    private Studio opened;
+    private int sceneSamples;
 
     /**
      * The panel.
@@ -64,6 +66,8 @@ public final class QualityPanel {
         panel.add(asScene, "wmin 0");
         panel.add(measure, "wmin 0");
         show(null);
+        model.addListener(this::update);
+        update();
     }
 
     /** The panel itself. */
@@ -81,6 +85,17 @@ public final class QualityPanel {
         } else {
             show(quality);
             choose.accept(quality);
+        }
+    }
+
+    /** Whoever changes the number of samples of the scene wants to see that number. */
+    private void update() {
+        int samples = model.studio().settings().samples();
+        boolean changed = model.opened() == opened && samples != sceneSamples;
+        opened = model.opened();
+        sceneSamples = samples;
+        if (changed && asScene.isEnabled()) {
+            set(null);
         }
     }
 

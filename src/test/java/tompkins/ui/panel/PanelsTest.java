@@ -348,7 +348,7 @@ class PanelsTest {
         lens.show(picture(wide, new Quality.Samples(1)));
         assertThat(Components.notes(panel)).containsExactly(Texts.get("lens.oneSample"));
         lens.show(picture(wide, new Quality.TargetError(0.01)));
-        assertThat(Components.notes(panel)).isEmpty();
+        assertThat(Components.notes(panel)).containsExactly(Texts.get("lens.otherSamples"));
         lens.show(picture(wide, new Quality.Samples(2)));
         assertThat(Components.notes(panel)).isEmpty();
         lens.show(picture(model.studio(), new Quality.Samples(1)));
@@ -502,5 +502,20 @@ class PanelsTest {
         assertThat(chosen).containsExactly(exact, null);
         panel.set(new Quality.Samples(16));
         assertThat(model.studio().settings().samples()).isEqualTo(16);
+    }
+
+    @Test
+    void anotherNumberOfSamplesTakesThePlaceOfAWantedError() {
+        List<Quality> chosen = new ArrayList<>();
+        QualityPanel quality = new QualityPanel(model, chosen::add);
+        Container lens = (Container) new LensPanel(model, picking -> {}).component();
+        Quality exact = new Quality.TargetError(0.005);
+        quality.set(exact);
+        Components.enter(lens, "Exposure", "1");
+        model.open(Studios.sphere().withSettings(Studio.DEFAULT.settings().withSamples(3)), null);
+        assertThat(chosen).as("what stays with the window").containsExactly(exact);
+        Components.enter(lens, "Samples", "16");
+        assertThat(chosen).containsExactly(exact, null);
+        assertThat(Components.notes((Container) quality.component())).containsExactly(Texts.get("quality.scene"));
     }
 }
