@@ -37,6 +37,16 @@ public record Animation(NumberProperty property, double from, double to, double 
         return NumberText.rounded(from + share * (to - from), 9);
     }
 
+    /** The time of a value, at an end of its own for those that it does not reach; of two times the one nearer to another. */
+    double time(double value, double near) {
+        double share = from == to ? 0 : Math.max(0, Math.min(1, (value - from) / (to - from)));
+        return switch (course) {
+            case FORWARDS -> share;
+            case BACKWARDS -> 1 - share;
+            case THERE_AND_BACK -> near <= 0.5 ? share / 2 : 1 - share / 2;
+        };
+    }
+
     /** The studio at a time, from 0 to 1. */
     public Studio studio(Studio studio, double time) {
         return property.with().apply(studio, value(time));

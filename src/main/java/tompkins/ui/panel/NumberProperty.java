@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.BiFunction;
+import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import org.joml.Vector3dc;
 import tompkins.property.Descriptions;
@@ -14,6 +15,8 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.ui.model.FrontWindow;
 import tompkins.ui.model.StudioPath;
+import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.SpeedText;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Wording;
 
@@ -24,12 +27,23 @@ import tompkins.ui.widget.Wording;
  * @param path where it stands
  * @param get its value
  * @param with the studio with another value; throws if that is not allowed
+ * @param text its value, for reading
  */
 public record NumberProperty(
-        String name, StudioPath path, ToDoubleFunction<Studio> get, BiFunction<Studio, Double, Studio> with) {
+        String name,
+        StudioPath path,
+        ToDoubleFunction<Studio> get,
+        BiFunction<Studio, Double, Studio> with,
+        Function<Studio, String> text) {
 
     /** So many numbers are offered at most; scenes can have millions. */
     private static final int MOST = 500;
+
+    /** A number that is shown with its first digits. */
+    private NumberProperty(
+            String name, StudioPath path, ToDoubleFunction<Studio> get, BiFunction<Studio, Double, Studio> with) {
+        this(name, path, get, with, studio -> Numbers.brief(get.applyAsDouble(studio)));
+    }
 
     /** The speed on a scale; the direction stays. */
     public static NumberProperty speed(SpeedScale scale) {
@@ -38,7 +52,8 @@ public record NumberProperty(
                 StudioPath.ROOT.then("velocity"),
                 studio -> scale.valueOf(studio.velocity()),
                 (studio, value) -> FrontWindow.withVelocity(
-                        studio, Velocity.of(scale, value, studio.velocity().givenDirection())));
+                        studio, Velocity.of(scale, value, studio.velocity().givenDirection())),
+                studio -> SpeedText.of(studio.velocity(), scale));
     }
 
     /** The time at which the shutter opens. */

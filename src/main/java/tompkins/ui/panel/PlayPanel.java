@@ -24,7 +24,6 @@ import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberField;
 import tompkins.ui.widget.NumberKind;
-import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Range;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Updating;
@@ -65,14 +64,15 @@ public final class PlayPanel {
     /** The panel; {@code export} takes a studio and the animation of it that is to be saved. */
     public PlayPanel(StudioModel model, BiConsumer<Studio, Animation> export) {
         this.model = model;
-        fromField = field("play.from", number -> setFrom(allowed("from", number)));
-        toField = field("play.to", number -> setTo(allowed("to", number)));
+        fromField = field("play.from", number -> setEnds(allowed("from", number), to));
+        toField = field("play.to", number -> setEnds(from, allowed("to", number)));
         secondsField =
                 field("play.seconds", number -> setSeconds(Require.within("seconds", number, 0.1, LONGEST_SECONDS)));
         setSeconds(4);
         name(properties, "play.property");
         properties.addActionListener(event -> updating.unless(this::suggestValues));
         name(courses, "play.course");
+        courses.addActionListener(event -> follow());
         courses.setRenderer(Naming.renderer(course -> Wording.label((Animation.Course) course)));
         name(play, "play.play");
         play.addActionListener(event -> setPlaying(play.isSelected()));
@@ -161,10 +161,21 @@ public final class PlayPanel {
     private void update() {
         if (panel.isVisible()) {
             offerNumbers(model.studio());
-            if (!isPlaying()) {
-                value.setText(Numbers.brief(property().get().applyAsDouble(model.studio())));
-            }
+            updating.unless(this::follow);
         }
+    }
+
+    /** Goes to the present value of the number, unless it runs. */
+    private void follow() {
+        if (!isPlaying()) {
+            time = animation().time(property().get().applyAsDouble(model.studio()), time);
+            showTime();
+        }
+    }
+
+    private void showTime() {
+        value.setText(property().text().apply(model.studio()));
+        updating.during(() -> scrubber.setValue((int) Math.round(time * STEPS)));
     }
 
     /** Offers the numbers that the studio has; the chosen one stays if it is still there, otherwise nothing runs. */
@@ -222,19 +233,16 @@ public final class PlayPanel {
 
     private void suggest(double first, double last) {
         EntryField.in(panel).forEach(EntryField::revert);
-        setFrom(first);
-        setTo(last);
+        setEnds(first, last);
         note.setText("");
     }
 
-    private void setFrom(double number) {
-        from = number;
-        fromField.show(number);
-    }
-
-    private void setTo(double number) {
-        to = number;
-        toField.show(number);
+    private void setEnds(double first, double last) {
+        from = first;
+        to = last;
+        fromField.show(first);
+        toField.show(last);
+        updating.unless(this::follow);
     }
 
     private void setSeconds(double number) {
@@ -292,11 +300,11 @@ public final class PlayPanel {
     private void moveTo(double share) {
         time = share;
         Animation animation = animation();
-        if (note.attempt(() -> model.adjust(animation.studio(model.studio(), share), gesture))) {
-            value.setText(Numbers.brief(animation.value(share)));
-        } else {
-            setPlaying(false);
-        }
-        updating.during(() -> scrubber.setValue((int) Math.round(share * STEPS)));
+        updating.during(() -> {
+            if (!note.attempt(() -> model.adjust(animation.studio(model.studio(), share), gesture))) {
+                setPlaying(false);
+            }
+        });
+        showTime();
     }
 }

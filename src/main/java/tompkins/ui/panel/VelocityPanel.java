@@ -37,9 +37,6 @@ public final class VelocityPanel {
     /** The speed at the right end of the slider, as a rapidity: gamma 200. */
     private static final Range RAPIDITIES = Range.even(0, 6);
 
-    /** So much of a speed is seen in its field, and so much of the speeds of an animation is steady enough to be read. */
-    private static final int SPEED_CHARACTERS = 9;
-
     private final StudioModel model;
     private final JPanel panel = Rows.column();
     private final Note note = new Note("");
@@ -178,18 +175,10 @@ public final class VelocityPanel {
     private void update() {
         Velocity now = velocity();
         slider.show(now.rapidity());
-        speed.show(speedText(now));
+        speed.show(SpeedText.of(now, scale));
         sphere.show(now.givenDirection());
         direction.showDirection(now.givenDirection());
         numbers.setText(Texts.get("velocity.numbers", Numbers.brief(now.gamma(), 6), Numbers.brief(now.components())));
         now.warning().ifPresentOrElse(warning::setError, () -> warning.setText(""));
-    }
-
-    private String speedText(Velocity velocity) {
-        double value = scale.valueOf(velocity);
-        if (scale == SpeedScale.BETA && value > 0.999999) {
-            return "1-" + Numbers.fitting(velocity.oneMinusSpeed(), SPEED_CHARACTERS - 2);
-        }
-        return Numbers.fitting(value, SPEED_CHARACTERS);
     }
 }

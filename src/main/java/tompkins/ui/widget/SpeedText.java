@@ -27,7 +27,19 @@ public final class SpeedText {
             Map.entry("\u03b7", SpeedScale.RAPIDITY),
             Map.entry("oneminusbeta", SpeedScale.ONE_MINUS_BETA));
 
+    /** So much of a speed is seen in its field, and so much of the speeds of an animation is steady enough to be read. */
+    private static final int CHARACTERS = 9;
+
     private SpeedText() {}
+
+    /** The speed of a velocity on a scale, as short as a field: {@code 0.97}, {@code 1-1e-9}. */
+    public static String of(Velocity velocity, SpeedScale scale) {
+        double value = scale.valueOf(velocity);
+        if (scale == SpeedScale.BETA && value > 0.999999) {
+            return "1-" + Numbers.fitting(velocity.oneMinusSpeed(), CHARACTERS - 2);
+        }
+        return Numbers.fitting(value, CHARACTERS);
+    }
 
     /**
      * The velocity of the speed that a text writes.

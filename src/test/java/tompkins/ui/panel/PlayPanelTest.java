@@ -17,6 +17,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.PanoramicCamera;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -113,6 +115,43 @@ class PlayPanelTest {
         choose(SPEED);
         model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.25)));
         assertThat(Components.labels(panel)).contains("0.25");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"FORWARDS, 250", "BACKWARDS, 750", "THERE_AND_BACK, 125"})
+    void theScrubberStandsAtTheNumberOfTheScene(Animation.Course course, int place) {
+        choose(SPEED);
+        Components.find(panel, JComboBox.class, "Course").setSelectedItem(course);
+        Components.enter(panel, "to", "0.8");
+        model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.2)));
+        assertThat(place()).isEqualTo(place);
+        Components.enter(panel, "to", "0.2");
+        Components.enter(panel, "from", "0.2");
+        Components.enter(panel, "to", "0.8");
+        Components.enter(panel, "from", "0");
+        assertThat(place()).as("after other ends").isEqualTo(place);
+    }
+
+    @Test
+    void theScrubberStaysWhereItWasDraggedOnTheWayBack() {
+        choose(SPEED);
+        Components.find(panel, JComboBox.class, "Course").setSelectedItem(Animation.Course.THERE_AND_BACK);
+        scrub(800);
+        assertThat(place()).isEqualTo(800);
+        model.set(model.studio().withCamera(PanoramicCamera.DEFAULT));
+        assertThat(place()).isEqualTo(800);
+    }
+
+    @Test
+    void aSpeedNearThatOfLightIsShownAsInItsField() {
+        choose(SPEED);
+        model.set(model.studio().withVelocity(Velocity.of(SpeedScale.ONE_MINUS_BETA, 5e-15, new Vector3d(0, 0, 1))));
+        assertThat(Components.labels(panel)).contains("1-5e-15");
+        assertThat(place()).isEqualTo(1000);
+    }
+
+    private int place() {
+        return Components.find(panel, JSlider.class, "Time").getValue();
     }
 
     private static SceneObject ball(String name) {
