@@ -2,6 +2,8 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -124,6 +126,28 @@ class EditorWindowTest {
         driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
         assertThat(Components.isMarked(radius())).isFalse();
         assertThat(radiusOfTheSphere()).isEqualTo(0.25);
+    }
+
+    @Test
+    void aWrongValueIsPutRightBeforeAnotherObjectIsChosen() {
+        JTree tree = driver.find(JTree.class, "tree");
+        JTextField radius = radius();
+        driver.type(radius, "-1");
+        click(tree, 1);
+        WindowDriver.await("the focus on the wrong value", radius::isFocusOwner);
+        assertThat(Components.isMarked(radius)).isTrue();
+        assertThat(tree.getSelectionRows()).containsExactly(2);
+        driver.key(KeyEvent.VK_ESCAPE);
+        click(tree, 1);
+        WindowDriver.await("the other object", () -> tree.isRowSelected(1) && !radius.isShowing());
+    }
+
+    private void click(JTree tree, int row) {
+        driver.click(WindowDriver.onEventThread(() -> {
+            Point corner = tree.getLocationOnScreen();
+            Rectangle line = tree.getRowBounds(row);
+            return new Point(corner.x + (int) line.getCenterX(), corner.y + (int) line.getCenterY());
+        }));
     }
 
     @Test

@@ -23,6 +23,7 @@ import tompkins.ui.model.FrontWindow;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.model.StudioPath;
 import tompkins.ui.widget.Column;
+import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
@@ -36,7 +37,7 @@ public final class SceneEditor {
     private final StudioModel model;
     private final JPanel panel = new JPanel(
             new MigLayout("novisualpadding, insets 10, fill, wrap 1, gap 0 8", "[grow,fill]", "[grow,fill][]"));
-    private final StudioTree tree = new StudioTree(this::choose);
+    private final StudioTree tree = new StudioTree(this::leaveFor);
     private final Column formPanel = new Column();
     private final Note note = new Note("");
     private final JButton add = button("add");
@@ -68,7 +69,11 @@ public final class SceneEditor {
                 changeList(list -> replaced(list, place(), hiddenOrShown(list.get(place()))), 0));
         up.addActionListener(event -> changeList(list -> moved(list, place(), place() - 1), -1));
         down.addActionListener(event -> changeList(list -> moved(list, place(), place() + 1), 1));
-        remove.addActionListener(event -> changeList(list -> removed(list, place()), 0));
+        remove.addActionListener(event -> {
+            // goes with what it was typed for
+            EntryField.in(formPanel).forEach(EntryField::revert);
+            changeList(list -> removed(list, place()), 0);
+        });
         Keys.bindFocused(tree.component(), KeyStroke.getKeyStroke("DELETE"), remove::doClick);
         model.addListener(this::update);
         update();
@@ -113,6 +118,32 @@ public final class SceneEditor {
         return studio.camera() instanceof ThinLensCamera lens
                 ? lens.focus()
                 : studio.camera().getClass();
+    }
+
+    /** Chooses another line, unless a wrong value is to be put right or taken back first. */
+    private void leaveFor(StudioTree.Line chosen) {
+        StudioPath path = chosen.path();
+        if (EntryField.in(formPanel).anyMatch(EntryField::isPending)) {
+            tree.select(line.path());
+        }
+        if (takesEntries()) {
+            select(path);
+        }
+    }
+
+    private void select(StudioPath path) {
+        tree.select(path);
+        choose(tree.chosenLine());
+    }
+
+    /** Takes what is typed into the form; if some of it is refused, goes there and is false. */
+    private boolean takesEntries() {
+        boolean taken = EntryField.takeAll(formPanel);
+        EntryField.in(formPanel)
+                .filter(EntryField::isPending)
+                .findFirst()
+                .ifPresent(wrong -> wrong.field().requestFocusInWindow());
+        return taken;
     }
 
     private void choose(StudioTree.Line chosen) {
@@ -194,20 +225,26 @@ public final class SceneEditor {
 
     /** Puts a new element of a type after the chosen one, or at the end of the chosen list. */
     void addElement(Class<?> type) {
+        if (!takesEntries()) {
+            return;
+        }
         StudioPath path = listPath();
         int place = isElement() ? place() + 1 : list().size();
         List<?> longer = inserted(list(), place, Descriptions.standard(type));
         if (note.attempt(() -> model.set(path.with(model.studio(), longer)))) {
-            tree.select(path.then(place));
+            select(path.then(place));
         }
     }
 
     private void changeList(UnaryOperator<List<?>> change, int step) {
+        if (!takesEntries()) {
+            return;
+        }
         StudioPath path = listPath();
         int next = place() + step;
         List<?> changed = change.apply(list());
         if (note.attempt(() -> model.set(path.with(model.studio(), changed)))) {
-            tree.select(changed.isEmpty() ? path : path.then(Math.max(0, Math.min(changed.size() - 1, next))));
+            select(changed.isEmpty() ? path : path.then(Math.max(0, Math.min(changed.size() - 1, next))));
         }
     }
 

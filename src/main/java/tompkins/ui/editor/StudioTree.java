@@ -96,7 +96,7 @@ final class StudioTree {
         }
     }
 
-    /** Chooses the line of a part, or of the nearest thing that it would be a part of. */
+    /** Chooses the line of a part, or of the nearest thing that it would be a part of, without telling of it. */
     void select(StudioPath path) {
         DefaultMutableTreeNode node = (DefaultMutableTreeNode) tree.getModel().getRoot();
         boolean found = true;
@@ -112,8 +112,9 @@ final class StudioTree {
                 }
             }
         }
-        tree.setSelectionPath(new TreePath(node.getPath()));
-        tree.scrollPathToVisible(new TreePath(node.getPath()));
+        TreePath chosen = new TreePath(node.getPath());
+        updating.during(() -> tree.setSelectionPath(chosen));
+        tree.scrollPathToVisible(chosen);
     }
 
     private static DefaultMutableTreeNode node(Object value, StudioPath path, Type type, String label) {

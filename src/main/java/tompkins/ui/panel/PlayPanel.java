@@ -82,7 +82,7 @@ public final class PlayPanel {
         JButton exportButton = new JButton(Texts.get("play.export"));
         name(exportButton, "play.export");
         exportButton.addActionListener(event -> {
-            if (takesEntries()) {
+            if (EntryField.takeAll(panel)) {
                 export.accept(model.studio(), animation());
             }
         });
@@ -260,7 +260,7 @@ public final class PlayPanel {
 
     /** Starts or stops the animation; it does not start with a value that was refused. */
     public void setPlaying(boolean wish) {
-        boolean playing = wish && takesEntries();
+        boolean playing = wish && EntryField.takeAll(panel);
         play.setSelected(playing);
         play.setText(Texts.get(playing ? "play.pause" : "play.play"));
         if (playing) {
@@ -271,13 +271,6 @@ public final class PlayPanel {
             timer.stop();
             model.endGesture();
         }
-    }
-
-    /** Takes what is typed into the fields; false if one of them was refused. */
-    private boolean takesEntries() {
-        List<EntryField> fields = EntryField.in(panel).toList();
-        fields.forEach(EntryField::commit);
-        return fields.stream().noneMatch(EntryField::isPending);
     }
 
     /** Whether the animation runs. */

@@ -6,6 +6,7 @@ import java.awt.Window;
 import java.awt.event.ActionEvent;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
+import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.AbstractAction;
@@ -80,6 +81,13 @@ public final class EntryField {
         Stream<Component> owned =
                 container instanceof Window window ? Stream.of(window.getOwnedWindows()) : Stream.of();
         return Stream.concat(inside, owned).filter(Component::isVisible).flatMap(EntryField::of);
+    }
+
+    /** Takes what is typed into the fields that are seen in a container; false if one of them was refused. */
+    public static boolean takeAll(Container container) {
+        List<EntryField> fields = in(container).toList();
+        fields.forEach(EntryField::commit);
+        return fields.stream().noneMatch(EntryField::isPending);
     }
 
     private static Stream<EntryField> of(Component component) {

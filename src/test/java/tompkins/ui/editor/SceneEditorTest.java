@@ -7,6 +7,7 @@ import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JTextArea;
+import javax.swing.JTextField;
 import javax.swing.JTree;
 import javax.swing.KeyStroke;
 import org.joml.Vector3d;
@@ -181,6 +182,37 @@ class SceneEditorTest {
         assertThat(model.studio().scene()).hasSize(2).element(1).isInstanceOf(Group.class);
         model.undo();
         assertThat(model.studio().scene()).hasSize(3);
+    }
+
+    @Test
+    void nothingThatWasTypedIsLostForAnotherObject() {
+        choose("Scene");
+        choose("sphere");
+        JTextField radius = Components.enter(panel, "Radius", "-1");
+        choose("pair");
+        assertThat(Components.find(panel, JTextField.class, "Radius")).isSameAs(radius);
+        assertThat(radius.getText()).isEqualTo("-1");
+        press("Duplicate");
+        assertThat(radius.getText()).isEqualTo("-1");
+        assertThat(model.studio().scene()).hasSize(2);
+        assertThat(tree.getSelectionPath().getLastPathComponent()).hasToString("sphere");
+
+        Components.find(panel, JTextField.class, "Description").setText("ball");
+        radius.setText("0.25");
+        choose("pair");
+        assertThat(tree.getSelectionPath().getLastPathComponent()).hasToString("pair");
+        Sphere ball = (Sphere) model.studio().scene().get(0);
+        assertThat(ball.description()).isEqualTo("ball");
+        assertThat(ball.radius()).isEqualTo(0.25);
+    }
+
+    @Test
+    void anObjectIsRemovedWithAWrongValueOfIt() {
+        choose("Scene");
+        choose("sphere");
+        Components.enter(panel, "Radius", "-1");
+        press("Remove");
+        assertThat(model.studio().scene()).singleElement().isInstanceOf(Group.class);
     }
 
     @Test
