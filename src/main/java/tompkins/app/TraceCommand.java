@@ -15,6 +15,7 @@ import tompkins.io.RayLifeWriter;
 import tompkins.io.StudioReader;
 import tompkins.property.NumberText;
 import tompkins.spacetime.Event;
+import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
 import tompkins.trace.RayLife;
 
@@ -79,9 +80,9 @@ final class TraceCommand implements Callable<Integer> {
             return Failures.FAILURE;
         }
         if (json) {
-            out.println(RayLifeWriter.json(life));
+            out.println(RayLifeWriter.json(life, studio));
         } else {
-            print(out, life);
+            print(out, life, studio);
         }
         return 0;
     }
@@ -98,7 +99,7 @@ final class TraceCommand implements Callable<Integer> {
         throw new MistakeException("--pixel must be two whole numbers with a comma between them, was " + pixel);
     }
 
-    private static void print(PrintWriter out, RayLife life) {
+    private static void print(PrintWriter out, RayLife life, Studio studio) {
         out.println("Camera frame");
         printStart(out, life.cameraStart(), life.cameraDirection());
         if (life.sceneStart() != null) {
@@ -106,7 +107,8 @@ final class TraceCommand implements Callable<Integer> {
             printStart(out, life.sceneStart(), life.sceneDirection());
         }
         out.println(format("frequency ratio (camera/scene)  %.12g", life.frequencyRatio()));
-        out.println(format("gamma                           %.12g", life.gamma()));
+        SpeedScale scale = studio.transformation().speedScale();
+        out.println(format("%-30s  %.12g", scale.key(), scale.valueOf(studio.velocity())));
         for (RayLife.Encounter hit : life.hits()) {
             out.println(format(
                     "%shit  %s (%s) in the %s frame at %s, t = %.9g, distance %.9g, share %s",

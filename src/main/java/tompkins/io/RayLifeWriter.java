@@ -7,6 +7,8 @@ import java.util.Locale;
 import org.joml.Vector3dc;
 import tompkins.ray.Colour;
 import tompkins.spacetime.Event;
+import tompkins.spacetime.SpeedScale;
+import tompkins.studio.Studio;
 import tompkins.trace.RayLife;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.ObjectWriteContext;
@@ -20,8 +22,8 @@ public final class RayLifeWriter {
 
     private RayLifeWriter() {}
 
-    /** The life of a ray as JSON. The part {@code scene} is missing if the ray never enters the scene frame. */
-    public static String json(RayLife life) {
+    /** The life of a ray in a studio as JSON. The part {@code scene} is missing if the ray never enters the scene frame. */
+    public static String json(RayLife life, Studio studio) {
         StringWriter text = new StringWriter();
         ObjectWriteContext pretty = new ObjectWriteContext.Base() {
             @Override
@@ -36,7 +38,8 @@ public final class RayLifeWriter {
                 writeStart(json, "scene", life.sceneStart(), life.sceneDirection());
             }
             write(json, "frequencyRatio", life.frequencyRatio());
-            write(json, "gamma", life.gamma());
+            SpeedScale scale = studio.transformation().speedScale();
+            write(json, scale.key(), scale.valueOf(studio.velocity()));
             json.writeArrayPropertyStart("hits");
             for (RayLife.Encounter hit : life.hits()) {
                 writeHit(json, hit);

@@ -9,6 +9,11 @@ public enum TransformationLaw {
     /** The velocity is ignored. */
     NONE;
 
+    /** The number by which speeds are told: with Newton gamma means nothing. */
+    public SpeedScale speedScale() {
+        return this == GALILEAN ? SpeedScale.BETA : SpeedScale.GAMMA;
+    }
+
     /** The change from the frame of a camera with the given velocity to the scene frame. */
     public SpaceTimeTransformation sceneFromCamera(Velocity velocity) {
         if (velocity.isRest()) {

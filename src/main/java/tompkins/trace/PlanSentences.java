@@ -9,6 +9,7 @@ import tompkins.ray.Ray;
 import tompkins.sceneobject.ObjectTree;
 import tompkins.sceneobject.Primitive;
 import tompkins.shutter.AperturePlaneShutter;
+import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 import tompkins.surface.Surface;
@@ -63,7 +64,8 @@ final class PlanSentences {
         if (studio.velocity().isRest()) {
             return "The camera is at rest: no change of frame, and every opening time gives the same picture.";
         }
-        String speed = format("gamma %.6g", studio.velocity().gamma());
+        SpeedScale scale = studio.transformation().speedScale();
+        String speed = scale.key() + " " + NumberText.of(NumberText.rounded(scale.valueOf(studio.velocity()), 6));
         if (studio.transformation() == TransformationLaw.NONE) {
             return "The camera's velocity (" + speed + ") is ignored: no change of frame.";
         }

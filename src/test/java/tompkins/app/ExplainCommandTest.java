@@ -62,6 +62,15 @@ class ExplainCommandTest {
                 .startsWith("The same moment and the same place as Fig. 1(a)");
     }
 
+    @ParameterizedTest
+    @CsvSource({"lorentz, gamma 1.25", "galilean, beta 0.6", "none, gamma 1.25"})
+    void explainTellsTheSpeedAsItsLawDoes(String law, String speed) throws IOException {
+        Path scene = Files.writeString(
+                folder.resolve("law.json"), "{\"velocity\": [0, 0, 0.6], \"transformation\": \"" + law + "\"}");
+
+        assertThat(ProgramRun.of("explain", scene, "--size", "8x6").out()).contains("(" + speed + ")");
+    }
+
     /** Beyond a window a ray goes on from where it left it, which differs from pixel to pixel. */
     @ParameterizedTest
     @CsvSource({"scenes/fig1b.json, true", "scenes/surface-lorentz-window.json, false"})

@@ -50,6 +50,20 @@ class TraceCommandTest {
                 .contains("\"object\" : \"plane\"", "\"frame\" : \"scene\"", "\"surface\" : \"ColouredSurface\"");
     }
 
+    @Test
+    void speedsOfNewtonsWorldHaveNoLorentzFactor() throws IOException {
+        Path scene = Files.writeString(folder.resolve("newton.json"), """
+                { "velocity": [0, 0, 0.6], "transformation": "galilean", "settings": { "width": 1, "height": 1 } }
+                """);
+
+        ProgramRun text = ProgramRun.of("trace", scene, "--pixel", "0,0");
+        ProgramRun json = ProgramRun.of("trace", scene, "--pixel", "0,0", "--json");
+
+        assertThat(text.out()).containsPattern("\nbeta {28}0\\.6").doesNotContain("gamma");
+        assertThat(numbers(json.out(), "beta")).containsExactly(0.6);
+        assertThat(json.out()).doesNotContain("gamma");
+    }
+
     /** Glass of index 1.5 reflects ((1.5 - 1)/(1.5 + 1))^2 = 0.04 of the light that meets it straight. */
     @Test
     void whereTheRaySplitsItsWeakerBranchIsIndented() throws IOException {

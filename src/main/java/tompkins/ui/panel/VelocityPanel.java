@@ -178,7 +178,11 @@ public final class VelocityPanel {
         speed.show(SpeedText.of(now, scale));
         sphere.show(now.givenDirection());
         direction.showDirection(now.givenDirection());
-        numbers.setText(Texts.get("velocity.numbers", Numbers.brief(now.gamma(), 6), Numbers.brief(now.components())));
+        String beta = Numbers.brief(now.components());
+        numbers.setText(
+                model.studio().transformation().speedScale() == SpeedScale.BETA
+                        ? Texts.get("velocity.beta", beta)
+                        : Texts.get("velocity.numbers", Numbers.brief(now.gamma(), 6), beta));
         now.warning().ifPresentOrElse(warning::setError, () -> warning.setText(""));
     }
 }

@@ -110,6 +110,15 @@ class PanelsTest {
     }
 
     @Test
+    void aSpeedOfNewtonsWorldHasNoLorentzFactor() {
+        Container panel = (Container) new VelocityPanel(model).component();
+        model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.6)));
+        assertThat(Components.notes(panel)).containsExactly("\u03b3 = 1.25    \u03b2 = (0, 0, 0.6)");
+        model.set(model.studio().withTransformation(TransformationLaw.GALILEAN));
+        assertThat(Components.notes(panel)).containsExactly("\u03b2 = (0, 0, 0.6)");
+    }
+
+    @Test
     void aSpeedOfLightIsMarked() {
         Container panel = (Container) new VelocityPanel(model).component();
         Velocity before = velocity();
