@@ -47,21 +47,24 @@ final class Photographer {
         this.threads = threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
     }
 
-    /** Takes the picture of a scene file into a folder, under its own name; a photograph of the same scene is replaced. */
+    /**
+     * Takes the picture of a scene file into a folder, under its own name or, where that is taken, with a number. A photograph of the
+     * same scene is replaced, and nothing else.
+     */
     void takeDefault(Path file, Path folder) throws IOException, InterruptedException {
         Studio studio = StudioReader.read(file);
+        PhotographInfo info = info(studio, file);
         Path target = targetOf(file, folder);
-        boolean again = Files.isRegularFile(target) && isPhotographOf(target, info(studio, file));
-        if (!again && Files.exists(target)) {
-            throw new MistakeException(target + ": there is a file of this name already, and it is no photograph of "
-                    + file + "; move it away, or choose another name with \"render\" and -o");
+        String stem = target.toString().replaceFirst("\\.png$", "");
+        for (int number = 2; Files.exists(target) && !isPhotographOf(target, info); number++) {
+            target = Path.of(stem + "-" + number + ".png");
         }
-        take(file, studio, Quality.of(studio), target, PictureFormat.of(target), again);
+        take(file, studio, Quality.of(studio), target, PictureFormat.of(target), Files.exists(target));
     }
 
     private static boolean isPhotographOf(Path file, PhotographInfo info) {
         try {
-            return PhotographFile.readScene(file).equals(Optional.of(info.sceneJson()));
+            return Files.isRegularFile(file) && PhotographFile.readScene(file).equals(Optional.of(info.sceneJson()));
         } catch (PictureException otherFile) {
             return false;
         }

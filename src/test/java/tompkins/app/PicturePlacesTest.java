@@ -1,7 +1,6 @@
 package tompkins.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static tompkins.app.ProgramRun.FIG1B;
 
 import java.io.IOException;
@@ -13,6 +12,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.io.StudioReader;
 
 /** Where pictures are saved, and the names and places at which none may be. */
 class PicturePlacesTest {
@@ -72,14 +72,19 @@ class PicturePlacesTest {
 
         ProgramRun.of("render", FIG1B, "-o", target, "--size", "8x6", "--force");
         byte[] other = Files.readAllBytes(target);
-        assertThatThrownBy(() -> photographer.takeDefault(scene, folder))
-                .isInstanceOf(MistakeException.class)
-                .hasMessageStartingWith(target + ": there is a file of this name already, and it is no photograph of ");
+        photographer.takeDefault(scene, folder);
+        photographer.takeDefault(scene, folder);
+        Path beside = folder.resolve("mine-2.png");
+        assertThat(folder)
+                .isDirectoryNotContaining(
+                        file -> !List.of(scene, target, beside).contains(file));
+        assertThat(StudioReader.read(beside)).isEqualTo(StudioReader.read(scene));
         assertThat(Files.readAllBytes(target)).isEqualTo(other);
 
-        Files.writeString(target, "no picture at all");
-        assertThatThrownBy(() -> photographer.takeDefault(scene, folder)).isInstanceOf(MistakeException.class);
-        assertThat(target).hasContent("no picture at all");
+        Files.writeString(beside, "no picture at all");
+        photographer.takeDefault(scene, folder);
+        assertThat(beside).hasContent("no picture at all");
+        assertThat(StudioReader.read(folder.resolve("mine-3.png"))).isEqualTo(StudioReader.read(scene));
     }
 
     @Test
