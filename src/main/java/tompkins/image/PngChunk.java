@@ -20,6 +20,9 @@ import java.util.zip.CRC32;
  */
 record PngChunk(String type, byte[] data) {
 
+    /** How many bytes a chunk has besides its data. */
+    static final long FRAME = 12;
+
     /** The bytes before the first chunk. */
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
@@ -29,8 +32,9 @@ record PngChunk(String type, byte[] data) {
         skipSignature(in);
         List<PngChunk> chunks = new ArrayList<>();
         do {
+            int place = png.length - in.available();
             int length = in.readInt();
-            chunks.add(read(in, readType(in), length));
+            chunks.add(read(in, readType(in), length, place));
         } while (!chunks.get(chunks.size() - 1).type.equals("IEND"));
         return chunks;
     }
@@ -40,9 +44,9 @@ record PngChunk(String type, byte[] data) {
         out.write(SIGNATURE);
     }
 
-    /** Goes to the first chunk. */
-    static void skipSignature(InputStream in) throws IOException {
-        in.readNBytes(SIGNATURE.length);
+    /** Goes to the first chunk; the place where that begins. */
+    static int skipSignature(InputStream in) throws IOException {
+        return in.readNBytes(SIGNATURE.length).length;
     }
 
     /** The four letters of a type, with the length before it already read. */
@@ -52,17 +56,23 @@ record PngChunk(String type, byte[] data) {
         return new String(letters, StandardCharsets.ISO_8859_1);
     }
 
-    /** The rest of a chunk, whose length and type are already read. */
-    static PngChunk read(DataInputStream in, String type, int length) throws IOException {
+    /** The rest of a chunk, whose length and type are already read; the place is the byte of the file with which it begins. */
+    static PngChunk read(DataInputStream in, String type, int length, long place) throws IOException {
         byte[] data = in.readNBytes(length);
         if (data.length < length) {
             throw new EOFException("the file ends inside a chunk");
         }
         PngChunk chunk = new PngChunk(type, data);
         if (in.readInt() != chunk.checksum()) {
-            throw new IOException("the check sum of a chunk is wrong");
+            throw damaged(place);
         }
         return chunk;
+    }
+
+    /** What to say of a file whose chunk at a place is not as it was written. */
+    static IOException damaged(long place) {
+        return new IOException(
+                "the file is damaged in the part that begins at byte " + place + "; another copy of it may be whole");
     }
 
     void write(OutputStream out) throws IOException {

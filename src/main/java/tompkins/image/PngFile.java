@@ -86,24 +86,26 @@ final class PngFile {
     /** The scene in a PNG file, read up to it and no further; not through the JDK, which ends texts at 256 kB. */
     static Optional<String> readScene(InputStream file) throws IOException {
         DataInputStream in = new DataInputStream(file);
-        PngChunk.skipSignature(in);
+        long place = PngChunk.skipSignature(in);
         while (true) {
             int length = in.readInt();
             String type = PngChunk.readType(in);
             if (length < 0) {
-                throw new IOException("a chunk has an impossible length");
+                throw PngChunk.damaged(place);
             }
             if (type.equals("IEND")) {
                 return Optional.empty();
             }
             if (type.equals("iTXt") && length <= PhotographInfo.LONGEST_STORED_SCENE) {
-                Optional<String> scene = scene(PngChunk.read(in, type, length).data());
+                Optional<String> scene =
+                        scene(PngChunk.read(in, type, length, place).data());
                 if (scene.isPresent()) {
                     return scene;
                 }
             } else {
                 in.skipNBytes(length + 4L);
             }
+            place += length + PngChunk.FRAME;
         }
     }
 

@@ -64,7 +64,8 @@ class LimitsTest {
         try (var files = Files.list(folder)) {
             assertThat(files.filter(file -> file.toString().endsWith(".png"))
                             .map(file -> file.getFileName().toString()))
-                    .containsExactlyInAnyOrder("mine.png", "text.png", "bomb.png", "folder.png", "cut.png");
+                    .containsExactlyInAnyOrder(
+                            "mine.png", "text.png", "bomb.png", "folder.png", "cut.png", "damaged.png");
         }
     }
 
@@ -112,6 +113,7 @@ class LimitsTest {
                 scene("nesting", "[".repeat(100_000)),
                 new Case("100 MB of nesting", 2, "check", large()),
                 new Case("photograph that is cut", 2, "check", cutPhotograph(good)),
+                new Case("photograph that is damaged", 2, "check", damagedPhotograph(good)),
                 scene("picture that is none", surface("text.png")),
                 scene("picture that claims 100000 x 100000", surface("bomb.png")),
                 scene("picture outside the scene's folder", surface("../other.png")),
@@ -197,6 +199,15 @@ class LimitsTest {
         ProgramRun.of("render", scene, "-o", photograph, "--size", "64x48");
         byte[] whole = Files.readAllBytes(photograph);
         return Files.write(photograph, Arrays.copyOf(whole, whole.length - 500)).toString();
+    }
+
+    private String damagedPhotograph(String scene) throws IOException {
+        Path photograph = folder.resolve("damaged.png");
+        ProgramRun.of("render", scene, "-o", photograph, "--size", "64x48");
+        byte[] bytes = Files.readAllBytes(photograph);
+        // the length of the header
+        bytes[8] ^= (byte) 0x80;
+        return Files.write(photograph, bytes).toString();
     }
 
     /** The beginning of a PNG file with a sound header. */

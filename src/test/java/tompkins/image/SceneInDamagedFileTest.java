@@ -94,12 +94,18 @@ class SceneInDamagedFileTest {
 
     @Test
     void aChangedSceneIsNotBelieved() throws IOException {
-        byte[] png = photograph(PictureFormat.PNG);
-        png[new String(png, ISO_8859_1).indexOf("tompkins.scene") + 40] ^= 1;
-
-        assertThatThrownBy(() -> PhotographFile.readScene(file(png)))
-                .isInstanceOf(PictureException.class)
-                .hasMessageContaining("check sum");
+        byte[] whole = photograph(PictureFormat.PNG);
+        // before its keyword a text has four bytes of length and four of type
+        int text = new String(whole, ISO_8859_1).indexOf("tompkins.scene") - 8;
+        for (int place : new int[] {text, text + 48}) {
+            byte[] png = whole.clone();
+            png[place] ^= 0x80;
+            Path file = file(png);
+            assertThatThrownBy(() -> PhotographFile.readScene(file))
+                    .isInstanceOf(PictureException.class)
+                    .hasMessage(file + ": cannot be read: the file is damaged in the part that begins at byte " + text
+                            + "; another copy of it may be whole");
+        }
     }
 
     @Test
