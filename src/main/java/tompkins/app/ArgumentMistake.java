@@ -137,7 +137,7 @@ final class ArgumentMistake {
     private static String unmatched(UnmatchedArgumentException unmatched, CommandSpec command, String[] arguments) {
         boolean beforeCommands = command.parent() == null;
         String first = arguments[0];
-        if (beforeCommands && !first.startsWith("-") && !Files.exists(Path.of(first))) {
+        if (beforeCommands && !first.startsWith("-") && Files.notExists(Path.of(first))) {
             return unknownWord(first, command);
         }
         String wrong = unmatched.getUnmatched().get(0);

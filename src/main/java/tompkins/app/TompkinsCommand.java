@@ -64,7 +64,7 @@ final class TompkinsCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        if (scene != null && !Files.exists(scene)) {
+        if (scene != null && Files.notExists(scene)) {
             throw new MistakeException(ArgumentMistake.unknownWord(scene.toString(), spec));
         }
         Path file = scene == null ? BundledScenes.file("fig1b.json") : scene;

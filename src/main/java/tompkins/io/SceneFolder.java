@@ -40,8 +40,12 @@ final class SceneFolder {
         try {
             return Files.readAllBytes(file);
         } catch (IOException failure) {
-            throw new IOException("cannot be read: " + FileFailure.reason(failure), failure);
+            throw unreadable(failure);
         }
+    }
+
+    private static IOException unreadable(IOException failure) {
+        return new IOException("cannot be read: " + FileFailure.reason(failure), failure);
     }
 
     /**
@@ -53,13 +57,13 @@ final class SceneFolder {
         String allowed =
                 "must be the name of " + noun + " in the folder of the scene file or below, with / between the parts";
         Path file = file(name, allowed);
-        if (!Files.exists(file)) {
+        if (Files.notExists(file)) {
             throw new IOException(
                     "there is no such file in " + folder.toAbsolutePath().normalize() + "; it " + allowed);
         }
         // links are followed first: what counts is where they lead
-        Path real = file.toRealPath();
-        if (!real.startsWith(folder.toRealPath())) {
+        Path real = real(file);
+        if (!real.startsWith(real(folder))) {
             throw new IOException("leads out of the folder by a link; it " + allowed);
         }
         if (!Files.isRegularFile(real)) {
@@ -69,6 +73,14 @@ final class SceneFolder {
             throw new IOException("must have at most " + LARGEST_FILE + " bytes, has " + Files.size(real));
         }
         return real;
+    }
+
+    private static Path real(Path path) throws IOException {
+        try {
+            return path.toRealPath();
+        } catch (IOException failure) {
+            throw unreadable(failure);
+        }
     }
 
     private Path file(String name, String allowed) throws IOException {

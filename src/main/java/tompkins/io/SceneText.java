@@ -41,10 +41,11 @@ final class SceneText {
         if (Files.isDirectory(file)) {
             throw problems.wholeFile("is a folder; a scene file or a saved photograph is needed");
         }
-        if (!Files.exists(file)) {
+        // nobody can tell what lies in a folder that may not be read: reading fails then, and says why
+        if (Files.notExists(file)) {
             throw problems.wholeFile("there is no such file");
         }
-        if (!Files.isRegularFile(file)) {
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
             throw problems.wholeFile("is not a file");
         }
         try {

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -70,6 +71,16 @@ class FileNamesTest {
             assertThat(run.code()).isEqualTo(2);
             assertThat(run.err()).contains("no-such.json").doesNotContain("\tat ");
         }
+    }
+
+    /** A link that leads to itself cannot be read by anybody. */
+    @Test
+    void aFileThatCannotBeReadIsNoUnknownCommand(@TempDir Path folder) throws IOException {
+        Path circle = Files.createSymbolicLink(folder.resolve("circle"), folder.resolve("circle"));
+        ProgramRun run = ProgramRun.of(circle.resolve("scene.json"));
+        assertThat(run.code()).isEqualTo(Failures.MISTAKE);
+        assertThat(run.err()).startsWith(circle.resolve("scene.json") + ": cannot be read: ");
+        assertThat(ProgramRun.of(circle.resolve("scene.json"), "more").err()).contains("too many arguments: more");
     }
 
     @ParameterizedTest

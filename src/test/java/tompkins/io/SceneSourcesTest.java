@@ -82,15 +82,20 @@ class SceneSourcesTest {
                 picture, "not a picture; a photograph that holds its scene is a PNG, TIFF or Radiance HDR picture");
     }
 
-    /** Nobody can read a link that leads to itself, not even the administrator who may read everything else. */
-    @Test
-    void unreadableFileIsRefused() throws IOException {
-        Path file = folder.resolve("circle.json");
-        Files.createSymbolicLink(file, file);
+    /** Nobody can follow a link that leads to itself, not even the administrator who may look into every folder. */
+    @ParameterizedTest
+    @ValueSource(strings = {"circle.json", "circle.png", "circle/scene.json", "circle/photograph.png"})
+    void whatCannotBeReadIsNotSaidToBeMissing(String name) throws IOException {
+        Path circle = folder.resolve(name.replaceFirst("/.*", ""));
+        Files.createSymbolicLink(circle, circle);
+        Path file = folder.resolve(name);
         assertThatExceptionOfType(SceneFileException.class)
                 .isThrownBy(() -> StudioReader.read(file))
-                .withMessageStartingWith(file + ": ")
-                .withMessageNotContaining("Exception");
+                .withMessageStartingWith(file + ": cannot be read: ")
+                .withMessageNotContainingAny("Exception", "no such file");
+        assertThat(messageOf("{\"background\": {\"type\": \"PanoramaBackground\", \"picture\": \"" + name + "\"}}"))
+                .startsWith("f:1:58: background.picture: cannot be read: ")
+                .doesNotContain("Exception", "no such file");
     }
 
     private static void assertFileRefused(Path file, String message) {
