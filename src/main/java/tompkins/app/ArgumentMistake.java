@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -52,14 +53,19 @@ final class ArgumentMistake {
         if (mistake instanceof MutuallyExclusiveArgsException || mistake instanceof MaxValuesExceededException) {
             return onlyOneOf(command, mistake);
         }
-        return mistake.getMessage();
+        return arguments[0].equals(TompkinsCommand.HELP)
+                ? mistake.getValue() + ": there is no command of this name" + commands(mistake.getValue(), command)
+                : mistake.getMessage();
     }
 
     /** What is wrong with a word that stands where a command or a scene should. */
     static String unknownWord(String word, CommandSpec command) {
-        return word + ": there is neither a file nor a command of this name; the commands are "
-                + String.join(", ", command.subcommands().keySet())
-                + Spelling.hint(word, command.subcommands().keySet());
+        return word + ": there is neither a file nor a command of this name" + commands(word, command);
+    }
+
+    private static String commands(String word, CommandSpec command) {
+        Set<String> names = command.subcommands().keySet();
+        return "; the commands are " + String.join(", ", names) + Spelling.hint(word, names);
     }
 
     private static String withoutValue(OptionSpec option, ParameterException mistake) {

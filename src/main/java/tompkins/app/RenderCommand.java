@@ -45,11 +45,15 @@ final class RenderCommand implements Callable<Integer> {
 
     @Option(
             names = "--format",
+            paramLabel = "FORMAT",
             description = "${COMPLETION-CANDIDATES}; without it that of a photograph that is taken again, or else the"
                     + " usual one for the file's ending: png, tiff (16 bit) or hdr")
     private PictureFormat format;
 
-    @Option(names = "--tone", description = "tone curve of png and tiff: ${COMPLETION-CANDIDATES}")
+    @Option(
+            names = "--tone",
+            paramLabel = "CURVE",
+            description = "tone curve of png and tiff: ${COMPLETION-CANDIDATES}")
     private ToneCurve toneCurve;
 
     @Mixin

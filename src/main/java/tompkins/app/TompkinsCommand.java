@@ -28,6 +28,9 @@ import tompkins.ui.TompkinsWindow;
         })
 final class TompkinsCommand implements Callable<Integer> {
 
+    /** The name of the command that shows the help of another one. */
+    static final String HELP = "help";
+
     /** The commands by name, in the order in which the help lists them before itself. */
     private static final Map<String, Class<?>> COMMANDS = new LinkedHashMap<>();
 
@@ -59,7 +62,7 @@ final class TompkinsCommand implements Callable<Integer> {
             return commandLine.addSubcommand(first, COMMANDS.get(first));
         }
         COMMANDS.forEach(commandLine::addSubcommand);
-        return commandLine.addSubcommand("help", HelpCommand.class);
+        return commandLine.addSubcommand(HELP, HelpCommand.class);
     }
 
     @Override
