@@ -24,21 +24,19 @@ import tompkins.ui.widget.Texts;
 final class AnimationExport {
 
     private final JFrame frame;
-    private final StatusBar status;
-    private final Supplier<JFileChooser> choosers;
+    private final FileActions files;
     private final Supplier<Quality> quality;
 
     /** An export that takes photographs of the quality that is wanted then. */
-    AnimationExport(JFrame frame, StatusBar status, Supplier<JFileChooser> choosers, Supplier<Quality> quality) {
+    AnimationExport(JFrame frame, FileActions files, Supplier<Quality> quality) {
         this.frame = frame;
-        this.status = status;
-        this.choosers = choosers;
+        this.files = files;
         this.quality = quality;
     }
 
     /** Asks where to save an animation of a studio. */
     void ask(Studio studio, Animation animation) {
-        JFileChooser chooser = choosers.get();
+        JFileChooser chooser = files.chooser();
         chooser.setDialogTitle(Texts.get("play.export"));
         List<FormatFilter<AnimationFormat>> formats = Stream.of(AnimationFormat.values())
                 .filter(AnimationFormat::isAvailable)
@@ -54,7 +52,7 @@ final class AnimationExport {
                 frame,
                 Texts.get("file.saving", file),
                 progress -> write(studio, wanted, animation, file, format, progress),
-                () -> status.say(Texts.get("file.saved", file)));
+                () -> files.exported(file));
     }
 
     /** Takes all pictures and writes them; leaves nothing behind if the task is cancelled or fails. */

@@ -23,6 +23,7 @@ import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
+import tompkins.ui.editor.FileContentEditor;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.FileDrop;
 import tompkins.ui.file.FormatFilter;
@@ -38,7 +39,7 @@ import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
 
 /** Opens and saves scenes, saves and copies photographs. What reads or writes files does so away from the event thread. */
-final class FileActions {
+final class FileActions implements FileContentEditor.Choosers {
 
     private final JFrame frame;
     private final StudioModel model;
@@ -50,7 +51,7 @@ final class FileActions {
     /** What the scene files held when they were opened or saved last. */
     private final Map<Path, Studio> held = new HashMap<>();
 
-    /** Where a file was chosen last, as long as the scene has the same file; null before. */
+    /** Where a file was read or saved last, as long as the scene has the same file; null before. */
     private File lastFolder;
 
     FileActions(
@@ -102,19 +103,20 @@ final class FileActions {
     }
 
     /**
-     * A file chooser where a file was chosen last for this scene; before, in the folder of the scene, or, without one, where a
-     * file was opened or saved last.
+     * A file chooser where a file was read or saved last for this scene; before, in the folder of the scene, or, without one,
+     * where a file was opened or saved last.
      */
-    JFileChooser chooser() {
+    @Override
+    public JFileChooser chooser() {
         File folder = lastFolder == null ? folderOfTheScene() : lastFolder;
         JFileChooser chooser = new JFileChooser(folder);
         chooser.setName("chooser");
-        chooser.addActionListener(event -> {
-            if (JFileChooser.APPROVE_SELECTION.equals(event.getActionCommand())) {
-                lastFolder = chooser.getCurrentDirectory();
-            }
-        });
         return chooser;
+    }
+
+    @Override
+    public void used(Path file) {
+        lastFolder = file.toAbsolutePath().getParent().toFile();
     }
 
     private File folderOfTheScene() {
@@ -235,6 +237,12 @@ final class FileActions {
 
     private void saved(Path file) {
         settings.addRecentFile(file);
+        exported(file);
+    }
+
+    /** A file was saved that cannot be opened again. */
+    void exported(Path file) {
+        used(file);
         status.say(Texts.get("file.saved", file));
     }
 

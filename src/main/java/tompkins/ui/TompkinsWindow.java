@@ -64,7 +64,7 @@ public final class TompkinsWindow {
         status = new StatusBar(view.controller());
         side = new SidePanel(model, view, status::say);
         files = new FileActions(frame, model, view, status, settings, commandLine);
-        play = new PlayPanel(model, new AnimationExport(frame, status, files::chooser, view::quality)::ask);
+        play = new PlayPanel(model, new AnimationExport(frame, files, view::quality)::ask);
         frame.setContentPane(content());
         menus = new Menus(files, new History(model, frame), settings, new WindowCommands());
         frame.setJMenuBar(menus.bar());
@@ -251,8 +251,7 @@ public final class TompkinsWindow {
                 editor = new JDialog(frame, Texts.get("tree.title"));
                 editor.setName("editor");
                 editor.setContentPane(content.component());
-                FileContentEditor.Choosers choosers = files::chooser;
-                editor.getRootPane().putClientProperty(FileContentEditor.CHOOSERS, choosers);
+                editor.getRootPane().putClientProperty(FileContentEditor.CHOOSERS, files);
                 menus.bindKeys(editor.getRootPane());
                 Keys.bindEscape(editor.getRootPane(), () -> editor.setVisible(false));
                 fitEditor();

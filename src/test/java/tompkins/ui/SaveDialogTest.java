@@ -131,6 +131,26 @@ class SaveDialogTest {
         assertThat(folderOfTheChooser("menu.savePhotograph")).isEqualTo(folder);
     }
 
+    /** Pictures with numbers go into a folder without anything else in it. */
+    @Test
+    void anExportThatFailedIsForgotten() throws IOException {
+        Path full = Files.createDirectories(folder.resolve("elsewhere").resolve("full"));
+        Files.writeString(full.resolve("mine.txt"), "mine");
+        driver.menu("menu.playPanel");
+        driver.answer(Texts.get("play.export"));
+        chooseFormat("Folder of numbered PNG pictures");
+        driver.choose(full);
+        driver.answer("OK");
+        assertThat(folderOfTheChooser("menu.savePhotograph")).isEqualTo(folder);
+
+        Path exports = Files.createDirectory(folder.resolve("exports"));
+        driver.answer(Texts.get("play.export"));
+        Path gif = exports.resolve("moving.gif");
+        driver.choose(gif);
+        awaitSaved(gif);
+        assertThat(folderOfTheChooser("menu.savePhotograph")).isEqualTo(exports);
+    }
+
     private Path folderOfTheChooser(String item) {
         driver.menu(item);
         Path current = driver.chooser().getCurrentDirectory().toPath();

@@ -2,6 +2,7 @@ package tompkins.ui.editor;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.JButton;
@@ -23,9 +24,14 @@ public final class FileContentEditor implements ValueEditor {
     /** Client property of a window's root pane: the {@link Choosers} for the editors in it. */
     public static final String CHOOSERS = "tompkins.choosers";
 
-    /** Makes choosers that start in the right folder. */
+    /** Makes file choosers that start where a file was used last. */
     public interface Choosers {
-        JFileChooser make();
+
+        /** The next chooser. */
+        JFileChooser chooser();
+
+        /** A file that was chosen could be used. */
+        void used(Path file);
     }
 
     private final JButton button = new JButton();
@@ -51,17 +57,17 @@ public final class FileContentEditor implements ValueEditor {
         button.setName(name);
         button.setToolTipText(Tips.html(tip));
         button.addActionListener(event -> {
-            JFileChooser chooser = chooser();
+            JFileChooser chooser = choosers().map(Choosers::chooser).orElseGet(JFileChooser::new);
             if (chooser.showOpenDialog(button) == JFileChooser.APPROVE_OPTION) {
                 read(chooser.getSelectedFile().toPath(), reader, note, commit);
             }
         });
     }
 
-    private JFileChooser chooser() {
+    private Optional<Choosers> choosers() {
         return SwingUtilities.getRootPane(button).getClientProperty(CHOOSERS) instanceof Choosers choosers
-                ? choosers.make()
-                : new JFileChooser();
+                ? Optional.of(choosers)
+                : Optional.empty();
     }
 
     /** Reads in the background: a mesh may be large. What is read for a form that is gone by then is dropped. */
@@ -79,6 +85,7 @@ public final class FileContentEditor implements ValueEditor {
             Object content = reader.read(file);
             return () -> {
                 if (button.isShowing()) {
+                    choosers().ifPresent(choosers -> choosers.used(file));
                     note.attempt(() -> commit.accept(content));
                 }
             };
