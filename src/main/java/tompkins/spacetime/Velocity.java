@@ -1,6 +1,5 @@
 package tompkins.spacetime;
 
-import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import org.joml.Vector3d;
@@ -148,12 +147,9 @@ public final class Velocity {
     public Optional<String> warning() {
         return gamma <= GUARANTEED_GAMMA
                 ? Optional.empty()
-                : Optional.of(String.format(
-                        Locale.ROOT,
-                        "gamma %.3g is above %.0g; directions may be wrong by more than %.0g radians",
-                        gamma,
-                        GUARANTEED_GAMMA,
-                        8 * gamma * 0x1p-53));
+                : Optional.of("gamma " + NumberText.of(NumberText.rounded(gamma, 3)) + " is above "
+                        + NumberText.of(GUARANTEED_GAMMA) + "; directions may be wrong by more than "
+                        + NumberText.of(NumberText.rounded(8 * gamma * 0x1p-53, 1)) + " radians");
     }
 
     /** gamma - 1, also where gamma itself rounds to 1. */

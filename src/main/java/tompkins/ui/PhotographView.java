@@ -4,6 +4,7 @@ import java.awt.geom.Point2D;
 import java.util.function.DoubleConsumer;
 import javax.swing.SwingUtilities;
 import tompkins.render.Quality;
+import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.model.StudioModel;
@@ -16,7 +17,7 @@ import tompkins.ui.picture.RenderController;
 import tompkins.ui.picture.ScreenPicture;
 import tompkins.ui.picture.ScreenPictures;
 import tompkins.ui.widget.Messages;
-import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.SpeedText;
 import tompkins.ui.widget.Texts;
 
 /** The photograph of the current studio on its canvas, with what it is compared with, and the probe of its pixels. */
@@ -163,8 +164,7 @@ final class PhotographView implements AutoCloseable {
     String keepPicture() {
         keptPicture = canvas.shown().now();
         Studio kept = keptPicture == null ? model.studio() : keptPicture.studio();
-        return Texts.get(
-                "compare.kept", kept.shortTitle(), Numbers.brief(kept.velocity().speed()));
+        return Texts.get("compare.kept", kept.shortTitle(), SpeedText.of(kept.velocity(), SpeedScale.BETA));
     }
 
     /** Marks a place of the picture and tells the life of its ray; of no place if it is null. */

@@ -13,11 +13,13 @@ import java.util.stream.IntStream;
 import javax.swing.JComboBox;
 import javax.swing.JRadioButton;
 import javax.swing.JToggleButton;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tompkins.render.Quality;
+import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.ComparePanel;
@@ -60,6 +62,17 @@ class PhotographViewTest {
         BufferedImage difference = view.canvas().shown().difference();
         int[] levels = difference.getRGB(0, 0, 64, 48, null, 0, 64);
         assertThat(IntStream.of(levels).filter(level -> level != 0xff000000)).isEmpty();
+    }
+
+    @Test
+    void aKeptPictureIsCalledByItsSpeed() {
+        Velocity fast = Velocity.of(SpeedScale.ONE_MINUS_BETA, 5e-15, new Vector3d(0, 0, 1));
+        onEventThread(() -> model.set(model.studio().withVelocity(fast)));
+        WindowDriver.await(
+                "the picture",
+                () -> view.canvas().shown().now() != null
+                        && view.canvas().shown().now().complete());
+        assertThat(WindowDriver.onEventThread(view::keepPicture)).endsWith("\u03b2 = 1-5e-15");
     }
 
     @Test

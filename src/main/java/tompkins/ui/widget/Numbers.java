@@ -1,7 +1,6 @@
 package tompkins.ui.widget;
 
 import java.math.BigDecimal;
-import java.util.Locale;
 import org.joml.Vector3dc;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
@@ -79,12 +78,7 @@ public final class Numbers {
         if (!Double.isFinite(value)) {
             return value > 0 ? "\u221e" : value < 0 ? "\u2212\u221e" : Texts.get("number.none");
         }
-        double rounded = NumberText.rounded(value, digits);
-        double size = Math.abs(rounded);
-        if (size == 0 || size >= 1e-4 && size < 1e7) {
-            return NumberText.plain(rounded, digits);
-        }
-        return String.format(Locale.ROOT, "%." + (digits - 1) + "e", rounded).replaceAll("\\.?0*e([+-])0?", "e$1");
+        return text(NumberText.rounded(value, digits));
     }
 
     /** The first digits of three numbers. */

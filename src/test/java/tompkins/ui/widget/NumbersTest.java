@@ -22,9 +22,16 @@ class NumbersTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"3.14159265, 3.1416", "100000, 100000", "-0.1, -0.1", "1e-9, 1e-9", "123456789, 1.2346e8", "0, 0"})
+    @CsvSource({
+        "3.14159265, 3.1416",
+        "100000, 100000",
+        "-0.1, -0.1",
+        "1.23456e-9, 1.2346e-9",
+        "123456789, 123460000",
+        "0, 0"
+    })
     void briefTextsHaveFiveDigits(double value, String text) {
-        assertThat(Numbers.brief(value)).isEqualTo(text.replace("e8", "e+8"));
+        assertThat(Numbers.brief(value)).isEqualTo(text);
     }
 
     @ParameterizedTest
