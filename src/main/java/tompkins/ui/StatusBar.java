@@ -29,7 +29,9 @@ final class StatusBar {
     private final JProgressBar progress = new JProgressBar(0, STEPS);
     private final Timer timer;
     private String failure;
-    private Picture last;
+
+    /** The picture on the screen, if it is not complete and it was not yet said that it is stopped; else null. */
+    private Picture unfinished;
 
     /** A status bar that shows the progress of a controller. */
     StatusBar(RenderController controller) {
@@ -49,8 +51,9 @@ final class StatusBar {
             boolean busy = controller.isBusy();
             progress.setVisible(busy);
             progress.setValue((int) (controller.progress() * STEPS));
-            if (controller.isStopped() && last != null && !last.complete()) {
-                show(last, "status.stopped");
+            if (controller.isStopped() && unfinished != null) {
+                show(unfinished, "status.stopped");
+                unfinished = null;
             }
         });
         timer.start();
@@ -131,7 +134,7 @@ final class StatusBar {
 
     /** Shows what the picture on the screen is. */
     void show(Picture shown) {
-        last = shown;
+        unfinished = shown.complete() ? null : shown;
         show(shown, shown.complete() ? "status.complete" : "status.refining");
     }
 

@@ -292,7 +292,7 @@ class WindowTest {
     }
 
     @Test
-    void escapeEndsASlowPicture() {
+    void escapeEndsASlowPicture() throws InterruptedException {
         showSlowPicture();
         driver.click(driver.find(PictureCanvas.class, "picture"));
         driver.key(KeyEvent.VK_ESCAPE);
@@ -302,6 +302,12 @@ class WindowTest {
         assertThat(driver.picture().complete()).isFalse();
         JLabel picture = driver.find(JLabel.class, "status.picture");
         WindowDriver.await("the word for it", () -> picture.getText().endsWith(", stopped"));
+        WindowDriver.onEventThread(() -> {
+            picture.setText("said");
+            return null;
+        });
+        Thread.sleep(500);
+        assertThat(picture.getText()).as("once").isEqualTo("said");
     }
 
     /** Escape takes back one thing at a time. */
