@@ -48,6 +48,7 @@ public final class TompkinsWindow {
 
     private final Settings settings = new Settings();
     private final JFrame frame = new JFrame();
+    private final WindowSize size;
     private final StudioModel model;
     private final PhotographView view;
     private final SidePanel side;
@@ -75,6 +76,7 @@ public final class TompkinsWindow {
         frame.addWindowListener(new Closer());
         frame.setSize(
                 onScreen(settings.number("width", Look.pixels(WIDTH)), settings.number("height", Look.pixels(HEIGHT))));
+        size = new WindowSize(frame, settings);
         frame.setLocationByPlatform(true);
         model.addListener(this::showTitle);
         showTitle();
@@ -183,9 +185,7 @@ public final class TompkinsWindow {
         }
 
         private void close() {
-            settings.setNumber("width", frame.getWidth());
-            settings.setNumber("height", frame.getHeight());
-            settings.save();
+            size.save();
             frame.dispose();
         }
 

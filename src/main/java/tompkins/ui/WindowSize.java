@@ -1,0 +1,55 @@
+package tompkins.ui;
+
+import java.awt.Dimension;
+import java.awt.Frame;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import javax.swing.JFrame;
+
+/** Remembers in the settings whether a window is maximised, and how large it is when it is not. */
+final class WindowSize {
+
+    private static final String MAXIMISED = "maximised";
+
+    private final JFrame frame;
+    private final Settings settings;
+    private Dimension normal;
+
+    /** Follows a window that has its normal size, and maximises it as it was when it was closed. */
+    WindowSize(JFrame frame, Settings settings) {
+        this.frame = frame;
+        this.settings = settings;
+        normal = frame.getSize();
+        frame.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                if (maximised() == 0) {
+                    normal = frame.getSize();
+                }
+            }
+        });
+        frame.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowActivated(WindowEvent event) {
+                // a window without its borders would forget its normal size
+                frame.removeWindowListener(this);
+                frame.setExtendedState(settings.number(MAXIMISED, 0));
+            }
+        });
+    }
+
+    /** The directions in which the window is maximised, as a {@link Frame} counts them; 0 for none. */
+    private int maximised() {
+        return frame.getExtendedState() & Frame.MAXIMIZED_BOTH;
+    }
+
+    /** Writes how the window is now into the settings. */
+    void save() {
+        settings.setNumber("width", normal.width);
+        settings.setNumber("height", normal.height);
+        settings.setNumber(MAXIMISED, maximised());
+        settings.save();
+    }
+}
