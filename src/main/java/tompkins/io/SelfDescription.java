@@ -1,10 +1,14 @@
 package tompkins.io;
 
+import java.util.Locale;
+import java.util.ResourceBundle;
 import tompkins.image.PhotographInfo;
 import tompkins.studio.Studio;
 
 /** What the file of a photograph says about itself: its title, the program that took it, and the scene, to take it again. */
 public final class SelfDescription {
+
+    private static final String BUNDLE = "tompkins.io.Program";
 
     private SelfDescription() {}
 
@@ -18,9 +22,8 @@ public final class SelfDescription {
         return new PhotographInfo(title, program(), StudioWriter.writeSelfContained(studio));
     }
 
-    /** Name and version of the program, as its jar says. */
+    /** Name and version of the program. */
     public static String program() {
-        String version = SelfDescription.class.getPackage().getImplementationVersion();
-        return "Tompkins" + (version == null ? "" : " " + version);
+        return "Tompkins " + ResourceBundle.getBundle(BUNDLE, Locale.ROOT).getString("version");
     }
 }

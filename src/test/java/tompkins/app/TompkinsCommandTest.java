@@ -3,6 +3,11 @@ package tompkins.app;
 import static org.assertj.core.api.Assertions.assertThat;
 import static tompkins.app.ProgramRun.FIG1B;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -65,8 +70,16 @@ class TompkinsCommandTest {
                         + " focus-surface, arbitrary-plane, fixed-point-surface");
         assertThat(words(ProgramRun.of("study", "--help")))
                 .contains("NAME aperture, antialiasing, precision, tree, depth, preview, stability, all");
-        assertThat(ProgramRun.of("--version").out()).contains("Tompkins");
         assertThat(ProgramRun.of("rendr", FIG1B).code()).isEqualTo(2);
+    }
+
+    @Test
+    void theVersionIsThatOfTheProject() throws IOException {
+        Matcher project = Pattern.compile("<artifactId>tompkins</artifactId>\\s*<version>(.+)</version>")
+                .matcher(Files.readString(Path.of("pom.xml")));
+        assertThat(project.find()).isTrue();
+        assertThat(ProgramRun.of("--version").out())
+                .startsWith("Tompkins " + project.group(1) + System.lineSeparator());
     }
 
     /** A command that is called is the only one that the program makes ready; the help makes all of them ready. */
