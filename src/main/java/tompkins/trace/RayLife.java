@@ -20,7 +20,6 @@ import tompkins.surface.Surface;
  *     main branch goes on with most of the light
  * @param sceneDirection unit direction in the scene frame, or null
  * @param frequencyRatio frequency of the light that the camera sees divided by that in the scene frame; 1 without crossing
- * @param gamma Lorentz factor of the camera
  * @param hits everything that was hit, in the order of tracing: where a ray splits, first all of its weaker branch
  * @param colour the colour of the sample, before exposure
  * @param counts what went wrong on the way
@@ -31,7 +30,6 @@ public record RayLife(
         Event sceneStart,
         Vector3dc sceneDirection,
         double frequencyRatio,
-        double gamma,
         List<Encounter> hits,
         Colour colour,
         RayCounts counts) {
@@ -68,9 +66,7 @@ public record RayLife(
         Recorder recorder = new Recorder(plan.sceneOrigin());
         RayCounts counts = new RayCounts();
         Colour colour = plan.tracer(counts, recorder).sample(x, y, lensX, lensY);
-        return recorder.startDirection == null
-                ? null
-                : recorder.life(plan.studio().velocity().gamma(), colour, counts);
+        return recorder.startDirection == null ? null : recorder.life(colour, counts);
     }
 
     private static final class Recorder implements RayWitness {
@@ -126,14 +122,13 @@ public record RayLife(
                     : new Event(x + sceneOrigin.x(), y + sceneOrigin.y(), z + sceneOrigin.z(), time);
         }
 
-        RayLife life(double gamma, Colour colour, RayCounts counts) {
+        RayLife life(Colour colour, RayCounts counts) {
             return new RayLife(
                     start,
                     startDirection,
                     crossing,
                     crossingDirection,
                     frequencyRatio,
-                    gamma,
                     List.copyOf(hits),
                     colour,
                     counts);
