@@ -92,6 +92,16 @@ class SceneInDamagedFileTest {
                 .hasMessage(cut + ": the picture is damaged: the file ends too early or contradicts itself");
     }
 
+    /** What the library says of it is "incorrect header check". */
+    @Test
+    void aChangedPictureIsDamagedInOurWords() throws IOException {
+        byte[] png = photograph(PictureFormat.PNG);
+        png[new String(png, ISO_8859_1).indexOf("IDAT") + 5] ^= 1;
+        Path file = file(png);
+        assertThatThrownBy(() -> PhotographFile.requireWhole(file))
+                .hasMessage(file + ": the picture is damaged: the file ends too early or contradicts itself");
+    }
+
     @Test
     void aChangedSceneIsNotBelieved() throws IOException {
         byte[] whole = photograph(PictureFormat.PNG);
