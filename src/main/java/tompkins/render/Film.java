@@ -77,12 +77,16 @@ final class Film {
         return (int) Arrays.stream(samples).filter(count -> count != 0).count();
     }
 
-    /** The mean of a channel of a pixel that has samples. */
-    double mean(int pixel, int channel) {
-        double sum = sums[3 * pixel + channel];
-        int count = samples(pixel);
-        // the window asks for every neighbour of every pixel: no division where there is nothing to divide
-        return count == 1 ? sum : sum / count;
+    /** Writes the means of a row, channel by channel, behind the first pixel of an array; NaN where there are no samples. */
+    void means(int row, double[] into) {
+        for (int column = 0; column < width; column++) {
+            int pixel = row * width + column;
+            int count = samples(pixel);
+            for (int channel = 0; channel < 3; channel++) {
+                double sum = sums[3 * pixel + channel];
+                into[3 * (column + 1) + channel] = count == 1 ? sum : sum / count;
+            }
+        }
     }
 
     /**

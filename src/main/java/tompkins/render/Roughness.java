@@ -1,5 +1,7 @@
 package tompkins.render;
 
+import java.util.Arrays;
+
 /**
  * How hard each pixel is, and so how wrong it still may be. The variance of a pixel's mean is taken to fall as
  * {@code roughness n^-POWER} with the number n of its samples; the roughness is measured where samples are, and shared with
@@ -30,76 +32,110 @@ final class Roughness {
         this.film = film;
         width = film.width();
         height = film.height();
-        float[] own = new float[width * height];
-        for (int row = 0; row < height; row++) {
-            for (int column = 0; column < width; column++) {
-                own[row * width + column] = (float) own(column, row);
-            }
-        }
         sampled = film.sampledPixels();
-        shared = withNeighbours(own);
+        shared = withNeighbours(own());
     }
 
-    /** The roughness that a pixel's own samples show; NaN if it has none. */
-    private double own(int column, int row) {
-        int samples = film.samples(row * width + column);
-        if (samples == 0) {
-            return Double.NaN;
+    /** The roughness that a pixel's own samples show, with a border of one pixel; NaN there and where no samples are. */
+    private float[] own() {
+        float[] own = new float[(width + 2) * (height + 2)];
+        Arrays.fill(own, Float.NaN);
+        double[] above = darkRow();
+        double[] here = darkRow();
+        double[] below = darkRow();
+        film.means(0, here);
+        for (int row = 0; row < height; row++) {
+            if (row + 1 < height) {
+                film.means(row + 1, below);
+            } else {
+                Arrays.fill(below, Double.NaN);
+            }
+            for (int column = 0; column < width; column++) {
+                int pixel = row * width + column;
+                int samples = film.samples(pixel);
+                if (samples > 0) {
+                    own[bordered(row, column)] = (float)
+                            (samples > 1
+                                    ? film.halvesVariance(pixel) * power(samples, POWER)
+                                    : secondDifferences(above, here, below, 3 * column) * SHARE_OF_SECOND_DIFFERENCE);
+                }
+            }
+            double[] next = above;
+            above = here;
+            here = below;
+            below = next;
         }
-        if (samples > 1) {
-            return film.halvesVariance(row * width + column) * power(samples, POWER);
-        }
-        double most = secondDifference(column, row, 1, 0);
-        most = Math.max(most, secondDifference(column, row, 0, 1));
-        most = Math.max(most, secondDifference(column, row, 1, 1));
-        most = Math.max(most, secondDifference(column, row, 1, -1));
-        return most * SHARE_OF_SECOND_DIFFERENCE;
+        return own;
     }
 
-    /** The mean square, over the channels, of the second difference along a direction; 0 where a neighbour is missing. */
-    private double secondDifference(int column, int row, int right, int down) {
-        int before = neighbour(column - right, row - down);
-        int after = neighbour(column + right, row + down);
-        if (before < 0 || after < 0) {
-            return 0;
-        }
-        int pixel = row * width + column;
-        double sum = 0;
-        for (int channel = 0; channel < 3; channel++) {
-            double difference = film.mean(before, channel) + film.mean(after, channel) - 2 * film.mean(pixel, channel);
-            sum += difference * difference;
-        }
-        return sum / 3;
+    /** A row with a border, of which nothing is known. */
+    private double[] darkRow() {
+        double[] row = new double[3 * (width + 2)];
+        Arrays.fill(row, Double.NaN);
+        return row;
     }
 
-    private int neighbour(int column, int row) {
-        if (column < 0 || row < 0 || column >= width || row >= height) {
-            return -1;
-        }
-        int pixel = row * width + column;
-        return film.samples(pixel) > 0 ? pixel : -1;
+    /** The place of a pixel in a picture with a border of one pixel. */
+    private int bordered(int row, int column) {
+        return (row + 1) * (width + 2) + column + 1;
+    }
+
+    /**
+     * The largest mean square, over the channels, of the second differences along rows, columns and diagonals; 0 where neighbours
+     * are missing.
+     *
+     * @param at where the pixel to the left begins in each row
+     */
+    private static double secondDifferences(double[] above, double[] here, double[] below, int at) {
+        double most = 0;
+        most = larger(most, secondDifference(here, at, here, at + 6, here, at + 3));
+        most = larger(most, secondDifference(above, at + 3, below, at + 3, here, at + 3));
+        most = larger(most, secondDifference(above, at, below, at + 6, here, at + 3));
+        most = larger(most, secondDifference(below, at, above, at + 6, here, at + 3));
+        return most / 3;
+    }
+
+    /** The sum, over the channels, of the squares of the second difference; NaN where a neighbour is missing. */
+    private static double secondDifference(
+            double[] before, int first, double[] after, int last, double[] here, int middle) {
+        double red = before[first] + after[last] - 2 * here[middle];
+        double green = before[first + 1] + after[last + 1] - 2 * here[middle + 1];
+        double blue = before[first + 2] + after[last + 2] - 2 * here[middle + 2];
+        return red * red + green * green + blue * blue;
+    }
+
+    /** The larger of two numbers; the first if the other is NaN. */
+    private static double larger(double number, double other) {
+        return other > number ? other : number;
     }
 
     private float[] withNeighbours(float[] own) {
-        float[] mean = new float[own.length];
+        float[] mean = new float[width * height];
         for (int row = 0; row < height; row++) {
             for (int column = 0; column < width; column++) {
-                float sum = 0;
-                int count = 0;
-                for (int y = Math.max(0, row - 1); y <= Math.min(height - 1, row + 1); y++) {
-                    for (int x = Math.max(0, column - 1); x <= Math.min(width - 1, column + 1); x++) {
-                        float value = own[y * width + x];
-                        if (value >= 0) {
-                            sum += value;
-                            count++;
-                        }
-                    }
+                if (!Float.isNaN(own[bordered(row, column)])) {
+                    mean[row * width + column] = meanAround(own, row, column);
                 }
-                boolean none = Float.isNaN(own[row * width + column]);
-                mean[row * width + column] = none ? 0 : sum / count;
             }
         }
         return mean;
+    }
+
+    /** The mean of a pixel and those of its neighbours that have samples. */
+    private float meanAround(float[] own, int row, int column) {
+        float sum = 0;
+        int count = 0;
+        for (int y = row - 1; y <= row + 1; y++) {
+            int start = bordered(y, column - 1);
+            for (int place = start; place < start + 3; place++) {
+                float value = own[place];
+                if (value >= 0) {
+                    sum += value;
+                    count++;
+                }
+            }
+        }
+        return sum / count;
     }
 
     /** The roughness of a pixel, shared with its neighbours. */
