@@ -31,10 +31,9 @@ final class CheckCommand implements Callable<Integer> {
         for (Path scene : scenes) {
             try {
                 Studio studio = StudioReader.read(scene);
-                studio.velocity()
-                        .warning()
-                        .ifPresent(warning -> spec.commandLine().getErr().println(scene + ": warning: " + warning));
-                ScenePlan.of(studio, scene);
+                ScenePlan.of(studio, scene)
+                        .warnings()
+                        .forEach(warning -> spec.commandLine().getErr().println(scene + ": warning: " + warning));
                 PhotographFile.requireWhole(scene);
                 spec.commandLine().getOut().println(scene + ": no mistakes");
             } catch (SceneFileException | MistakeException mistakes) {

@@ -96,7 +96,7 @@ final class Photographer {
         // somebody may have put a file there meanwhile
         refuseToReplace(target, replace);
         PhotographFile.write(target, job.image(), format, studio.settings().toneCurve(), info);
-        studio.velocity().warning().ifPresent(warning -> err.println("warning: " + warning));
+        plan.warnings().forEach(warning -> err.println("warning: " + warning));
         report(target, job.report());
         List<String> named = StudioWriter.filesOnlyNamed(studio);
         if (!named.isEmpty()) {

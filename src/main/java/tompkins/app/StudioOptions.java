@@ -6,6 +6,7 @@ import java.util.stream.Stream;
 import org.joml.Vector3d;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Option;
+import tompkins.light.ColourLaw;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Require;
@@ -48,6 +49,12 @@ final class StudioOptions {
     @Option(names = "--time", paramLabel = "T", description = "opening time of the shutter")
     private Double time;
 
+    @Option(
+            names = "--colours",
+            paramLabel = "LAW",
+            description = "what the motion does to brightness and colours: ${COMPLETION-CANDIDATES}")
+    private ColourLaw colours;
+
     /** The studio with all options that were given. */
     Studio applyTo(Studio studio) {
         Studio changed = studio;
@@ -55,6 +62,9 @@ final class StudioOptions {
             changed = changed.withSettings(sized(studio.settings()));
         }
         changed = withVelocity(changed);
+        if (colours != null) {
+            changed = changed.withColours(colours);
+        }
         Shutter model = changed.camera().shutter();
         if (shutter != null) {
             model = shutterNamed(shutter, model);

@@ -4,6 +4,7 @@ import java.net.URISyntaxException;
 import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Optional;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
@@ -69,6 +70,9 @@ final class WindowCommandLine implements CommandLineWriter {
             line.append(" --seed ").append(settings.seed());
         }
         line.append(velocity.get());
+        if (studio.colours() != opened.colours()) {
+            line.append(" --colours ").append(studio.colours().name().toLowerCase(Locale.ROOT));
+        }
         appendShutter(line, studio.camera().shutter(), opened.camera().shutter());
         return Optional.of(line.toString());
     }
@@ -108,6 +112,7 @@ final class WindowCommandLine implements CommandLineWriter {
         Shutter start = withoutTime(now, opened.camera().shutter());
         RenderSettings settings = studio.settings();
         Studio said = opened.withVelocity(studio.velocity())
+                .withColours(studio.colours())
                 .withCamera(opened.camera().withShutter(start.openedAt(now.openingTime())))
                 .withSettings(opened.settings()
                         .withSize(settings.width(), settings.height())

@@ -1,5 +1,6 @@
 package tompkins.trace;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import tompkins.camera.ThinLensCamera;
@@ -40,17 +41,24 @@ final class PlanSentences {
         sentences.add(search());
         sentences.add(recursion());
         sentences.add(colours());
-        studio.velocity().warning().ifPresent(warning -> sentences.add("Warning: " + warning + "."));
-        if (shift != null && shift.isTooFaint()) {
-            sentences.add(
-                    "Warning: the light of the scene is too faint in the middle of the picture, where it stays dark.");
-        }
+        warnings().forEach(warning -> sentences.add("Warning: " + warning + "."));
         if (missesFocus()) {
             sentences.add("Warning: the focus has no surface, so that "
                     + (studio.camera().shutter().needsFocus()
                             ? "no ray crosses the shutter."
                             : "everything is focused at infinity."));
         }
+    }
+
+    /** What the picture may suffer from, in clauses. */
+    List<String> warnings() {
+        List<String> warnings = new ArrayList<>();
+        studio.velocity().warning().ifPresent(warnings::add);
+        if (shift != null && shift.isTooFaint()) {
+            warnings.add(
+                    "the light of the scene is too faint to be seen in the middle of the picture, which stays dark");
+        }
+        return warnings;
     }
 
     /** Whether the picture needs a focus, and there is none, as in an empty group. */
@@ -95,8 +103,8 @@ final class PlanSentences {
                     && !studio.camera().hasWideLens()
                     && studio.camera().position().length() == 0;
             return atOrigin
-                    ? "All light crosses the pinhole at time 0, where the origins of both frames meet: only directions"
-                            + " change (aberration), the point of view does not."
+                    ? "All light crosses the pinhole at time 0, where the origins of both frames meet: of the geometry only"
+                            + " directions change (aberration), the point of view does not."
                     : "All light crosses the lens at one time: the shutter is a constant.";
         }
         return "The time at the lens is worked out for each ray: different pixels may see the scene from different places.";
@@ -141,8 +149,10 @@ final class PlanSentences {
                             : "; these are worked out under the Lorentz transformation only.");
         }
         String change = shift.law() == ColourLaw.DOPPLER
-                ? "Colours and brightness shift with the Doppler factor D, as in the light of a black body"
-                : "The searchlight effect alone: brightness changes with the fourth power of the Doppler factor D";
+                ? "Colours and brightness shift with the Doppler factor D (frequency in the camera/scene), as in the light"
+                        + " of a black body"
+                : "The searchlight effect alone: brightness changes with the fourth power of the Doppler factor D (frequency"
+                        + " in the camera/scene)";
         return format(
                 "%s. The light of the scene is metered in the middle of the picture, where D is %s: %+.1f stops.",
                 change, NumberText.plain(shift.middle(), 4), Math.round(10 * shift.stops()) / 10.0);

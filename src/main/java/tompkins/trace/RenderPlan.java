@@ -189,7 +189,16 @@ public final class RenderPlan {
     /** The plan in sentences: what this picture needs, what it leaves out, and why; of its samples the quality tells. */
     public List<String> sentences() {
         List<String> sentences = new ArrayList<>();
-        new PlanSentences(studio, scene.objects(), cameraFrame, isAtRest(), shift).addTo(sentences);
+        inSentences().addTo(sentences);
         return sentences;
+    }
+
+    /** What this picture may suffer from, in clauses without a full stop; all of them stand in the sentences, too. */
+    public List<String> warnings() {
+        return inSentences().warnings();
+    }
+
+    private PlanSentences inSentences() {
+        return new PlanSentences(studio, scene.objects(), cameraFrame, isAtRest(), shift);
     }
 }

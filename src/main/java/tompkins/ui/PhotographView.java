@@ -3,6 +3,7 @@ package tompkins.ui;
 import java.awt.geom.Point2D;
 import java.util.function.DoubleConsumer;
 import javax.swing.SwingUtilities;
+import tompkins.light.ColourLaw;
 import tompkins.render.Quality;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
@@ -19,6 +20,7 @@ import tompkins.ui.picture.ScreenPictures;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.SpeedText;
 import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Wording;
 
 /** The photograph of the current studio on its canvas, with what it is compared with, and the probe of its pixels. */
 final class PhotographView implements AutoCloseable {
@@ -164,7 +166,10 @@ final class PhotographView implements AutoCloseable {
     String keepPicture() {
         keptPicture = canvas.shown().now();
         Studio kept = keptPicture == null ? model.studio() : keptPicture.studio();
-        return Texts.get("compare.kept", kept.shortTitle(), SpeedText.of(kept.velocity(), SpeedScale.BETA));
+        String speed = SpeedText.of(kept.velocity(), SpeedScale.BETA);
+        return kept.colours() == ColourLaw.UNCHANGED
+                ? Texts.get("compare.kept", kept.shortTitle(), speed)
+                : Texts.get("compare.keptColours", kept.shortTitle(), speed, Wording.label(kept.colours()));
     }
 
     /** Marks a place of the picture and tells the life of its ray; of no place if it is null. */

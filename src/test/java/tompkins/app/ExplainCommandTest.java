@@ -118,12 +118,12 @@ class ExplainCommandTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            doppler     | lorentz  | 0.6    | shift with the Doppler factor D, as in the light of a black body. The light of \
+            doppler     | lorentz  | 0.6    | shift with the Doppler factor D (frequency in the camera/scene), as in the light of a black body. The light of \
             the scene is metered in the middle of the picture, where D is 2: -3.1 stops.
             searchlight | lorentz  | 0.6    | The searchlight effect alone: brightness changes with the fourth power of the \
-            Doppler factor D. The light of the scene is metered in the middle of the picture, where D is 2: -4.0 stops.
+            Doppler factor D (frequency in the camera/scene). The light of the scene is metered in the middle of the picture, where D is 2: -4.0 stops.
             searchlight | lorentz  | 1e-12  | where D is 1: +0.0 stops.
-            searchlight | lorentz  | -0.999 | Warning: the light of the scene is too faint in the middle of the picture
+            searchlight | lorentz  | -0.999 | Warning: the light of the scene is too faint to be seen in the middle of the picture, which stays dark.
             doppler     | galilean | 0.6    | no searchlight effect; these are worked out under the Lorentz transformation only.
             doppler     | none     | 0.6    | no searchlight effect; these are worked out under the Lorentz transformation only.
             doppler     | lorentz  | 0      | no Doppler shift, no searchlight effect.
@@ -140,6 +140,24 @@ class ExplainCommandTest {
                         law,
                         speed));
         assertThat(ProgramRun.of("explain", scene, "--size", "8x6").out()).contains(said);
+    }
+
+    /** Nothing can be seen of a scene from which the camera flies away at D = 0.07; whoever gets the black picture is told so. */
+    @Test
+    void aPictureThatStaysDarkIsToldByAllThatTakeIt() throws IOException {
+        Path scene = Files.writeString(folder.resolve("dark.json"), "{ \"velocity\": [0, 0, -0.99] }");
+        Path picture = folder.resolve("dark.png");
+        String warning =
+                "warning: the light of the scene is too faint to be seen in the middle of the picture, which stays dark";
+
+        ProgramRun render = ProgramRun.of("render", scene, "-o", picture, "--size", "8x6", "--colours", "doppler");
+
+        assertThat(render.code()).isZero();
+        assertThat(render.err()).contains(warning);
+        assertThat(ProgramRun.of("check", picture).err()).contains("dark.png: " + warning);
+        assertThat(ProgramRun.of("render", scene, "-o", folder.resolve("light.png"), "--size", "8x6")
+                        .err())
+                .doesNotContain("warning");
     }
 
     @Test

@@ -64,6 +64,7 @@ class WindowCommandLineTest {
                 OPENED.withSettings(OPENED.settings().withSize(10, 7)),
                 OPENED.withSettings(OPENED.settings().withSamples(3).withSeed(-5)),
                 OPENED.withVelocity(Velocity.of(-0.1, 0.2, 1.0 / 3)),
+                OPENED.withColours(ColourLaw.SEARCHLIGHT),
                 with(OPENED.camera().shutter().openedAt(-1.5)),
                 with(FocusSurfaceShutter.DEFAULT),
                 with(FixedPointSurfaceShutter.DEFAULT),
@@ -158,7 +159,6 @@ class WindowCommandLineTest {
         return Stream.of(
                 OPENED.withScene(List.of()),
                 OPENED.withTransformation(TransformationLaw.GALILEAN),
-                OPENED.withColours(ColourLaw.DOPPLER),
                 OPENED.withVelocity(Velocity.of(SpeedScale.GAMMA, 1e7, new Vector3d(0, 1, 1))),
                 OPENED.withVelocity(Velocity.of(SpeedScale.ONE_MINUS_BETA, 5.3e-17, new Vector3d(0, 1e-9, 1))),
                 with(new FocusSurfaceShutter(1)).withScene(List.of()));

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import tompkins.light.ColourLaw;
 import tompkins.render.Quality;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
@@ -65,7 +66,7 @@ class PhotographViewTest {
     }
 
     @Test
-    void aKeptPictureIsCalledByItsSpeed() {
+    void aKeptPictureIsCalledByItsSpeedAndItsColours() {
         Velocity fast = Velocity.of(SpeedScale.ONE_MINUS_BETA, 5e-15, new Vector3d(0, 0, 1));
         onEventThread(() -> model.set(model.studio().withVelocity(fast)));
         WindowDriver.await(
@@ -73,6 +74,11 @@ class PhotographViewTest {
                 () -> view.canvas().shown().now() != null
                         && view.canvas().shown().now().complete());
         assertThat(WindowDriver.onEventThread(view::keepPicture)).endsWith("\u03b2 = 1-5e-15");
+        onEventThread(() -> model.set(model.studio().withColours(ColourLaw.SEARCHLIGHT)));
+        WindowDriver.await(
+                "the picture with other colours",
+                () -> view.canvas().shown().now().studio().colours() == ColourLaw.SEARCHLIGHT);
+        assertThat(WindowDriver.onEventThread(view::keepPicture)).endsWith("\u03b2 = 1-5e-15, Searchlight effect");
     }
 
     @Test
