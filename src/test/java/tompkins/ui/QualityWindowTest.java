@@ -14,6 +14,7 @@ import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JLabel;
+import javax.swing.JTextField;
 import org.jfree.chart.ChartPanel;
 import org.jfree.chart.entity.EntityCollection;
 import org.jfree.chart.entity.XYItemEntity;
@@ -67,6 +68,16 @@ class QualityWindowTest {
         choose("the same", 0, "4 samples a pixel");
         assertThat(state()).startsWith("Chosen for the picture:");
         assertThat(driver.studio().settings().samples()).isEqualTo(4);
+
+        JTextField samples = driver.find(JTextField.class, "Samples");
+        WindowDriver.onEventThread(() -> {
+            samples.setText("3");
+            samples.postActionEvent();
+            return null;
+        });
+        assertThat(WindowDriver.onEventThread(QualityWindowTest::state))
+                .as("when the scene has another number")
+                .startsWith("Click on a point");
 
         choose("adaptive", 5, "Samples where they are needed, error 0.001");
         WindowDriver.await(

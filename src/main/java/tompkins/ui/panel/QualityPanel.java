@@ -50,6 +50,9 @@ public final class QualityPanel {
     private Studio opened;
     private int sceneSamples;
 
+    /** The last one that was opened; null before. */
+    private ChartWindow chartWindow;
+
     /**
      * The panel.
      *
@@ -61,7 +64,10 @@ public final class QualityPanel {
         asScene.setName(Texts.get("quality.asScene"));
         asScene.addActionListener(event -> set(null));
         Naming.name(measure, Texts.get("quality.measure"), Texts.get("quality.measureTip"));
-        measure.addActionListener(event -> new ChartWindow(SwingUtilities.getWindowAncestor(panel)).start());
+        measure.addActionListener(event -> {
+            chartWindow = new ChartWindow(SwingUtilities.getWindowAncestor(panel));
+            chartWindow.start();
+        });
         panel.add(chosen.component(), "wmin 0");
         panel.add(asScene, "wmin 0");
         panel.add(measure, "wmin 0");
@@ -77,6 +83,7 @@ public final class QualityPanel {
 
     /** Takes a quality: a number of samples goes into the scene, an error stays with the window; null is what the scene says. */
     void set(Quality quality) {
+        forgetPoint();
         if (quality instanceof Quality.Samples fixed) {
             Studio studio = model.studio();
             show(null);
@@ -96,6 +103,15 @@ public final class QualityPanel {
         sceneSamples = samples;
         if (changed && asScene.isEnabled()) {
             set(null);
+        } else if (changed) {
+            forgetPoint();
+        }
+    }
+
+    /** No point of the chart is in force any more. */
+    private void forgetPoint() {
+        if (chartWindow != null) {
+            chartWindow.forgetPoint();
         }
     }
 
@@ -122,6 +138,9 @@ public final class QualityPanel {
         private final JLabel state = new JLabel();
         private volatile boolean closed;
         private List<Measurement> shown = List.of();
+
+        /** Whether it says which point was taken. */
+        private boolean saysPoint;
 
         ChartWindow(Window owner) {
             dialog = new JDialog(owner, Texts.get("section.quality"));
@@ -171,8 +190,16 @@ public final class QualityPanel {
             SwingUtilities.invokeLater(() -> state.setText(text));
         }
 
+        private void forgetPoint() {
+            if (saysPoint) {
+                state.setText(Texts.get("quality.choose"));
+                saysPoint = false;
+            }
+        }
+
         private void draw(List<Measurement> measured) {
             shown = measured;
+            saysPoint = false;
             chart.setChart(ChartDrawing.drawing(study.chart(), measured));
             state.setText(progress(measured.size()));
         }
@@ -192,6 +219,7 @@ public final class QualityPanel {
                     if (measurement != null) {
                         set(study.qualityOf(measurement));
                         state.setText(Texts.get("quality.chosen", text(study.qualityOf(measurement))));
+                        saysPoint = true;
                     }
                 }
             }

@@ -178,7 +178,7 @@ public final class VelocityPanel {
         speed.show(SpeedText.of(now, scale));
         sphere.show(now.givenDirection());
         direction.showDirection(now.givenDirection());
-        String beta = Numbers.brief(now.components());
+        String beta = SpeedText.vector(now);
         numbers.setText(
                 model.studio().transformation().speedScale() == SpeedScale.BETA
                         ? Texts.get("velocity.beta", beta)

@@ -35,10 +35,21 @@ public final class SpeedText {
     /** The speed of a velocity on a scale, as short as a field: {@code 0.97}, {@code 1-1e-9}. */
     public static String of(Velocity velocity, SpeedScale scale) {
         double value = scale.valueOf(velocity);
-        if (scale == SpeedScale.BETA && value > 0.999999) {
+        if (scale == SpeedScale.BETA && isNearlyLight(velocity)) {
             return "1-" + Numbers.fitting(velocity.oneMinusSpeed(), CHARACTERS - 2);
         }
         return Numbers.fitting(value, CHARACTERS);
+    }
+
+    /** A velocity in units of c: its components, or near the speed of light, of which they tell nothing, speed times direction. */
+    public static String vector(Velocity velocity) {
+        return isNearlyLight(velocity)
+                ? "(" + of(velocity, SpeedScale.BETA) + ") \u00b7 " + Numbers.brief(velocity.direction())
+                : Numbers.brief(velocity.components());
+    }
+
+    private static boolean isNearlyLight(Velocity velocity) {
+        return velocity.speed() > 0.999999;
     }
 
     /**

@@ -165,6 +165,13 @@ class PanelsTest {
     }
 
     @Test
+    void aVelocityNearThatOfLightIsToldBySpeedAndDirection() {
+        Container panel = (Container) new VelocityPanel(model).component();
+        model.set(model.studio().withVelocity(Velocity.of(SpeedScale.ONE_MINUS_BETA, 1e-9, new Vector3d(0, 3, -4))));
+        assertThat(Components.notes(panel)).contains("\u03b3 = 22360.7    \u03b2 = (1-1e-9) \u00b7 (0, 0.6, -0.8)");
+    }
+
+    @Test
     void buttonsTurnTheVelocity() {
         Container panel = (Container) new VelocityPanel(model).component();
         double speed = velocity().speed();
