@@ -7,6 +7,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.util.zip.ZipException;
+import javax.imageio.IIOException;
 
 /** A picture could not be read, or a file not be written. The message is one line: the file, what is wrong, and what is allowed. */
 public final class PictureException extends IOException {
@@ -44,7 +45,10 @@ public final class PictureException extends IOException {
         while (root.getCause() != null) {
             root = root.getCause();
         }
-        if (root instanceof RuntimeException || root instanceof EOFException || root instanceof ZipException) {
+        if (root instanceof RuntimeException
+                || root instanceof EOFException
+                || root instanceof ZipException
+                || root instanceof IIOException) {
             // What a reader says when it stumbles over a damaged file is about the reader.
             return "the file ends too early or contradicts itself";
         }

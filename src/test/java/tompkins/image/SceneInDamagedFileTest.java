@@ -16,6 +16,7 @@ import java.util.zip.DeflaterOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class SceneInDamagedFileTest {
@@ -92,11 +93,12 @@ class SceneInDamagedFileTest {
                 .hasMessage(cut + ": the picture is damaged: the file ends too early or contradicts itself");
     }
 
-    /** What the library says of it is "incorrect header check". */
-    @Test
-    void aChangedPictureIsDamagedInOurWords() throws IOException {
+    /** What the libraries say of it is "incorrect header check", or "Bad color type/bit depth combination!". */
+    @ParameterizedTest
+    @CsvSource({"IDAT, 5", "IHDR, 12"})
+    void aChangedPictureIsDamagedInOurWords(String chunk, int place) throws IOException {
         byte[] png = photograph(PictureFormat.PNG);
-        png[new String(png, ISO_8859_1).indexOf("IDAT") + 5] ^= 1;
+        png[new String(png, ISO_8859_1).indexOf(chunk) + place] ^= 1;
         Path file = file(png);
         assertThatThrownBy(() -> PhotographFile.requireWhole(file))
                 .hasMessage(file + ": the picture is damaged: the file ends too early or contradicts itself");
