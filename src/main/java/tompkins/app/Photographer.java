@@ -53,18 +53,19 @@ final class Photographer {
      */
     void takeDefault(Path file, Path folder) throws IOException, InterruptedException {
         Studio studio = StudioReader.read(file);
-        PhotographInfo info = info(studio, file);
         Path target = targetOf(file, folder);
         String stem = target.toString().replaceFirst("\\.png$", "");
-        for (int number = 2; Files.exists(target) && !isPhotographOf(target, info); number++) {
+        for (int number = 2; Files.exists(target) && !isPhotographOf(target, studio, file); number++) {
             target = Path.of(stem + "-" + number + ".png");
         }
         take(file, studio, Quality.of(studio), target, PictureFormat.of(target), Files.exists(target));
     }
 
-    private static boolean isPhotographOf(Path file, PhotographInfo info) {
+    private static boolean isPhotographOf(Path picture, Studio studio, Path scene) {
         try {
-            return Files.isRegularFile(file) && PhotographFile.readScene(file).equals(Optional.of(info.sceneJson()));
+            return Files.isRegularFile(picture)
+                    && PhotographFile.readScene(picture)
+                            .equals(Optional.of(info(studio, scene).sceneJson()));
         } catch (PictureException otherFile) {
             return false;
         }
