@@ -33,7 +33,9 @@ final class PlanSentences {
         this.shift = shift;
     }
 
-    void addTo(List<String> sentences) {
+    /** All sentences, the warnings last. */
+    List<String> sentences() {
+        List<String> sentences = new ArrayList<>();
         sentences.add(motion());
         sentences.add(lens());
         sentences.add(shutter());
@@ -48,6 +50,7 @@ final class PlanSentences {
                             ? "no ray crosses the shutter."
                             : "everything is focused at infinity."));
         }
+        return sentences;
     }
 
     /** What the picture may suffer from, in clauses. */

@@ -1,6 +1,5 @@
 package tompkins.trace;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -188,9 +187,7 @@ public final class RenderPlan {
 
     /** The plan in sentences: what this picture needs, what it leaves out, and why; of its samples the quality tells. */
     public List<String> sentences() {
-        List<String> sentences = new ArrayList<>();
-        inSentences().addTo(sentences);
-        return sentences;
+        return inSentences().sentences();
     }
 
     /** What this picture may suffer from, in clauses without a full stop; all of them stand in the sentences, too. */

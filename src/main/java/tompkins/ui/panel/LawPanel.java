@@ -22,11 +22,7 @@ public final class LawPanel {
     private final JPanel panel = Rows.column();
 
     private <L extends Enum<L>> LawPanel(
-            StudioModel model,
-            L[] laws,
-            Function<Studio, L> reading,
-            BiFunction<Studio, L, Studio> change,
-            Function<Studio, String> remark) {
+            StudioModel model, L[] laws, Function<Studio, L> reading, BiFunction<Studio, L, Studio> change) {
         ButtonGroup group = new ButtonGroup();
         for (L law : laws) {
             JRadioButton button = new JRadioButton(Wording.label(law));
@@ -38,21 +34,20 @@ public final class LawPanel {
             model.addListener(update);
             update.run();
         }
-        Note note = new Note(remark.apply(model.studio()));
-        model.addListener(() -> note.setText(remark.apply(model.studio())));
-        panel.add(note.component(), "wmin 0");
     }
 
     /** The law of motion of the studio in a model: Einstein's, Newton's, or none. */
     public static LawPanel ofTransformation(StudioModel model) {
-        return new LawPanel(
-                model, TransformationLaw.values(), Studio::transformation, Studio::withTransformation, studio -> "");
+        return new LawPanel(model, TransformationLaw.values(), Studio::transformation, Studio::withTransformation);
     }
 
     /** What the motion does to the colours of the studio in a model. */
     public static LawPanel ofColours(StudioModel model) {
-        return new LawPanel(
-                model, ColourLaw.values(), Studio::colours, Studio::withColours, LawPanel::missingEffectOnColours);
+        LawPanel colours = new LawPanel(model, ColourLaw.values(), Studio::colours, Studio::withColours);
+        Note note = new Note(missingEffectOnColours(model.studio()));
+        model.addListener(() -> note.setText(missingEffectOnColours(model.studio())));
+        colours.panel.add(note.component(), "wmin 0");
+        return colours;
     }
 
     private static String missingEffectOnColours(Studio studio) {
