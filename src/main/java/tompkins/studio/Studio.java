@@ -10,6 +10,7 @@ import tompkins.light.PointLight;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.sceneobject.SceneObject;
+import tompkins.spacetime.LorentzTransformation;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
@@ -92,6 +93,11 @@ public record Studio(
     /** The change from the camera frame to the scene frame. */
     public SpaceTimeTransformation sceneFromCamera() {
         return transformation.sceneFromCamera(velocity);
+    }
+
+    /** Whether the motion changes brightness and colours: only relativity says how, and a camera at rest sees them as they are. */
+    public boolean shiftsColours() {
+        return colours != ColourLaw.UNCHANGED && sceneFromCamera() instanceof LorentzTransformation;
     }
 
     /** The same studio with another scene. */

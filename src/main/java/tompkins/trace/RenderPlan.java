@@ -5,7 +5,6 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.CameraRays;
 import tompkins.camera.PixelSampler;
-import tompkins.light.ColourLaw;
 import tompkins.math.Vectors;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
@@ -16,7 +15,6 @@ import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.shutter.LensRay;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.IdentityTransformation;
-import tompkins.spacetime.LorentzTransformation;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.studio.Studio;
 
@@ -52,7 +50,7 @@ public final class RenderPlan {
         lensSlowness =
                 LensMedium.slowness(cameraFrame.primitives(), studio.camera().position());
         // last, for it follows a ray by this plan
-        shift = lightShift();
+        shift = studio.shiftsColours() ? new LightShift(studio.colours(), middleDopplerFactor()) : null;
     }
 
     /**
@@ -76,13 +74,6 @@ public final class RenderPlan {
      */
     public static RenderPlan of(Studio studio, RenderPlan previous) {
         return new RenderPlan(studio, previous, false);
-    }
-
-    /** What becomes of the light of the scene: null unless the studio asks for a change, and the change of frame is Lorentz's. */
-    private LightShift lightShift() {
-        return studio.colours() == ColourLaw.UNCHANGED || !(sceneFromCamera instanceof LorentzTransformation)
-                ? null
-                : new LightShift(studio.colours(), middleDopplerFactor());
     }
 
     /** The Doppler factor in the middle of the picture, behind windows and mirrors that move with the camera. */

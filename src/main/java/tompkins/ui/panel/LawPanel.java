@@ -51,9 +51,7 @@ public final class LawPanel {
     }
 
     private static String missingEffectOnColours(Studio studio) {
-        boolean shifts = studio.transformation() == TransformationLaw.LORENTZ
-                && !studio.velocity().isRest();
-        return shifts || studio.colours() == ColourLaw.UNCHANGED ? "" : Texts.get("colours.noEffect");
+        return studio.shiftsColours() || studio.colours() == ColourLaw.UNCHANGED ? "" : Texts.get("colours.noEffect");
     }
 
     /** The panel itself. */
