@@ -27,14 +27,16 @@ final class StatusBar {
     private final JLabel where = new JLabel(" ");
     private final JLabel picture = new JLabel(" ");
     private final JProgressBar progress = new JProgressBar(0, STEPS);
+    private final RenderController controller;
     private final Timer timer;
     private String failure;
 
-    /** The picture on the screen, if it is not complete and it was not yet said that it is stopped; else null. */
-    private Picture unfinished;
+    /** The picture on the screen, if it is said that it becomes better; else null. */
+    private Picture refining;
 
     /** A status bar that shows the progress of a controller. */
     StatusBar(RenderController controller) {
+        this.controller = controller;
         what.setName("status.what");
         where.setName("status.where");
         where.putClientProperty("FlatLaf.styleClass", "small");
@@ -51,9 +53,8 @@ final class StatusBar {
             boolean busy = controller.isBusy();
             progress.setVisible(busy);
             progress.setValue((int) (controller.progress() * STEPS));
-            if (controller.isStopped() && unfinished != null) {
-                show(unfinished, "status.stopped");
-                unfinished = null;
+            if (controller.isStopped() && refining != null) {
+                show(refining);
             }
         });
         timer.start();
@@ -134,14 +135,13 @@ final class StatusBar {
 
     /** Shows what the picture on the screen is. */
     void show(Picture shown) {
-        unfinished = shown.complete() ? null : shown;
-        show(shown, shown.complete() ? "status.complete" : "status.refining");
-    }
-
-    private void show(Picture shown, String key) {
+        // what was rendered before the stop may reach the screen after it
+        boolean ended = shown.complete() || controller.isStopped();
+        refining = ended ? null : shown;
         if (failure != null) {
             return;
         }
+        String key = shown.complete() ? "status.complete" : ended ? "status.stopped" : "status.refining";
         long milliseconds = shown.time().toMillis();
         String samples = Numbers.brief(shown.samples(), 3);
         picture.setText(Texts.get(
