@@ -1,5 +1,8 @@
 package tompkins.spacetime;
 
+import java.util.Optional;
+import tompkins.property.NumberText;
+
 /** The law by which the camera's motion changes what it sees. */
 public enum TransformationLaw {
     /** Special relativity. */
@@ -9,9 +12,22 @@ public enum TransformationLaw {
     /** The velocity is ignored. */
     NONE;
 
-    /** The number by which speeds are told: with Newton gamma means nothing. */
+    /** The number by which speeds are told: gamma means something to Lorentz alone. */
     public SpeedScale speedScale() {
-        return this == GALILEAN ? SpeedScale.BETA : SpeedScale.GAMMA;
+        return this == LORENTZ ? SpeedScale.GAMMA : SpeedScale.BETA;
+    }
+
+    /**
+     * What to say of pictures at a velocity, if they may have lost digits: with Lorentz a warning above
+     * {@link Velocity#GUARANTEED_GAMMA}.
+     */
+    public Optional<String> warning(Velocity velocity) {
+        double gamma = velocity.gamma();
+        return this != LORENTZ || gamma <= Velocity.GUARANTEED_GAMMA
+                ? Optional.empty()
+                : Optional.of("gamma " + NumberText.of(NumberText.rounded(gamma, 3)) + " is above "
+                        + NumberText.of(Velocity.GUARANTEED_GAMMA) + "; directions may be wrong by more than "
+                        + NumberText.of(NumberText.rounded(8 * gamma * 0x1p-53, 1)) + " radians");
     }
 
     /** The change from the frame of a camera with the given velocity to the scene frame. */

@@ -1,7 +1,6 @@
 package tompkins.spacetime;
 
 import java.util.Objects;
-import java.util.Optional;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Precise;
@@ -141,15 +140,6 @@ public final class Velocity {
     /** The Lorentz factor, from 1 upwards. */
     public double gamma() {
         return gamma;
-    }
-
-    /** What to say of pictures at this velocity, if they may have lost digits: a warning above {@link #GUARANTEED_GAMMA}. */
-    public Optional<String> warning() {
-        return gamma <= GUARANTEED_GAMMA
-                ? Optional.empty()
-                : Optional.of("gamma " + NumberText.of(NumberText.rounded(gamma, 3)) + " is above "
-                        + NumberText.of(GUARANTEED_GAMMA) + "; directions may be wrong by more than "
-                        + NumberText.of(NumberText.rounded(8 * gamma * 0x1p-53, 1)) + " radians");
     }
 
     /** gamma - 1, also where gamma itself rounds to 1. */

@@ -56,7 +56,7 @@ final class PlanSentences {
     /** What the picture may suffer from, in clauses. */
     List<String> warnings() {
         List<String> warnings = new ArrayList<>();
-        studio.velocity().warning().ifPresent(warnings::add);
+        studio.transformation().warning(studio.velocity()).ifPresent(warnings::add);
         if (shift != null && shift.isTooFaint()) {
             warnings.add(
                     "the light of the scene is too faint to be seen in the middle of the picture, which stays dark");

@@ -72,6 +72,7 @@ final class FileActions implements FileContentEditor.Choosers {
 
     /** Does what lets go of the scene, once its changes are saved or discarded; not at all if the user cancels that. */
     void leaveScene(Runnable next) {
+        takeEntries();
         Messages.Unsaved answer = model.isModified()
                 ? Messages.askAboutChanges(frame, model.studio().title())
                 : Messages.Unsaved.DISCARD;
@@ -86,6 +87,11 @@ final class FileActions implements FileContentEditor.Choosers {
             case DISCARD -> next.run();
             case CANCEL -> {}
         }
+    }
+
+    /** Takes what was typed without Enter, so that it is not missing from what is saved; what is refused stays where it is. */
+    private void takeEntries() {
+        EntryField.takeAll(frame);
     }
 
     /** Asks for a file and opens it. */
@@ -175,6 +181,7 @@ final class FileActions implements FileContentEditor.Choosers {
 
     /** Saves the scene where it came from; asks for a place if it has none. */
     void saveScene() {
+        takeEntries();
         saveScene(() -> {});
     }
 
@@ -215,6 +222,7 @@ final class FileActions implements FileContentEditor.Choosers {
 
     /** Asks where to save the scene. */
     void saveSceneAs() {
+        takeEntries();
         saveSceneAs(() -> {});
     }
 
@@ -238,6 +246,9 @@ final class FileActions implements FileContentEditor.Choosers {
     private void saved(Path file) {
         settings.addRecentFile(file);
         exported(file);
+        if (EntryField.in(frame).anyMatch(EntryField::isPending)) {
+            status.say(Texts.get("file.savedWithout", file));
+        }
     }
 
     /** A file was saved that cannot be opened again. */
@@ -248,6 +259,7 @@ final class FileActions implements FileContentEditor.Choosers {
 
     /** Asks where to save the photograph. */
     void savePhotograph() {
+        takeEntries();
         List<FormatFilter<PictureFormat>> formats = Stream.of(PictureFormat.values())
                 .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
                 .toList();

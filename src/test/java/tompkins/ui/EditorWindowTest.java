@@ -13,6 +13,7 @@ import java.util.List;
 import javax.imageio.ImageIO;
 import javax.swing.JButton;
 import javax.swing.JDialog;
+import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTree;
@@ -81,6 +82,27 @@ class EditorWindowTest {
         driver.key(KeyEvent.VK_S, KeyEvent.VK_CONTROL);
         WindowDriver.await("the saved scene", () -> !driver.window().model().isModified());
         assertThat(StudioReader.read(file)).isEqualTo(driver.studio());
+    }
+
+    /** A field that still has the focus is no reason to leave its value out of the file. */
+    @Test
+    void whatWasTypedWithoutEnterIsSavedAndWhatWasRefusedIsSpokenOf() {
+        driver.typeWithoutEnter(radius(), "0.25");
+        driver.key(KeyEvent.VK_S, KeyEvent.VK_CONTROL);
+        WindowDriver.await("the saved scene", () -> said().equals("Saved " + file));
+        assertThat(((Sphere) StudioReader.read(file).scene().get(0)).radius()).isEqualTo(0.25);
+
+        driver.typeWithoutEnter(radius(), "-1");
+        driver.key(KeyEvent.VK_S, KeyEvent.VK_CONTROL);
+        WindowDriver.await(
+                "the remark", () -> said().equals("Saved " + file + ", without the values that are marked as wrong"));
+        assertThat(Components.isMarked(radius())).isTrue();
+        assertThat(StudioReader.read(file)).isEqualTo(driver.studio());
+    }
+
+    private String said() {
+        return Components.find(driver.window().frame(), JLabel.class, "status.what")
+                .getText();
     }
 
     @Test

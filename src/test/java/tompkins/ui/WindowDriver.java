@@ -287,13 +287,18 @@ public final class WindowDriver implements AutoCloseable {
 
     /** Clicks into a field, replaces its text by digits, points and minus signs, and presses Enter. */
     void type(JComponent field, String text) {
+        typeWithoutEnter(field, text);
+        key(KeyEvent.VK_ENTER);
+    }
+
+    /** As above, without the last key. */
+    void typeWithoutEnter(JComponent field, String text) {
         click(field);
         await(
                 "the focus",
                 () -> KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner() == field);
         key(KeyEvent.VK_A, KeyEvent.VK_CONTROL);
         text.chars().forEach(letter -> key(KeyEvent.getExtendedKeyCodeForChar(letter)));
-        key(KeyEvent.VK_ENTER);
     }
 
     @Override

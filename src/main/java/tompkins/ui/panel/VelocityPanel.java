@@ -13,6 +13,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.property.NumberText;
 import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.ui.model.FrontWindow;
@@ -179,10 +180,11 @@ public final class VelocityPanel {
         sphere.show(now.givenDirection());
         direction.showDirection(now.givenDirection());
         String beta = SpeedText.vector(now);
+        TransformationLaw law = model.studio().transformation();
         numbers.setText(
-                model.studio().transformation().speedScale() == SpeedScale.BETA
+                law.speedScale() == SpeedScale.BETA
                         ? Texts.get("velocity.beta", beta)
                         : Texts.get("velocity.numbers", Numbers.brief(now.gamma(), 6), beta));
-        now.warning().ifPresentOrElse(warning::setError, () -> warning.setText(""));
+        law.warning(now).ifPresentOrElse(warning::setError, () -> warning.setText(""));
     }
 }
