@@ -51,7 +51,11 @@ public final class RenderController implements AutoCloseable {
     private volatile Run run;
     private volatile Quality quality;
 
+    private final Object shownLock = new Object();
+    private int lastShown;
+
     // known to the planner's thread alone
+    private int runs;
     private RenderPlan lastPlan;
     private long longestWait = LONGEST_WAIT.toNanos();
 
@@ -169,6 +173,7 @@ public final class RenderController implements AutoCloseable {
     private final class Run implements RenderListener {
 
         private final Request request;
+        private final int number = ++runs;
         private final long startTime = System.nanoTime();
         private volatile RenderJob job;
         private volatile boolean shown;
@@ -213,7 +218,7 @@ public final class RenderController implements AutoCloseable {
             RenderReport report = tellsError ? rendered.report() : null;
             double samples = (double) rendered.samples()
                     / ((double) rendered.plan().width() * rendered.plan().height());
-            pictures.accept(new Picture(
+            Picture picture = new Picture(
                     rendered.plan(),
                     request.quality,
                     rendered.image(),
@@ -221,7 +226,14 @@ public final class RenderController implements AutoCloseable {
                     time,
                     samples,
                     tellsError ? report.error() : Double.NaN,
-                    complete ? report.warnings() : List.of()));
+                    complete ? report.warnings() : List.of());
+            synchronized (shownLock) {
+                // a newer picture may have been faster
+                if (number >= lastShown) {
+                    lastShown = number;
+                    pictures.accept(picture);
+                }
+            }
             shown = true;
         }
     }

@@ -16,11 +16,10 @@ public final class ScreenPictures implements AutoCloseable {
     /** What is wanted: pictures, and the size in which they are shown. */
     private record Wanted(Picture now, Picture other, Dimension canvas, boolean difference) {}
 
-    private final AtomicReference<Wanted> wanted =
-            new AtomicReference<>(new Wanted(null, null, new Dimension(1, 1), false));
     private final AtomicReference<ScreenPicture> ready = new AtomicReference<>();
     private final NewestFirst<Wanted> worker;
     private final Consumer<ScreenPicture> screen;
+    private Wanted wanted = new Wanted(null, null, new Dimension(1, 1), false);
     private Wanted doneFor;
     private ScreenPicture done = ScreenPicture.EMPTY;
 
@@ -50,10 +49,10 @@ public final class ScreenPictures implements AutoCloseable {
         want(old -> new Wanted(old.now, old.other, size, old.difference));
     }
 
-    private void want(UnaryOperator<Wanted> change) {
-        Wanted now = wanted.updateAndGet(change);
-        if (now.now != null) {
-            worker.submit(now);
+    private synchronized void want(UnaryOperator<Wanted> change) {
+        wanted = change.apply(wanted);
+        if (wanted.now != null) {
+            worker.submit(wanted);
         }
     }
 

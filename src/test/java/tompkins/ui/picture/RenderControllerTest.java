@@ -74,6 +74,22 @@ class RenderControllerTest {
         assertThat(completed).as("most of the changes were overtaken").isLessThan(40);
     }
 
+    /** A large picture is still being put together when the small one that was asked for after it is done. */
+    @Test
+    void aPictureThatWasOvertakenIsNotShownAfterTheNewerOne() throws InterruptedException {
+        Studio small = Studios.sphere();
+        Studio large = small.withSettings(small.settings().withSize(4000, 3000));
+        controller.show(large);
+        await(() -> controller.progress() == 1);
+        controller.show(small);
+        await(() -> !pictures.isEmpty() && last().studio().equals(small) && last().complete());
+        await(() -> Thread.getAllStackTraces().entrySet().stream()
+                .filter(thread -> thread.getKey().getName().startsWith("tompkins-"))
+                .flatMap(thread -> Stream.of(thread.getValue()))
+                .noneMatch(call -> call.getMethodName().equals("deliver")));
+        assertThat(last().studio()).isEqualTo(small);
+    }
+
     @Test
     void aSlowPictureShowsSomethingAndGivesWay() throws InterruptedException {
         controller.show(Studios.slow());
