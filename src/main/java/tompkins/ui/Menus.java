@@ -20,6 +20,7 @@ import tompkins.studio.Studio;
 import tompkins.ui.panel.NumberProperty;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Texts;
 
 /** The menus of the window. */
@@ -131,7 +132,8 @@ final class Menus {
     private void fillRecent(JMenu recent) {
         recent.removeAll();
         for (Path file : settings.recentFiles()) {
-            JMenuItem item = new JMenuItem(file.getFileName().toString());
+            JMenuItem item = PlainText.in(new JMenuItem());
+            item.setText(file.getFileName().toString());
             item.setToolTipText(file.toString());
             item.addActionListener(event -> files.open(file));
             recent.add(item);

@@ -13,6 +13,7 @@ import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.picture.RenderController;
 import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Tips;
 
@@ -23,7 +24,7 @@ final class StatusBar {
 
     private final JPanel panel =
             new JPanel(new MigLayout("novisualpadding, insets 4 10 5 10, fillx, gap 12 1", "[grow,fill][pref!]"));
-    private final JLabel what = new JLabel(" ");
+    private final JLabel what = PlainText.in(new JLabel());
     private final JLabel where = new JLabel(" ");
     private final JLabel picture = new JLabel(" ");
     private final JProgressBar progress = new JProgressBar(0, STEPS);

@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.JTree;
 import javax.swing.tree.DefaultMutableTreeNode;
+import javax.swing.tree.DefaultTreeCellRenderer;
 import javax.swing.tree.DefaultTreeModel;
 import javax.swing.tree.TreePath;
 import javax.swing.tree.TreeSelectionModel;
@@ -16,6 +17,7 @@ import tompkins.property.Descriptions;
 import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
 import tompkins.ui.model.StudioPath;
+import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.Wording;
@@ -44,6 +46,7 @@ final class StudioTree {
     /** A tree that tells of the chosen line. */
     StudioTree(Consumer<Line> chosen) {
         tree.setName("tree");
+        tree.setCellRenderer(PlainText.in(new DefaultTreeCellRenderer()));
         tree.getAccessibleContext().setAccessibleName(Texts.get("tree.name"));
         tree.getSelectionModel().setSelectionMode(TreeSelectionModel.SINGLE_TREE_SELECTION);
         tree.addTreeSelectionListener(event -> updating.unless(() -> chosen.accept(chosenLine())));

@@ -70,6 +70,7 @@ public final class PlayPanel {
                 field("play.seconds", number -> setSeconds(Require.within("seconds", number, 0.1, LONGEST_SECONDS)));
         setSeconds(4);
         name(properties, "play.property");
+        properties.setRenderer(Naming.renderer(Object::toString));
         properties.addActionListener(event -> updating.unless(this::suggestValues));
         name(courses, "play.course");
         courses.addActionListener(event -> follow());

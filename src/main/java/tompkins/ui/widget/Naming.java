@@ -23,13 +23,13 @@ public final class Naming {
 
     /** Shows the objects of a combo box by their names. */
     public static DefaultListCellRenderer renderer(Function<Object, String> name) {
-        return new DefaultListCellRenderer() {
+        return PlainText.in(new DefaultListCellRenderer() {
             @Override
             public Component getListCellRendererComponent(
                     JList<?> list, Object value, int index, boolean selected, boolean focused) {
                 return super.getListCellRendererComponent(
                         list, value == null ? "" : name.apply(value), index, selected, focused);
             }
-        };
+        });
     }
 }

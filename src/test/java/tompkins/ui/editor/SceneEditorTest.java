@@ -6,10 +6,12 @@ import java.awt.Container;
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
+import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTree;
 import javax.swing.KeyStroke;
+import javax.swing.plaf.basic.BasicHTML;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -49,6 +51,23 @@ class SceneEditorTest {
     private final SceneEditor editor = new SceneEditor(model);
     private final Container panel = (Container) editor.component();
     private final JTree tree = Components.find(panel, JTree.class, "tree");
+
+    /** Swing would show what begins so as HTML, and load the pictures that it names. */
+    @Test
+    void namesOfAForeignSceneAreShownAsTheyStand() {
+        String name = "<html><img src='http://127.0.0.1/picture.png'>";
+        model.set(Records.with(model.studio(), "title", name)
+                .withScene(List.of(Records.with(Sphere.DEFAULT, "description", name))));
+        int shown = 0;
+        for (int row = 0; row < tree.getRowCount(); row++) {
+            Object line = tree.getPathForRow(row).getLastPathComponent();
+            JLabel label = (JLabel)
+                    tree.getCellRenderer().getTreeCellRendererComponent(tree, line, false, false, true, row, false);
+            assertThat(label.getClientProperty(BasicHTML.propertyKey)).isNull();
+            shown += label.getText().equals(name) ? 1 : 0;
+        }
+        assertThat(shown).isPositive();
+    }
 
     /** Rows: studio, scene with sphere and pair, camera frame, lights, camera. */
     private void choose(String label) {
