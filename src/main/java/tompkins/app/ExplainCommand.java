@@ -9,6 +9,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import tompkins.io.StudioReader;
+import tompkins.property.ControlCharacters;
 import tompkins.property.NumberText;
 import tompkins.render.CostForecast;
 import tompkins.render.Quality;
@@ -42,10 +43,11 @@ final class ExplainCommand implements Callable<Integer> {
         RenderPlan plan = ScenePlan.of(studio, scene);
         // all that may be refused comes before the first word
         Quality wish = quality.of(studio);
-        spec.commandLine().getOut().println(studio.title());
-        if (!studio.remarks().isEmpty()) {
-            spec.commandLine().getOut().println(studio.remarks());
-        }
+        spec.commandLine().getOut().println(ControlCharacters.replaced(studio.title()));
+        studio.remarks()
+                .lines()
+                .map(ControlCharacters::replaced)
+                .forEach(spec.commandLine().getOut()::println);
         for (String sentence : plan.sentences()) {
             spec.commandLine().getOut().println("- " + sentence);
         }

@@ -3,6 +3,7 @@ package tompkins.io;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import tompkins.property.ControlCharacters;
 
 /** Collects the mistakes of one file. */
 final class Problems {
@@ -31,7 +32,7 @@ final class Problems {
      * @throws SceneFileException if there are too many
      */
     void add(int line, int column, String path, String message) {
-        found.add(new Problem(file, line, column, shortened(path, LONGEST_PATH), oneLine(message)));
+        found.add(new Problem(file, line, column, shortened(path, LONGEST_PATH), ControlCharacters.replaced(message)));
         if (found.size() == MOST) {
             found.add(new Problem(file, line, column, "", "after " + MOST + " mistakes the rest is not looked at"));
             throw new SceneFileException(found);
@@ -68,10 +69,6 @@ final class Problems {
     private static String shortened(String text, int longest) {
         boolean tooLong = text.length() > longest;
         String start = tooLong ? text.substring(0, longest - 10) : text;
-        return oneLine(start) + (tooLong ? "... (" + text.length() + " characters)" : "");
-    }
-
-    private static String oneLine(String text) {
-        return text.replaceAll("[\\p{Cntrl}\\u2028\\u2029]+", " ");
+        return ControlCharacters.replaced(start) + (tooLong ? "... (" + text.length() + " characters)" : "");
     }
 }
