@@ -117,6 +117,17 @@ public final class Velocity {
     }
 
     /**
+     * The same speed, to the last digit, along another direction of any length.
+     *
+     * @throws InvalidPropertyException if there is no direction
+     */
+    public Velocity along(Vector3dc newDirection) {
+        Vector3d unit = Vectors.unit(Require.direction("direction", newDirection));
+        Vector3dc newGiven = scale == null ? new Vector3d(unit).mul(speed()) : newDirection;
+        return new Velocity(scale, value, newGiven, gamma, properSpeed, unit.mul(properSpeed));
+    }
+
+    /**
      * The velocity of a description, if it is given and pictures show more than rounding errors at it.
      *
      * @throws InvalidPropertyException if it is missing, or beyond {@link #LARGEST_GAMMA}

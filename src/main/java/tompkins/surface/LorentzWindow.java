@@ -1,7 +1,6 @@
 package tompkins.surface;
 
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.Colour;
@@ -54,11 +53,7 @@ public record LorentzWindow(
     }
 
     private Velocity inFrame(Hit hit) {
-        if (axes == WindowAxes.FRAME) {
-            return velocity;
-        }
-        Vector3dc turned = axes.inFrame(velocity.given(), hit);
-        return velocity.scale() == null ? Velocity.of(turned) : Velocity.of(velocity.scale(), velocity.value(), turned);
+        return axes == WindowAxes.FRAME ? velocity : velocity.along(axes.inFrame(velocity.direction(), hit));
     }
 
     @Override
