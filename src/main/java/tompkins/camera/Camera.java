@@ -25,8 +25,11 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
      */
     double focusDistance();
 
+    /** The distance at which the camera has to be focused for a point to be sharp; below 0 for one behind it. */
+    double focusDistanceOf(Vector3dc point);
+
     /**
-     * The same camera, focused at a distance along its view.
+     * The same camera, focused at a distance.
      *
      * @throws tompkins.property.InvalidPropertyException if it cannot be focused there
      */

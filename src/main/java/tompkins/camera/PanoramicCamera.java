@@ -70,6 +70,11 @@ public record PanoramicCamera(
     }
 
     @Override
+    public double focusDistanceOf(Vector3dc point) {
+        return position.distance(point);
+    }
+
+    @Override
     public PanoramicCamera focusedAt(double distance) {
         return with(distance, shutter);
     }

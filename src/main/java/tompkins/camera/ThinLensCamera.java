@@ -95,6 +95,11 @@ public record ThinLensCamera(
         return 1 / (new FocusSurface(focus).inverseDistance(position, Vectors.unit(viewDirection)) + 0.0);
     }
 
+    @Override
+    public double focusDistanceOf(Vector3dc point) {
+        return Vectors.unit(viewDirection).dot(point.sub(position, new Vector3d()));
+    }
+
     /** The same camera, focused on the plane across its view at a distance, which may lie behind it. */
     @Override
     public ThinLensCamera focusedAt(double distance) {

@@ -21,6 +21,7 @@ import tompkins.surface.Surface;
  * @param sceneDirection unit direction in the scene frame, or null
  * @param frequencyRatio frequency of the light that the camera sees divided by that in the scene frame; 1 without crossing
  * @param hits everything that was hit, in the order of tracing: where a ray splits, first all of its weaker branch
+ * @param reachesBackground whether the main branch goes on after all hits, and meets nothing more
  * @param colour the colour of the sample, before exposure
  * @param counts what went wrong on the way
  */
@@ -31,6 +32,7 @@ public record RayLife(
         Vector3dc sceneDirection,
         double frequencyRatio,
         List<Encounter> hits,
+        boolean reachesBackground,
         Colour colour,
         RayCounts counts) {
 
@@ -78,6 +80,7 @@ public record RayLife(
         private Event crossing;
         private Vector3d crossingDirection;
         private double frequencyRatio = 1;
+        private boolean reachesBackground;
         private int branch;
 
         Recorder(Vector3dc sceneOrigin) {
@@ -116,6 +119,11 @@ public record RayLife(
                     new Encounter(hit.boundary.description(), frame, event, hit.distance, ray.weight, branch, surface));
         }
 
+        @Override
+        public void leaves(Frame frame) {
+            reachesBackground |= branch == 0 && frame == Frame.SCENE;
+        }
+
         private Event inFrame(Frame frame, double x, double y, double z, double time) {
             return frame == Frame.CAMERA
                     ? new Event(x, y, z, time)
@@ -130,6 +138,7 @@ public record RayLife(
                     crossingDirection,
                     frequencyRatio,
                     List.copyOf(hits),
+                    reachesBackground,
                     colour,
                     counts);
         }

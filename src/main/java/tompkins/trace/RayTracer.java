@@ -179,6 +179,9 @@ final class RayTracer implements Tracer, Visibility {
             counts.rays++;
             hits = objects.nearest(ray, nearest);
         }
+        if (witness != null) {
+            witness.leaves(frame);
+        }
         sum = light;
         factor = share;
         return ray;

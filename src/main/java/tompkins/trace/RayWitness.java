@@ -26,4 +26,7 @@ interface RayWitness {
      * @param hit the hit, which names the object
      */
     void hits(Frame frame, Ray ray, Hit hit, Surface surface);
+
+    /** The ray, or what came of it, goes on and meets nothing more in a frame. */
+    void leaves(Frame frame);
 }

@@ -81,8 +81,7 @@ public final class PixelProbe implements AutoCloseable {
                 ? null
                 : inCameraFrame ? end.event() : sceneFromCamera.inverse().transform(end.event());
         Vector3dc velocity = plan.isAtRest() ? null : plan.studio().velocity().direction();
-        // a ray that went on after its last hit, through a window or from a mirror, met nothing more
-        String object = end == null || end.surface().continuesRays() ? null : end.object();
+        String object = end == null || life.reachesBackground() ? null : end.object();
         return new Reading(
                 column,
                 row,
@@ -104,16 +103,12 @@ public final class PixelProbe implements AutoCloseable {
         return Math.toDegrees(Math.atan2(across.length(), first.dot(second)));
     }
 
-    /** How far away along its view a camera has to be focused for what was read to be sharp, or NaN. */
+    /** The distance at which the camera has to be focused for what was read to be sharp, or NaN. */
     public static double depth(RenderPlan plan, Reading reading) {
         if (reading.inCamera() == null) {
             return Double.NaN;
         }
-        Vector3d view = new Vector3d(plan.studio().camera().viewDirection()).normalize();
-        return reading.inCamera()
-                .position()
-                .sub(plan.studio().camera().position())
-                .dot(view);
+        return plan.studio().camera().focusDistanceOf(reading.inCamera().position());
     }
 
     /** The life of a ray in lines, as the command "trace" tells it. */

@@ -10,15 +10,20 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import tompkins.camera.PanoramicCamera;
+import tompkins.ray.Colour;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
+import tompkins.surface.Clear;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.Mirror;
 import tompkins.surface.Refractive;
+import tompkins.surface.Tiling;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.Studios;
 import tompkins.ui.model.FrontWindow;
@@ -90,6 +95,43 @@ class PixelProbeTest {
         assertThat(depth).isCloseTo(27, within(1e-11));
         Studio focused = moving.withCamera(moving.camera().focusedAt(depth));
         assertThat(focused.camera().focusDistance()).isCloseTo(27, within(1e-11));
+    }
+
+    /** A panorama is in focus on a ball around the camera, also behind it. */
+    @Test
+    void aPanoramaIsFocusedAtTheDistanceOfWhatWasPicked() {
+        Studio studio = Studio.DEFAULT
+                .withScene(List.of(new Sphere("side", new Vector3d(-10, 0, -3), 1, ColouredSurface.DEFAULT)))
+                .withCamera(PanoramicCamera.DEFAULT)
+                .withSettings(Studio.DEFAULT.settings().withSize(360, 180));
+        RenderPlan plan = RenderPlan.of(studio);
+        // 106.7 degrees to the left of the middle
+        double column = 180 - Math.toDegrees(Math.atan2(10, -3));
+        PixelProbe.Reading reading = PixelProbe.read(plan, new Point2D.Double(column, 90));
+        assertThat(PixelProbe.depth(plan, reading)).isCloseTo(Math.sqrt(109) - 1, within(1e-9));
+    }
+
+    /** Where a cut-out or a silhouette is dark, a ray ends on it; where it is clear, the ray goes on. */
+    @Test
+    void whatEndsOnTheDarkPartOfAPatternEndsOnItsObject() {
+        Studio studio = Studio.DEFAULT.withScene(List.of(new Plane(
+                "board",
+                new Vector3d(0, 0, 10),
+                new Vector3d(0, 0, -1),
+                new Tiling(ColouredSurface.DEFAULT, Clear.DEFAULT, 1, 1, false))));
+        RenderPlan plan = RenderPlan.of(studio);
+        Colour empty = read(Studio.DEFAULT, 320.5, 200.5).life().colour();
+        int ended = 0;
+        int left = 0;
+        for (int column = 0; column < 640; column += 5) {
+            PixelProbe.Reading reading = PixelProbe.read(plan, new Point2D.Double(column + 0.5, 200.5));
+            boolean background = reading.life().colour().equals(empty);
+            assertThat(reading.object()).isEqualTo(background ? null : "board");
+            ended += background ? 0 : 1;
+            left += background ? 1 : 0;
+        }
+        assertThat(ended).isPositive();
+        assertThat(left).isPositive();
     }
 
     @Test
