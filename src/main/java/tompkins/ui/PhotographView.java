@@ -141,12 +141,10 @@ final class PhotographView implements AutoCloseable {
             return;
         }
         Studio studio = otherSource.otherStudio(model.studio());
-        if (otherSource.other() == ComparePanel.Other.KEPT_PICTURE) {
+        if (studio == null) {
             otherStudio = null;
-            screen.setOther(keptPicture);
-        } else if (studio == null) {
-            otherStudio = null;
-            screen.setOther(null);
+            otherController.stop();
+            screen.setOther(otherSource.other() == ComparePanel.Other.KEPT_PICTURE ? keptPicture : null);
         } else if (!studio.equals(otherStudio)) {
             otherStudio = studio;
             otherController.show(studio);
