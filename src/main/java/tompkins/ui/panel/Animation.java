@@ -34,7 +34,11 @@ public record Animation(NumberProperty property, double from, double to, double 
             case BACKWARDS -> 1 - time;
             case THERE_AND_BACK -> 1 - Math.abs(1 - 2 * time);
         };
-        return NumberText.rounded(from + share * (to - from), 9);
+        double between = NumberText.rounded(from + share * (to - from), 9);
+        // rounding must not lead beyond the ends, which may be the last numbers that are allowed
+        return share == 0
+                ? from
+                : share == 1 ? to : Math.max(Math.min(from, to), Math.min(Math.max(from, to), between));
     }
 
     /** The time of a value, at an end of its own for those that it does not reach; of two times the one nearer to another. */

@@ -24,6 +24,18 @@ class AnimationTest {
         assertThat(speed(Animation.Course.THERE_AND_BACK).value(0.5)).isEqualTo(0.8);
     }
 
+    /** The next number with nine digits above the last speed is that of light. */
+    @Test
+    void nothingLiesBeyondTheEndsAndTheyAreReached() {
+        double last = 0.9999999999;
+        Animation animation = new Animation(
+                NumberProperty.speed(SpeedScale.BETA), 0.1234567890123, last, 1, Animation.Course.FORWARDS);
+        assertThat(animation.value(0)).isEqualTo(0.1234567890123);
+        assertThat(animation.value(1)).isEqualTo(last);
+        assertThat(animation.value(1 - 1e-12)).isEqualTo(last);
+        assertThat(animation.studio(Studio.DEFAULT, 1).velocity().value()).isEqualTo(last);
+    }
+
     @Test
     void filesHaveAllFramesAndLoopsDoNotRepeatTheFirst() {
         assertThat(speed(Animation.Course.FORWARDS).frames()).isEqualTo(10);
