@@ -12,6 +12,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import tompkins.io.StudioReader;
+import tompkins.studio.Studio;
 import tompkins.ui.Displays;
 import tompkins.ui.TompkinsWindow;
 
@@ -70,15 +71,15 @@ final class TompkinsCommand implements Callable<Integer> {
         if (scene != null && Files.notExists(scene)) {
             throw new MistakeException(ArgumentMistake.unknownWord(scene.toString(), spec));
         }
-        Path file = scene == null ? BundledScenes.file("fig1b.json") : scene;
         if (Displays.usable()) {
-            TompkinsWindow.open(StudioReader.read(file), scene, BundledScenes::studios, new WindowCommandLine());
+            Studio studio = scene == null ? BundledScenes.firstStudio() : StudioReader.read(scene);
+            TompkinsWindow.open(studio, scene, BundledScenes::studios, new WindowCommandLine());
             return Failures.WINDOW_IS_OPEN;
         }
         spec.commandLine()
                 .getErr()
                 .println("There is no display: taking the photograph instead of opening the window.");
-        new Photographer(spec.commandLine(), 0).takeDefault(file, Path.of(""));
+        new Photographer(spec.commandLine(), 0).takeDefault(scene == null ? BundledScenes.first() : scene, Path.of(""));
         return 0;
     }
 }

@@ -5,9 +5,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import tompkins.io.StudioReader;
 import tompkins.studio.Studio;
 
 class BundledScenesTest {
+
+    @Test
+    void theFirstSceneIsThatOfItsFile() throws IOException {
+        assertThat(BundledScenes.firstStudio()).isEqualTo(StudioReader.read(BundledScenes.first()));
+        assertThat(BundledScenes.firstStudio().title()).startsWith("Fig. 1(b)");
+    }
 
     @Test
     void topicsThatMatterMostComeFirst() throws IOException {
