@@ -7,6 +7,7 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import javax.imageio.ImageReadParam;
 import javax.imageio.ImageReader;
@@ -15,6 +16,9 @@ import javax.imageio.stream.ImageInputStream;
 
 /** Saves photographs with the scene inside, and finds the scene in saved photographs. */
 public final class PhotographFile {
+
+    private static final List<String> PICTURE_ENDINGS =
+            List.of(".png", ".tif", ".tiff", ".hdr", ".pic", ".jpg", ".jpeg", ".gif", ".bmp");
 
     private PhotographFile() {}
 
@@ -35,6 +39,21 @@ public final class PhotographFile {
             pending.commit();
         } catch (IOException e) {
             throw PictureException.cannotWrite(file, e);
+        }
+    }
+
+    /**
+     * Whether a file is a picture, by its name or by how it begins; it need hold no scene.
+     *
+     * @throws IOException if the file cannot be read
+     */
+    public static boolean isPicture(Path file) throws IOException {
+        if (FileEndings.match(file, PICTURE_ENDINGS)) {
+            return true;
+        }
+        try (InputStream in = Files.newInputStream(file)) {
+            return PictureEncoding.of(in.readNBytes(PictureEncoding.LONGEST_START))
+                    .isPresent();
         }
     }
 

@@ -49,28 +49,13 @@ final class SceneText {
             throw problems.wholeFile("is not a file");
         }
         try {
-            return isPicture(file) ? fromPhotograph() : decoded(content());
+            return PhotographFile.isPicture(file) ? fromPhotograph() : decoded(content());
         } catch (PictureException unusable) {
             String start = file + ": ";
             String message = unusable.getMessage();
             throw problems.wholeFile(message.startsWith(start) ? message.substring(start.length()) : message);
         } catch (IOException failure) {
             throw problems.wholeFile("cannot be read: " + FileFailure.reason(failure));
-        }
-    }
-
-    /** Whether a file is a picture, by its name or by how it begins. */
-    static boolean isPicture(Path file) throws IOException {
-        String name = file.toString().toLowerCase(Locale.ROOT);
-        if (name.matches(".*\\.(png|tif|tiff|hdr|pic|jpg|jpeg|gif|bmp)")) {
-            return true;
-        }
-        try (InputStream in = Files.newInputStream(file)) {
-            String start = new String(in.readNBytes(4), StandardCharsets.ISO_8859_1);
-            return start.equals("\u0089PNG")
-                    || start.equals("II*\0")
-                    || start.equals("MM\0*")
-                    || start.startsWith("#?");
         }
     }
 

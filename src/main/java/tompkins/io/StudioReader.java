@@ -3,6 +3,7 @@ package tompkins.io;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import tompkins.image.PhotographFile;
 import tompkins.io.JsonValue.JsonNumber;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.Member;
@@ -35,7 +36,7 @@ public final class StudioReader {
      * @throws IOException if the file cannot be read
      */
     public static boolean isPhotograph(Path file) throws IOException {
-        return SceneText.isPicture(file);
+        return PhotographFile.isPicture(file);
     }
 
     /**

@@ -2,6 +2,7 @@ package tompkins.render;
 
 import tompkins.property.NumberText;
 import tompkins.property.Require;
+import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
@@ -31,7 +32,7 @@ public sealed interface Quality {
 
         /** Checks the number. */
         public Samples {
-            Require.within("samples", samples, 1, 1 << 20);
+            Require.within("samples", samples, 1, RenderSettings.MOST_SAMPLES);
         }
 
         @Override

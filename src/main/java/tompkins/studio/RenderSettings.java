@@ -32,6 +32,9 @@ public record RenderSettings(
     /** Largest number of pixels of a picture. */
     public static final long MOST_PIXELS = 100_000_000;
 
+    /** Largest number of samples for each pixel. */
+    public static final int MOST_SAMPLES = 1 << 20;
+
     /** Checks all values. */
     public RenderSettings {
         Require.within("width", width, 1, 65_535);
@@ -42,7 +45,7 @@ public record RenderSettings(
                     "small enough for at most " + MOST_PIXELS + " pixels",
                     height + " (with width " + width + ")");
         }
-        Require.within("samples", samples, 1, 1 << 20);
+        Require.within("samples", samples, 1, MOST_SAMPLES);
         Require.within("maximumDepth", maximumDepth, 0, 1_000_000);
         Require.present("toneCurve", toneCurve);
     }

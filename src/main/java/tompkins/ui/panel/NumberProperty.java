@@ -66,7 +66,7 @@ public record NumberProperty(
                         studio.camera().withShutter(studio.camera().shutter().openedAt(value))));
     }
 
-    /** Speed and opening time first, then all other numbers of a studio. */
+    /** Speed and opening time first, then the other decimal numbers of camera, objects and lights, {@link #MOST} at most. */
     static List<NumberProperty> of(Studio studio) {
         List<NumberProperty> properties = new ArrayList<>();
         properties.add(speed(SpeedScale.BETA));

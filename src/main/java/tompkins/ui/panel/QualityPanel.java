@@ -139,8 +139,11 @@ public final class QualityPanel {
         private volatile boolean closed;
         private List<Measurement> shown = List.of();
 
-        /** Whether it says which point was taken. */
-        private boolean saysPoint;
+        /** What is said of the point that was taken; null if none is in force. */
+        private String chosen;
+
+        /** What is said once nothing is measured any more; null before. */
+        private String ended;
 
         ChartWindow(Window owner) {
             dialog = new JDialog(owner, Texts.get("section.quality"));
@@ -167,7 +170,7 @@ public final class QualityPanel {
         }
 
         void start() {
-            state.setText(progress(0));
+            showState();
             dialog.setVisible(true);
             Thread thread = new Thread(this::measure, "tompkins-study");
             thread.setDaemon(true);
@@ -178,34 +181,39 @@ public final class QualityPanel {
         private void measure() {
             try {
                 study.measure(measured -> SwingUtilities.invokeLater(() -> draw(measured)), () -> closed);
-                say(Texts.get("quality.choose"));
+                end(Texts.get("quality.choose"));
             } catch (CancellationException stopped) {
                 // the window was closed
             } catch (RuntimeException | OutOfMemoryError | StackOverflowError error) {
-                say(Messages.of(error));
+                end(Messages.of(error));
             }
         }
 
-        private void say(String text) {
-            SwingUtilities.invokeLater(() -> state.setText(text));
+        private void end(String text) {
+            SwingUtilities.invokeLater(() -> {
+                ended = text;
+                showState();
+            });
         }
 
         private void forgetPoint() {
-            if (saysPoint) {
-                state.setText(Texts.get("quality.choose"));
-                saysPoint = false;
-            }
+            chosen = null;
+            showState();
+        }
+
+        private void showState() {
+            state.setText(chosen != null ? chosen : ended != null ? ended : progress());
         }
 
         private void draw(List<Measurement> measured) {
             shown = measured;
-            saysPoint = false;
             chart.setChart(ChartDrawing.drawing(study.chart(), measured));
-            state.setText(progress(measured.size()));
+            showState();
         }
 
-        private String progress(int measured) {
-            return String.format(Locale.ROOT, "%s  %d / %d", Texts.get("quality.measuring"), measured, study.points());
+        private String progress() {
+            return String.format(
+                    Locale.ROOT, "%s  %d / %d", Texts.get("quality.measuring"), shown.size(), study.points());
         }
 
         private final class PointChooser implements ChartMouseListener {
@@ -218,8 +226,8 @@ public final class QualityPanel {
                     Measurement measurement = ChartDrawing.pointAt(study.chart(), shown, x, y);
                     if (measurement != null) {
                         set(study.qualityOf(measurement));
-                        state.setText(Texts.get("quality.chosen", text(study.qualityOf(measurement))));
-                        saysPoint = true;
+                        chosen = Texts.get("quality.chosen", text(study.qualityOf(measurement)));
+                        showState();
                     }
                 }
             }
