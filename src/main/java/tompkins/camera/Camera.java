@@ -28,6 +28,17 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
     /** The distance at which the camera has to be focused for a point to be sharp; below 0 for one behind it. */
     double focusDistanceOf(Vector3dc point);
 
+    /** Angle between the left and the right edge of the picture, in degrees. */
+    double horizontalAngleDegrees();
+
+    /**
+     * The same camera with another angle between the left and the right edge of the picture. The other angle changes with it,
+     * so that pixels keep their shape, as far as that can be.
+     *
+     * @throws tompkins.property.InvalidPropertyException if no picture is so wide
+     */
+    Camera withHorizontalAngle(double degrees);
+
     /**
      * The same camera, focused at a distance.
      *

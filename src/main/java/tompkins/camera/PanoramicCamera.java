@@ -3,6 +3,7 @@ package tompkins.camera;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.property.Meaning;
+import tompkins.property.NumberText;
 import tompkins.property.Require;
 import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
@@ -41,6 +42,9 @@ public record PanoramicCamera(
         @Meaning("Where the shutter is and when it opens") Shutter shutter)
         implements Camera {
 
+    /** Digits of an angle that follows another one; what comes after them is rounding. */
+    private static final int ANGLE_DIGITS = 12;
+
     /** The whole sky. */
     public static final PanoramicCamera DEFAULT = new PanoramicCamera(
             new Vector3d(),
@@ -67,6 +71,21 @@ public record PanoramicCamera(
     @Override
     public PanoramicCamera withShutter(Shutter newShutter) {
         return with(focusDistance, newShutter);
+    }
+
+    @Override
+    public PanoramicCamera withHorizontalAngle(double degrees) {
+        Require.positive("horizontalAngleDegrees", degrees, 360);
+        double vertical = verticalAngleDegrees * degrees / horizontalAngleDegrees;
+        return new PanoramicCamera(
+                position,
+                viewDirection,
+                topDirection,
+                degrees,
+                Math.min(180, NumberText.rounded(vertical, ANGLE_DIGITS)),
+                focusDistance,
+                exposureStops,
+                shutter);
     }
 
     @Override

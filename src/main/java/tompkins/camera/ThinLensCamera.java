@@ -44,6 +44,9 @@ public record ThinLensCamera(
         @Meaning("Where the shutter is and when it opens") Shutter shutter)
         implements Camera {
 
+    /** Digits of an angle that follows another one; what comes after them is rounding. */
+    private static final int ANGLE_DIGITS = 12;
+
     /** The pinhole camera of the paper: 20 degrees wide, focused on the plane z = 10. */
     public static final ThinLensCamera DEFAULT = new ThinLensCamera(
             new Vector3d(),
@@ -109,6 +112,23 @@ public record ThinLensCamera(
         Vector3d view = Vectors.unit(viewDirection);
         Vector3d point = new Vector3d(view).mul(distance).add(position);
         return with(new Plane("focus", point, view, ColouredSurface.DEFAULT), shutter);
+    }
+
+    @Override
+    public ThinLensCamera withHorizontalAngle(double degrees) {
+        Require.between("horizontalAngleDegrees", degrees, 0, 180);
+        double scale = Math.tan(Math.toRadians(degrees) / 2) / Math.tan(Math.toRadians(horizontalAngleDegrees) / 2);
+        double vertical = 2 * Math.toDegrees(Math.atan(scale * Math.tan(Math.toRadians(verticalAngleDegrees) / 2)));
+        return new ThinLensCamera(
+                position,
+                viewDirection,
+                topDirection,
+                degrees,
+                NumberText.rounded(vertical, ANGLE_DIGITS),
+                apertureRadius,
+                focus,
+                exposureStops,
+                shutter);
     }
 
     private ThinLensCamera with(SceneObject newFocus, Shutter newShutter) {

@@ -7,7 +7,6 @@ import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
-import tompkins.property.Descriptions;
 import tompkins.property.NumberText;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
@@ -56,7 +55,7 @@ public final class LensPanel {
                 "horizontalAngleDegrees",
                 Range.even(1, 170),
                 Wording.meaning(lens, "horizontalAngleDegrees"),
-                value -> camera("horizontalAngleDegrees", value));
+                value -> model.studio().withCamera(model.studio().camera().withHorizontalAngle(value)));
         NumberRow exposure = row(
                 "exposureStops",
                 Range.even(-5, 5),
@@ -135,7 +134,7 @@ public final class LensPanel {
         }
         focus.setRange(distances());
         focus.show(NumberText.rounded(camera.focusDistance(), 9));
-        field.show((double) Descriptions.value(Records.component(camera.getClass(), "horizontalAngleDegrees"), camera));
+        field.show(camera.horizontalAngleDegrees());
         exposure.show(camera.exposureStops());
         samples.show(studio.settings().samples());
     }
