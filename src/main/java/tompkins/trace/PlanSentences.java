@@ -39,10 +39,10 @@ final class PlanSentences {
         sentences.add(motion());
         sentences.add(lens());
         sentences.add(shutter());
+        sentences.add(colours());
         sentences.add(cameraObjects());
         sentences.add(search());
         sentences.add(recursion());
-        sentences.add(colours());
         warnings().forEach(warning -> sentences.add("Warning: " + warning + "."));
         if (missesFocus()) {
             sentences.add("Warning: the focus has no surface, so that "

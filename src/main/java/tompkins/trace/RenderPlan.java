@@ -186,6 +186,11 @@ public final class RenderPlan {
         return inSentences().warnings();
     }
 
+    /** Whether the motion shifts so much light out of sight that the middle of the picture stays dark. */
+    public boolean isTooFaint() {
+        return shift != null && shift.isTooFaint();
+    }
+
     private PlanSentences inSentences() {
         return new PlanSentences(studio, scene.objects(), cameraFrame, isAtRest(), shift);
     }

@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
-import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
@@ -36,13 +35,17 @@ final class AnimationExport {
 
     /** Asks where to save an animation of a studio. */
     void ask(Studio studio, Animation animation) {
-        JFileChooser chooser = files.chooser();
-        chooser.setDialogTitle(Texts.get("play.export"));
         List<FormatFilter<AnimationFormat>> formats = Stream.of(AnimationFormat.values())
                 .filter(AnimationFormat::isAvailable)
                 .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
                 .toList();
-        SaveDialog.ask(frame, chooser, "animation", formats, (file, format) -> save(studio, animation, file, format));
+        SaveDialog.ask(
+                frame,
+                files.chooser(),
+                Texts.get("play.exportTitle"),
+                "animation",
+                formats,
+                (file, format) -> save(studio, animation, file, format));
     }
 
     /** Saves an animation, with progress and cancel. */

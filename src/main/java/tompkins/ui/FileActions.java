@@ -148,6 +148,14 @@ final class FileActions implements FileContentEditor.Choosers {
         }
     }
 
+    /** Begins a scene without objects. */
+    void begin() {
+        leaveForAnother(() -> {
+            show(Studio.DEFAULT, null);
+            status.say(Texts.get("file.new"));
+        });
+    }
+
     /** Opens the file of the scene again, which another program may have changed. */
     void reload() {
         Path file = model.file();
@@ -228,7 +236,13 @@ final class FileActions implements FileContentEditor.Choosers {
 
     private void saveSceneAs(Runnable next) {
         FormatFilter<String> json = new FormatFilter<>("json", Texts.get("file.sceneFiles"), List.of(".json"));
-        SaveDialog.ask(frame, chooser(), fileName(), List.of(json), (file, format) -> saveScene(file, next));
+        SaveDialog.ask(
+                frame,
+                chooser(),
+                Texts.get("file.saveScene"),
+                fileName(),
+                List.of(json),
+                (file, format) -> saveScene(file, next));
     }
 
     private void saveScene(Path file, Runnable next) {
@@ -263,7 +277,7 @@ final class FileActions implements FileContentEditor.Choosers {
         List<FormatFilter<PictureFormat>> formats = Stream.of(PictureFormat.values())
                 .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
                 .toList();
-        SaveDialog.ask(frame, chooser(), fileName(), formats, this::savePhotograph);
+        SaveDialog.ask(frame, chooser(), Texts.get("file.savePhotograph"), fileName(), formats, this::savePhotograph);
     }
 
     /** What files of the scene are called, without an ending: like its own, or like its title up to a colon. */

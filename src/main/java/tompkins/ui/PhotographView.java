@@ -1,11 +1,15 @@
 package tompkins.ui;
 
 import java.awt.geom.Point2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
 import java.util.function.DoubleConsumer;
 import javax.swing.SwingUtilities;
 import tompkins.light.ColourLaw;
 import tompkins.render.Quality;
 import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.model.StudioModel;
@@ -62,6 +66,8 @@ final class PhotographView implements AutoCloseable {
     private Point2D pin;
     private boolean pinnedInOther;
     private RenderPlan pinnedPlan;
+    private String pinnedName;
+    private int openings;
     private Picking picking;
 
     PhotographView(StudioModel model, Listener listener) {
@@ -105,8 +111,12 @@ final class PhotographView implements AutoCloseable {
         SwingUtilities.invokeLater(() -> listener.failed(Messages.of(error)));
     }
 
-    /** Makes the picture of the current studio. */
+    /** Makes the picture of the current studio. A place in the picture of another scene means nothing here. */
     void render() {
+        if (model.openings() != openings) {
+            openings = model.openings();
+            setPin(null);
+        }
         controller.show(model.studio());
         renderOther();
     }
@@ -123,7 +133,8 @@ final class PhotographView implements AutoCloseable {
         listener.shown(pictures.now());
         if (pin != null && !pictures.now().holds(pin)) {
             setPin(null);
-        } else if (pin != null && pinnedPicture().plan() != pinnedPlan) {
+        } else if (pin != null
+                && (pinnedPicture().plan() != pinnedPlan || !Objects.equals(nameOf(pinnedPicture()), pinnedName))) {
             readPin();
         }
     }
@@ -134,6 +145,9 @@ final class PhotographView implements AutoCloseable {
         screen.setDifference(panel.view() == Comparison.DIFFERENCE);
         otherSource = panel;
         renderOther();
+        if (pin != null) {
+            readPin();
+        }
     }
 
     private void renderOther() {
@@ -164,10 +178,15 @@ final class PhotographView implements AutoCloseable {
     String keepPicture() {
         keptPicture = canvas.shown().now();
         Studio kept = keptPicture == null ? model.studio() : keptPicture.studio();
-        String speed = SpeedText.of(kept.velocity(), SpeedScale.BETA);
-        return kept.colours() == ColourLaw.UNCHANGED
-                ? Texts.get("compare.kept", kept.shortTitle(), speed)
-                : Texts.get("compare.keptColours", kept.shortTitle(), speed, Wording.label(kept.colours()));
+        List<String> words = new ArrayList<>();
+        words.add(Texts.get("compare.kept", kept.shortTitle(), SpeedText.of(kept.velocity(), SpeedScale.BETA)));
+        if (kept.transformation() != TransformationLaw.LORENTZ) {
+            words.add(Texts.get("compare.kept." + kept.transformation()));
+        }
+        if (kept.colours() != ColourLaw.UNCHANGED) {
+            words.add(Wording.label(kept.colours()));
+        }
+        return String.join(", ", words);
     }
 
     /** Marks a place of the picture and tells the life of its ray; of no place if it is null. */
@@ -194,8 +213,17 @@ final class PhotographView implements AutoCloseable {
             return;
         }
         pinnedPlan = picture.plan();
-        String name = picture == canvas.shown().now() ? null : otherSource.otherName();
+        String name = nameOf(picture);
+        pinnedName = name;
         fixed.ask(pinnedPlan, placeIn(picture, pin), reading -> listener.pinned(pin == null ? null : reading, name));
+    }
+
+    /** What a picture is called where two are seen; null where the studio's is seen alone. */
+    private String nameOf(Picture picture) {
+        if (picture != canvas.shown().now()) {
+            return otherSource.otherName();
+        }
+        return canvas.showsTwo() ? Texts.get("compare.now") : null;
     }
 
     /** The same place in another picture: a kept one may have another size. */

@@ -146,12 +146,13 @@ final class StatusBar {
         long milliseconds = shown.time().toMillis();
         String samples = Numbers.brief(shown.samples(), 3);
         picture.setText(Texts.get(
-                key,
-                shown.image().width(),
-                shown.image().height(),
-                Texts.get(samples.equals("1") ? "status.sample" : "status.samples", samples),
-                milliseconds < 1000 ? milliseconds + " ms" : Numbers.brief(milliseconds / 1000.0, 3) + " s",
-                Double.isNaN(shown.error()) ? "?" : Numbers.brief(shown.error(), 2)));
+                        key,
+                        shown.image().width(),
+                        shown.image().height(),
+                        Texts.get(samples.equals("1") ? "status.sample" : "status.samples", samples),
+                        milliseconds < 1000 ? milliseconds + " ms" : Numbers.brief(milliseconds / 1000.0, 3) + " s",
+                        Double.isNaN(shown.error()) ? "?" : Numbers.brief(shown.error(), 2))
+                + (shown.plan().isTooFaint() ? Texts.get("status.tooFaint") : ""));
         picture.setToolTipText(Tips.html(Texts.get("status.errorTip")));
     }
 

@@ -20,6 +20,7 @@ import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
 import tompkins.ui.model.FrontWindow;
+import tompkins.ui.model.Records;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.model.StudioPath;
 import tompkins.ui.widget.Column;
@@ -64,7 +65,8 @@ public final class SceneEditor {
         panel.add(split, "w 720, h 520");
         panel.add(buttons());
         add.addActionListener(event -> offerTypes());
-        duplicate.addActionListener(event -> changeList(list -> inserted(list, place() + 1, list.get(place())), 1));
+        duplicate.addActionListener(event ->
+                changeList(list -> inserted(list, place() + 1, copy(list.get(place()), list)), 1));
         hide.addActionListener(event ->
                 changeList(list -> replaced(list, place(), hiddenOrShown(list.get(place()))), 0));
         up.addActionListener(event -> changeList(list -> moved(list, place(), place() - 1), -1));
@@ -250,6 +252,20 @@ public final class SceneEditor {
 
     private static Object hiddenOrShown(Object element) {
         return element instanceof Hidden hidden ? hidden.object() : new Hidden((SceneObject) element);
+    }
+
+    /** A copy, with a number in its name that no other element of its list has. */
+    private static Object copy(Object element, List<?> list) {
+        if (!(element instanceof SceneObject object)) {
+            return element;
+        }
+        List<String> taken = list.stream().map(Wording::nameOf).toList();
+        String name = object.description().replaceFirst(" \\d+$", "");
+        int number = 2;
+        while (taken.contains(name + " " + number)) {
+            number++;
+        }
+        return Records.with(element, "description", name + " " + number);
     }
 
     private static List<?> inserted(List<?> list, int place, Object element) {

@@ -21,12 +21,19 @@ public final class SaveDialog {
     /**
      * Asks for a name, and whether a file of that name may be written over.
      *
+     * @param title what is to be saved
      * @param name what is proposed; without an ending, since that of the chosen format is added
      * @param formats the formats to choose from, the usual one first
      * @param save takes the file and its format
      */
     public static <T> void ask(
-            JFrame frame, JFileChooser chooser, String name, List<FormatFilter<T>> formats, BiConsumer<Path, T> save) {
+            JFrame frame,
+            JFileChooser chooser,
+            String title,
+            String name,
+            List<FormatFilter<T>> formats,
+            BiConsumer<Path, T> save) {
+        chooser.setDialogTitle(title);
         chooser.setAcceptAllFileFilterUsed(false);
         formats.forEach(chooser::addChoosableFileFilter);
         chooser.setFileFilter(formats.get(0));

@@ -137,7 +137,7 @@ public final class ComparePanel {
         hint.setText(
                 missing
                         ? Texts.get("compare.keepFirst")
-                        : compares && view() == Comparison.SPLIT ? Texts.get("compare.hint") : "");
+                        : compares ? Texts.get(view() == Comparison.SPLIT ? "compare.splitHint" : "compare.hint") : "");
         changed.run();
     }
 

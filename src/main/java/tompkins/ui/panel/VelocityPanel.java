@@ -182,9 +182,11 @@ public final class VelocityPanel {
         String beta = SpeedText.vector(now);
         TransformationLaw law = model.studio().transformation();
         numbers.setText(
-                law.speedScale() == SpeedScale.BETA
-                        ? Texts.get("velocity.beta", beta)
-                        : Texts.get("velocity.numbers", Numbers.brief(now.gamma(), 6), beta));
+                switch (law) {
+                    case LORENTZ -> Texts.get("velocity.numbers", Numbers.brief(now.gamma(), 6), beta);
+                    case GALILEAN -> Texts.get("velocity.beta", beta);
+                    case NONE -> Texts.get("velocity.ignored", beta);
+                });
         law.warning(now).ifPresentOrElse(warning::setError, () -> warning.setText(""));
     }
 }

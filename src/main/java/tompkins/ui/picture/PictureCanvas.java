@@ -6,6 +6,7 @@ import java.awt.Color;
 import java.awt.Cursor;
 import java.awt.Dimension;
 import java.awt.Font;
+import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Point;
@@ -196,6 +197,11 @@ public final class PictureCanvas extends JPanel {
         tellSize();
     }
 
+    /** Whether two pictures are seen. */
+    public boolean showsTwo() {
+        return splits() || isBeside() && shown.otherImage() != null;
+    }
+
     private boolean splits() {
         return comparison == Comparison.SPLIT && shown.otherImage() != null && !otherAlone;
     }
@@ -226,15 +232,15 @@ public final class PictureCanvas extends JPanel {
         boolean difference = comparison == Comparison.DIFFERENCE && shown.difference() != null && !otherAlone;
         if (difference) {
             paint(g, shown.difference(), bounds);
-            label(g, Texts.get("compare.differenceLabel", otherName), bounds.x + 12, bounds, false);
+            label(g, Texts.get("compare.differenceLabel", otherName), bounds, false);
         } else if (showsOtherAlone()) {
             paint(g, shown.otherImage(), bounds);
-            label(g, otherName, bounds.x + 12, bounds, false);
+            label(g, otherName, bounds, false);
         } else {
             paint(g, shown.nowImage(), bounds);
         }
         if (comparison != Comparison.NONE && shown.other() != null && shown.otherImage() == null) {
-            label(g, Texts.get("compare.otherShape", otherName), bounds.x + 12, bounds, false);
+            label(g, Texts.get("compare.otherShape", otherName), bounds, false);
         }
         if (splits()) {
             paintSplit(g, bounds);
@@ -251,8 +257,8 @@ public final class PictureCanvas extends JPanel {
         if (shown.otherImage() != null) {
             Rectangle there = otherBounds();
             paint(g, shown.otherImage(), there);
-            label(g, otherName, there.x + 12, there, false);
-            label(g, Texts.get("compare.now"), bounds.x + 12, bounds, false);
+            label(g, otherName, there, false);
+            label(g, Texts.get("compare.now"), bounds, false);
             if (pin != null) {
                 paintPin(g, there);
             }
@@ -266,12 +272,14 @@ public final class PictureCanvas extends JPanel {
     private void paintSplit(Graphics2D g, Rectangle bounds) {
         int x = dividerX();
         Shape clip = g.getClip();
-        g.clipRect(x, bounds.y, bounds.x + bounds.width - x, bounds.height);
+        Rectangle left = new Rectangle(bounds.x, bounds.y, x - bounds.x, bounds.height);
+        Rectangle right = new Rectangle(x, bounds.y, bounds.x + bounds.width - x, bounds.height);
+        g.clip(right);
         paint(g, shown.otherImage(), bounds);
-        label(g, otherName, bounds.x + bounds.width - 12, bounds, true);
+        label(g, otherName, right, true);
         g.setClip(clip);
-        g.clipRect(bounds.x, bounds.y, x - bounds.x, bounds.height);
-        label(g, Texts.get("compare.now"), bounds.x + 12, bounds, false);
+        g.clip(left);
+        label(g, Texts.get("compare.now"), left, false);
         g.setClip(clip);
         g.setColor(Color.BLACK);
         g.fillRect(x - 2, bounds.y, 4, bounds.height);
@@ -284,22 +292,36 @@ public final class PictureCanvas extends JPanel {
         g.drawRoundRect(x - 5, middle - 18, 10, 36, 10, 10);
     }
 
-    private void label(Graphics2D g, String text, int x, Rectangle bounds, boolean endsAtX) {
+    /** Writes a text into a corner of a picture; what there is no room for is left out at its end. */
+    private void label(Graphics2D g, String text, Rectangle bounds, boolean atRight) {
         Graphics2D local = (Graphics2D) g.create();
         local.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         local.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         local.setFont(
                 getFont() == null ? UIManager.getFont("Label.font") : getFont().deriveFont(Font.BOLD));
-        int width = local.getFontMetrics().stringWidth(text) + 16;
+        String fitting = shortened(text, local.getFontMetrics(), bounds.width - 40);
+        int width = local.getFontMetrics().stringWidth(fitting) + 16;
         int height = local.getFontMetrics().getHeight() + 6;
-        int left = endsAtX ? x - width : x;
+        int left = atRight ? bounds.x + bounds.width - 12 - width : bounds.x + 12;
         local.setComposite(AlphaComposite.SrcOver.derive(0.65f));
         local.setColor(Color.BLACK);
         local.fillRoundRect(left, bounds.y + 12, width, height, 12, 12);
         local.setComposite(AlphaComposite.SrcOver);
         local.setColor(Color.WHITE);
-        local.drawString(text, left + 8, bounds.y + 15 + local.getFontMetrics().getAscent());
+        local.drawString(
+                fitting, left + 8, bounds.y + 15 + local.getFontMetrics().getAscent());
         local.dispose();
+    }
+
+    private static String shortened(String text, FontMetrics metrics, int room) {
+        if (metrics.stringWidth(text) <= room) {
+            return text;
+        }
+        int length = text.length();
+        while (length > 0 && metrics.stringWidth(text.substring(0, length) + "\u2026") > room) {
+            length--;
+        }
+        return text.substring(0, length) + "\u2026";
     }
 
     private void paintPin(Graphics2D g, Rectangle bounds) {

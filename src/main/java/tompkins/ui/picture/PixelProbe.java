@@ -120,6 +120,7 @@ public final class PixelProbe implements AutoCloseable {
             lines.add(Texts.get("probe.noShutter"));
             return lines;
         }
+        lines.add(Texts.get("probe.backwards"));
         lines.add(Texts.get("probe.cameraStart", Numbers.brief(life.cameraStart())));
         lines.add(Texts.get("probe.direction", Numbers.brief(life.cameraDirection())));
         boolean crossed = false;

@@ -98,6 +98,26 @@ class PanelsTest {
                 .isEqualTo(new Vector3d(0.1, 0, 0.99));
     }
 
+    /** A ball stays as round as it is: the tangents of half the angles keep their ratio. */
+    @Test
+    void aWiderFieldOfViewKeepsTheProportions() {
+        Container panel = (Container) new LensPanel(model, picking -> {}).component();
+        ThinLensCamera camera = Records.with(ThinLensCamera.DEFAULT, "horizontalAngleDegrees", 90.0);
+        model.set(model.studio().withCamera(Records.with(camera, "verticalAngleDegrees", 60.0)));
+        Components.enter(panel, "Field of view (\u00b0)", "120");
+        ThinLensCamera wider = (ThinLensCamera) model.studio().camera();
+        assertThat(wider.horizontalAngleDegrees()).isEqualTo(120);
+        // tan 45 : tan 30 = tan 60 : 1
+        assertThat(wider.verticalAngleDegrees()).isCloseTo(90, within(1e-9));
+        Components.enter(panel, "Field of view (\u00b0)", "90");
+        assertThat(model.studio().camera()).isEqualTo(Records.with(camera, "verticalAngleDegrees", 60.0));
+
+        model.set(model.studio().withCamera(PanoramicCamera.DEFAULT));
+        Components.enter(panel, "Field of view (\u00b0)", "90");
+        assertThat(((PanoramicCamera) model.studio().camera()).verticalAngleDegrees())
+                .isEqualTo(45);
+    }
+
     @Test
     void theSwitchShowsTheSameSpeedOnAnotherScale() {
         model.set(model.studio().withVelocity(Velocity.of(SpeedScale.GAMMA, 10, new Vector3d(0, 0, 1))));
@@ -113,9 +133,12 @@ class PanelsTest {
     void aSpeedOfNewtonsWorldHasNoLorentzFactor() {
         Container panel = (Container) new VelocityPanel(model).component();
         model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.6)));
-        assertThat(Components.notes(panel)).containsExactly("\u03b3 = 1.25    \u03b2 = (0, 0, 0.6)");
+        assertThat(Components.notes(panel)).containsExactly("\u03b3 = 1.25\n\u03b2 = (0, 0, 0.6)");
         model.set(model.studio().withTransformation(TransformationLaw.GALILEAN));
         assertThat(Components.notes(panel)).containsExactly("\u03b2 = (0, 0, 0.6)");
+        model.set(model.studio().withTransformation(TransformationLaw.NONE));
+        assertThat(Components.notes(panel))
+                .containsExactly("\u03b2 = (0, 0, 0.6), ignored: the transformation is none");
     }
 
     @Test
@@ -169,7 +192,7 @@ class PanelsTest {
     void aVelocityNearThatOfLightIsToldBySpeedAndDirection() {
         Container panel = (Container) new VelocityPanel(model).component();
         model.set(model.studio().withVelocity(Velocity.of(SpeedScale.ONE_MINUS_BETA, 1e-9, new Vector3d(0, 3, -4))));
-        assertThat(Components.notes(panel)).contains("\u03b3 = 22360.7    \u03b2 = (1-1e-9) \u00b7 (0, 0.6, -0.8)");
+        assertThat(Components.notes(panel)).contains("\u03b3 = 22360.7\n\u03b2 = (1-1e-9) \u00b7 (0, 0.6, -0.8)");
     }
 
     @Test
@@ -502,7 +525,7 @@ class PanelsTest {
         assertThat(Components.find(panel, JRadioButton.class, "Split").isEnabled())
                 .isFalse();
         Components.find(panel, JButton.class, "Keep this picture").doClick();
-        assertThat(Components.notes(panel)).containsExactly(Texts.get("compare.hint"));
+        assertThat(Components.notes(panel)).containsExactly(Texts.get("compare.splitHint"));
     }
 
     @Test
