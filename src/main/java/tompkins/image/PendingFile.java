@@ -3,14 +3,18 @@ package tompkins.image;
 import java.io.BufferedOutputStream;
 import java.io.Closeable;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.UUID;
 import java.util.stream.Stream;
 
@@ -20,6 +24,16 @@ import java.util.stream.Stream;
  * {@link #close} without it removes every trace, and what was there before stays.
  */
 public final class PendingFile implements Closeable {
+
+    /** What is not closed yet: when the program is stopped in the middle, nobody else removes it. */
+    private static final Set<PendingFile> OPEN = new HashSet<>();
+
+    /** Whether the program is being stopped; from then on nothing is begun. */
+    private static boolean stopped;
+
+    static {
+        Runtime.getRuntime().addShutdownHook(new Thread(PendingFile::removeAll, "tompkins-remove"));
+    }
 
     private final Path target;
     private final Path room;
@@ -43,6 +57,9 @@ public final class PendingFile implements Closeable {
         if (Files.exists(target) && !Files.isWritable(target)) {
             throw new PictureException(target + ": cannot be written: the file is write-protected");
         }
+        if (Files.isSymbolicLink(target) && Files.notExists(target)) {
+            throw new PictureException(target + ": cannot be written: it is a link to a file that does not exist");
+        }
         return beside(Files.exists(target) ? target.toRealPath() : target, false);
     }
 
@@ -64,19 +81,29 @@ public final class PendingFile implements Closeable {
             throw new PictureException(target + ": cannot be written: there is no folder " + folder);
         }
         PendingFile pending = new PendingFile(target, folder.resolve(".tompkins-" + UUID.randomUUID() + ".part"));
-        // Not Files.createTempDirectory nor createTempFile, which hide from everybody but the owner.
-        Files.createDirectory(pending.room);
         try {
-            if (isFolder) {
-                Files.createDirectory(pending.temporary);
-            } else {
-                Files.createFile(pending.temporary);
-            }
+            pending.begin(isFolder);
         } catch (IOException refused) {
             pending.close();
             throw refused;
         }
         return pending;
+    }
+
+    private void begin(boolean isFolder) throws IOException {
+        synchronized (OPEN) {
+            if (stopped) {
+                throw new InterruptedIOException("the program is being stopped");
+            }
+            OPEN.add(this);
+            // Not Files.createTempDirectory nor createTempFile, which hide from everybody but the owner.
+            Files.createDirectory(room);
+            if (isFolder) {
+                Files.createDirectory(temporary);
+            } else {
+                Files.createFile(temporary);
+            }
+        }
     }
 
     private static boolean isEmptyFolder(Path path) throws IOException {
@@ -112,9 +139,25 @@ public final class PendingFile implements Closeable {
         Files.delete(room);
     }
 
+    private static void removeAll() {
+        synchronized (OPEN) {
+            stopped = true;
+            for (PendingFile pending : List.copyOf(OPEN)) {
+                try {
+                    pending.close();
+                } catch (IOException | UncheckedIOException kept) {
+                    // there is nobody left to tell
+                }
+            }
+        }
+    }
+
     /** Removes what was not committed. */
     @Override
     public void close() throws IOException {
+        synchronized (OPEN) {
+            OPEN.remove(this);
+        }
         if (Files.notExists(room)) {
             return;
         }

@@ -14,17 +14,15 @@ import org.junit.jupiter.api.io.TempDir;
 /** The program as a process of its own, with what it can have there alone: little memory, and an output that is lost. */
 class ProgramProcessTest {
 
+    private static final String PROGRAM = "\"$JAVA\" -Xmx64m -Xshare:auto -XX:-UsePerfData " + Main.class.getName();
+
     @TempDir
     private Path folder;
 
     /** Runs the program with a shell, in which {@code tompkins} is its name. */
     private ProgramRun shell(String line) throws IOException, InterruptedException {
         Path err = folder.resolve("err");
-        ProcessBuilder builder = new ProcessBuilder(
-                "sh",
-                "-c",
-                "tompkins() { \"$JAVA\" -Xmx64m -Xshare:auto -XX:-UsePerfData " + Main.class.getName() + " \"$@\"; }; "
-                        + line);
+        ProcessBuilder builder = new ProcessBuilder("sh", "-c", "tompkins() { " + PROGRAM + " \"$@\"; }; " + line);
         builder.environment()
                 .put(
                         "JAVA",
@@ -48,6 +46,18 @@ class ProgramProcessTest {
         ProgramRun mistake = shell("tompkins check good.json nothing.json > /dev/full");
         assertThat(mistake.code()).isEqualTo(Failures.MISTAKE);
         assertThat(mistake.err()).contains("nothing.json: there is no such file", "the output cannot be written");
+    }
+
+    /** Ctrl-C, while the picture is written. */
+    @Test
+    void aProgramThatIsStoppedLeavesNothingHalfWritten() throws IOException, InterruptedException {
+        Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 1000, \"height\": 800}}");
+
+        ProgramRun run = shell(PROGRAM + " render sky.json -o sky.png --format png16 & p=$!; "
+                + "while kill -0 $p 2> /dev/null && [ -z \"$(find . -path './.tompkins*' -name sky.png)\" ]; "
+                + "do sleep 0.01; done; kill -TERM $p; wait $p; ls -A | grep -c part");
+
+        assertThat(run.out()).isEqualTo("0\n");
     }
 
     @Test
