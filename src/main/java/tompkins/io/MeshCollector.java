@@ -72,7 +72,10 @@ final class MeshCollector extends AbstractWritableObj {
 
     private void check(int index) {
         if (index < 0) {
-            throw new IllegalArgumentException("a face counts " + -index + " vertices back beyond the first");
+            throw new IllegalArgumentException(
+                    line.text().contains("-")
+                            ? "a face counts " + -index + " vertices back beyond the first"
+                            : "a face names a vertex beyond number " + Integer.MAX_VALUE);
         }
         if (index > largestIndex) {
             largestIndex = index;

@@ -68,8 +68,13 @@ public final class MeshFile {
                         + " \"f 1 2 3\" with vertices counted from 1";
     }
 
-    /** Remembers the line that was read last. */
+    /**
+     * Remembers the line that was read last. Byte order marks, comments, and the normals and texture coordinates that a mesh
+     * does without never come to the library, which would stumble over some.
+     */
     static final class CurrentLine extends LineNumberReader {
+
+        private static final String BYTE_ORDER_MARK = "\uFEFF";
 
         private String text = "";
 
@@ -80,8 +85,14 @@ public final class MeshFile {
         @Override
         public String readLine() throws IOException {
             String next = super.readLine();
-            text = next == null ? text : next;
-            return next;
+            if (next == null) {
+                return null;
+            }
+            String marked = next.startsWith(BYTE_ORDER_MARK) ? next.substring(1) : next;
+            int comment = marked.indexOf('#');
+            String plain = (comment < 0 ? marked : marked.substring(0, comment)).stripLeading();
+            text = plain.startsWith("vn") || plain.startsWith("vt") ? "" : plain;
+            return text;
         }
 
         String text() {

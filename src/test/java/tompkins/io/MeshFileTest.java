@@ -40,6 +40,17 @@ class MeshFileTest {
         assertThat(corners(read(text), 0)).isEqualTo(corners(read(SQUARE + "f 1 2 3"), 0));
     }
 
+    /** What some programs write, and what would cost the first vertex or the whole mesh. */
+    @ParameterizedTest
+    @ValueSource(strings = {"vn nan nan nan", " vn -nan(ind) 0 0", "vt 0,5 0,5", "vn 0 0 \\\n 1", "# v 1 2", "  "})
+    void whatAMeshDoesWithoutIsPassedOver(String line) throws IOException {
+        String vertices = "\uFEFFv 0 0 0 # first\nv 1 0 0\nv 1 1 0\n";
+
+        MeshData mesh = read(vertices + line + "\nf 1//1 2//1 3//1 # face\n");
+
+        assertThat(corners(mesh, 0)).isEqualTo(List.of(0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0));
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"", SQUARE, "\u0089PNG\r\n\u001a\n\u0000\u0000"})
     void aFileWithoutFacesHasNoLineToName(String text) {
@@ -68,6 +79,7 @@ class MeshFileTest {
             value = {
                 "f 1 2 5             | 6: a face names vertex 5, but there are only 4",
                 "f 1 2 -7            | 6: a face counts 3 vertices back beyond the first",
+                "f 1 2 2147483648    | 6: a face names a vertex beyond number 2147483647",
                 "f 1 2               | 6: a face must have three or more corners, has 2",
                 "v 1 2               | 6: a vertex must have three coordinates, has 2",
                 "v 1 nought 3        | 6: \"v 1 nought 3\" cannot be understood; a vertex is written like",
