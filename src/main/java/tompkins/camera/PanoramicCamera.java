@@ -58,7 +58,7 @@ public record PanoramicCamera(
 
     /** Checks all values. */
     public PanoramicCamera {
-        position = Require.finite("position", position);
+        position = Require.place("position", position);
         viewDirection = Require.direction("viewDirection", viewDirection);
         topDirection = CameraAxes.requireTop(topDirection, viewDirection);
         Require.positive("horizontalAngleDegrees", horizontalAngleDegrees, 360);

@@ -61,7 +61,7 @@ public record ThinLensCamera(
 
     /** Checks all values; a plane in focus must not pass through the lens centre. */
     public ThinLensCamera {
-        position = Require.finite("position", position);
+        position = Require.place("position", position);
         viewDirection = Require.direction("viewDirection", viewDirection);
         topDirection = CameraAxes.requireTop(topDirection, viewDirection);
         Require.between("horizontalAngleDegrees", horizontalAngleDegrees, 0, 180);

@@ -35,7 +35,7 @@ public record PointLight(
 
     /** Checks all values. */
     public PointLight {
-        position = Require.finite("position", position);
+        position = Require.place("position", position);
         Colour.required("colour", colour);
         Colour.required("highlightColour", highlightColour);
         Require.notNegative("highlightExponent", highlightExponent);

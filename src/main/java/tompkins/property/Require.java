@@ -11,6 +11,8 @@ import org.joml.Vector3dc;
  */
 public final class Require {
 
+    private static final double LARGEST_COORDINATE = 1e100;
+
     private Require() {}
 
     /** Any finite number. */
@@ -65,6 +67,24 @@ public final class Require {
             throw wrong(property, "three finite numbers", text(value));
         }
         return new Vector3d(value);
+    }
+
+    /** A place or a time, small enough that squares of it, seen from any frame, stay finite. */
+    public static double coordinate(String property, double value) {
+        return within(property, value, -LARGEST_COORDINATE, LARGEST_COORDINATE);
+    }
+
+    /** A place of three such numbers; returns a copy that nobody else can change. */
+    public static Vector3dc place(String property, Vector3dc value) {
+        Vector3dc copy = finite(property, value);
+        if (largestComponent(copy) > LARGEST_COORDINATE) {
+            throw wrong(
+                    property,
+                    "three numbers from " + NumberText.of(-LARGEST_COORDINATE) + " to "
+                            + NumberText.of(LARGEST_COORDINATE),
+                    text(copy));
+        }
+        return copy;
     }
 
     /** A vector of three finite numbers that are not all 0; returns a copy that nobody else can change. */

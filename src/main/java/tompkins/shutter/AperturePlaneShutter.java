@@ -15,7 +15,7 @@ public record AperturePlaneShutter(
 
     /** Checks the time. */
     public AperturePlaneShutter {
-        Require.finite("openingTime", openingTime);
+        Require.coordinate("openingTime", openingTime);
     }
 
     @Override

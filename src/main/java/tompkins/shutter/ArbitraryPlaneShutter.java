@@ -28,7 +28,7 @@ public record ArbitraryPlaneShutter(
 
     /** Checks all values. */
     public ArbitraryPlaneShutter {
-        Require.finite("openingTime", openingTime);
+        Require.coordinate("openingTime", openingTime);
         point = Require.finite("point", point);
         normal = Require.direction("normal", normal);
     }

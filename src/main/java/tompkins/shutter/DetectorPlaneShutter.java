@@ -29,7 +29,7 @@ public record DetectorPlaneShutter(
 
     /** Checks both values. */
     public DetectorPlaneShutter {
-        Require.finite("openingTime", openingTime);
+        Require.coordinate("openingTime", openingTime);
         Require.positive("detectorDistance", detectorDistance);
     }
 

@@ -18,7 +18,7 @@ public record FocusSurfaceShutter(
 
     /** Checks the time. */
     public FocusSurfaceShutter {
-        Require.finite("openingTime", openingTime);
+        Require.coordinate("openingTime", openingTime);
     }
 
     @Override

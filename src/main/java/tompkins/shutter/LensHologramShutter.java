@@ -23,7 +23,7 @@ public record LensHologramShutter(
 
     /** Checks both values. */
     public LensHologramShutter {
-        Require.finite("openingTime", openingTime);
+        Require.coordinate("openingTime", openingTime);
         Require.positive("detectorDistance", detectorDistance);
     }
 

@@ -29,7 +29,6 @@ import tompkins.property.Descriptions;
 import tompkins.ray.PixelPicture;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
-import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
@@ -169,12 +168,12 @@ class RoundTripTest {
             1e23
         };
         for (double number : numbers) {
-            Studio studio =
-                    Studio.DEFAULT.withCamera(ThinLensCamera.DEFAULT.withShutter(new AperturePlaneShutter(number)));
-            double back = StudioReader.read(StudioWriter.write(studio), "", folder)
-                    .camera()
-                    .shutter()
-                    .openingTime();
+            Sphere sphere = new Sphere("sphere", new Vector3d(number, 0, 0), 1, ColouredSurface.DEFAULT);
+            Studio studio = Studio.DEFAULT.withScene(List.of(sphere));
+            Sphere read = (Sphere) StudioReader.read(StudioWriter.write(studio), "", folder)
+                    .scene()
+                    .get(0);
+            double back = read.centre().x();
             assertThat(Double.doubleToRawLongBits(back)).isEqualTo(Double.doubleToRawLongBits(number));
         }
     }
