@@ -22,6 +22,9 @@ final class PreparedScene {
 
     private final List<SceneObject> described;
     private final List<LightSource> describedLights;
+    /** The lamps that get a grid, which takes milliseconds to make; with more of them the tree does for the rest. */
+    private static final int MOST_GRIDS = 16;
+
     private final Vector3dc origin;
     private final boolean followsCamera;
     private final ObjectTree objects;
@@ -57,6 +60,7 @@ final class PreparedScene {
         try {
             return lights.stream()
                     .filter(light -> light.position() != null)
+                    .limit(MOST_GRIDS)
                     .map(light -> LightGrid.of(light.position(), objects))
                     .filter(Objects::nonNull)
                     .toArray(LightGrid[]::new);
