@@ -48,8 +48,12 @@ public final class Main {
         CommandLine commandLine = TompkinsCommand.commandLine(arguments);
         commandLine.setOut(out);
         commandLine.setErr(err);
+        // a name may begin with @
+        commandLine.setExpandAtFiles(false);
         commandLine.setCaseInsensitiveEnumValuesAllowed(true);
         commandLine.registerConverter(Path.class, Main::file);
+        commandLine.registerConverter(Double.class, StudioOptions::number);
+        commandLine.registerConverter(double.class, StudioOptions::number);
         commandLine.setExecutionExceptionHandler(Failures::report);
         commandLine.setParameterExceptionHandler(Failures::reportUsage);
         try {

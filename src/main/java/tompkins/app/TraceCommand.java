@@ -97,7 +97,8 @@ final class TraceCommand implements Callable<Integer> {
         } catch (NumberFormatException notWhole) {
             // the message below says what is allowed
         }
-        throw new MistakeException("--pixel must be two whole numbers with a comma between them, was " + pixel);
+        throw new MistakeException(
+                "--pixel must be two whole numbers inside the picture with a comma between them, was " + pixel);
     }
 
     private static void print(PrintWriter out, RayLife life, Studio studio) {

@@ -26,6 +26,9 @@ final class SyntaxMistake {
     private static final Pattern CONTROL_IN_TEXT =
             Pattern.compile("Illegal unquoted character \\(\\(CTRL-CHAR, code (\\d+)\\)\\)");
 
+    private static final Pattern CONTROL_OUTSIDE =
+            Pattern.compile("Illegal character \\(\\(CTRL-CHAR, code (\\d+)\\)\\)");
+
     /** What the library says, or a part of it, and what that means; the first that fits counts. */
     private static final List<Map.Entry<String, String>> MEANINGS = List.of(
             Map.entry("hex-digit", "after \\u in a text there must be four digits from 0 to 9 or a to f"),
@@ -79,6 +82,14 @@ final class SyntaxMistake {
         Matcher control = CONTROL_IN_TEXT.matcher(message);
         if (control.lookingAt()) {
             return NOT_JSON + controlInText(Integer.parseInt(control.group(1)));
+        }
+        Matcher outside = CONTROL_OUTSIDE.matcher(message);
+        if (outside.lookingAt()) {
+            return NOT_JSON
+                    + String.format(
+                            Locale.ROOT,
+                            "the control character U+%04X must not stand here",
+                            Integer.parseInt(outside.group(1)));
         }
         Matcher word = UNKNOWN_WORD.matcher(message);
         if (word.lookingAt()) {

@@ -19,6 +19,8 @@ public enum SpeedScale {
     @Meaning("What the speed lacks to that of light, 1 - beta")
     ONE_MINUS_BETA("oneMinusBeta", "above 0 and at most 1");
 
+    private static final int LONGEST_SHOWN = 40;
+
     private static final Pattern BELOW_ONE = Pattern.compile("[-+]?0*\\.[0-9]+");
 
     private final String key;
@@ -47,7 +49,9 @@ public enum SpeedScale {
         return numbers.map(String::trim)
                 .filter(number -> BELOW_ONE.matcher(number).matches() && Math.abs(Double.parseDouble(number)) == 1)
                 .findFirst()
-                .map(number -> "; " + number + " was rounded to 1: nearer to the speed of light come \"gamma\" and"
+                .map(number -> "; " + number.substring(0, Math.min(number.length(), LONGEST_SHOWN))
+                        + (number.length() > LONGEST_SHOWN ? "..." : "")
+                        + " was rounded to 1: nearer to the speed of light come \"gamma\" and"
                         + " \"oneMinusBeta\" in the velocity of a scene file")
                 .orElse("");
     }

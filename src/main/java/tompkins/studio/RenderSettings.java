@@ -29,6 +29,9 @@ public record RenderSettings(
      */
     public static final RenderSettings DEFAULT = new RenderSettings(640, 480, 1, 1, 1000, ToneCurve.LINEAR);
 
+    /** Largest number of pixels in a row or a column. */
+    public static final int LONGEST_SIDE = 65_535;
+
     /** Largest number of pixels of a picture. */
     public static final long MOST_PIXELS = 100_000_000;
 
@@ -37,8 +40,8 @@ public record RenderSettings(
 
     /** Checks all values. */
     public RenderSettings {
-        Require.within("width", width, 1, 65_535);
-        Require.within("height", height, 1, 65_535);
+        Require.within("width", width, 1, LONGEST_SIDE);
+        Require.within("height", height, 1, LONGEST_SIDE);
         if ((long) width * height > MOST_PIXELS) {
             throw new InvalidPropertyException(
                     "height",

@@ -115,7 +115,8 @@ class TraceCommandTest {
             ProgramRun run = ProgramRun.of("trace", "scenes/fig1b.json", "--pixel", pixel);
             assertThat(run.code()).isEqualTo(2);
             assertThat(run.err().strip())
-                    .isEqualTo("--pixel must be two whole numbers with a comma between them, was " + pixel);
+                    .isEqualTo("--pixel must be two whole numbers inside the picture with a comma between them, was "
+                            + pixel);
         }
         for (String option : new String[] {"--samples", "--seed"}) {
             ProgramRun run = ProgramRun.of("trace", "scenes/fig1b.json", "--pixel", "1,2", option, 3);
