@@ -33,9 +33,12 @@ public record PointLight(
     public static final PointLight DEFAULT =
             new PointLight(new Vector3d(100, 300, -500), Colour.WHITE, Colour.WHITE, 40);
 
+    /** Seen from a moving camera, a lamp may be farther away than any place that is given. */
+    private static final double FARTHEST = 1e100;
+
     /** Checks all values. */
     public PointLight {
-        position = Require.place("position", position);
+        position = Require.place("position", position, FARTHEST);
         Colour.required("colour", colour);
         Colour.required("highlightColour", highlightColour);
         Require.notNegative("highlightExponent", highlightExponent);

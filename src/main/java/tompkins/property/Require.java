@@ -11,7 +11,8 @@ import org.joml.Vector3dc;
  */
 public final class Require {
 
-    private static final double LARGEST_COORDINATE = 1e100;
+    /** Places and times below this stay far below the root of the largest double, seen from any frame. */
+    private static final double LARGEST_COORDINATE = 1e50;
 
     private Require() {}
 
@@ -69,19 +70,23 @@ public final class Require {
         return new Vector3d(value);
     }
 
-    /** A place or a time, small enough that squares of it, seen from any frame, stay finite. */
+    /** A place along an axis, or a time: a number from -1e50 to 1e50. */
     public static double coordinate(String property, double value) {
         return within(property, value, -LARGEST_COORDINATE, LARGEST_COORDINATE);
     }
 
     /** A place of three such numbers; returns a copy that nobody else can change. */
     public static Vector3dc place(String property, Vector3dc value) {
+        return place(property, value, LARGEST_COORDINATE);
+    }
+
+    /** A place of three numbers of at most a size; returns a copy that nobody else can change. */
+    public static Vector3dc place(String property, Vector3dc value, double largest) {
         Vector3dc copy = finite(property, value);
-        if (largestComponent(copy) > LARGEST_COORDINATE) {
+        if (largestComponent(copy) > largest) {
             throw wrong(
                     property,
-                    "three numbers from " + NumberText.of(-LARGEST_COORDINATE) + " to "
-                            + NumberText.of(LARGEST_COORDINATE),
+                    "three numbers from " + NumberText.of(-largest) + " to " + NumberText.of(largest),
                     text(copy));
         }
         return copy;

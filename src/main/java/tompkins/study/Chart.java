@@ -54,7 +54,7 @@ public record Chart(
     static final Axis<Spread> TIME = new Axis<>("seconds (one thread)", Measurement::seconds);
 
     /** Root mean square error in linear light. */
-    static final Axis<Spread> ERROR = new Axis<>("RMSE in linear light (white = 1)", Measurement::error);
+    static final Axis<Spread> ERROR = new Axis<>("RMS error in linear light (white = 1)", Measurement::error);
 
     /** Error against time. */
     static Chart errorAgainstTime(String problem, String title) {

@@ -72,7 +72,7 @@ final class Honesty {
                                 Locale.ROOT,
                                 "Error found against error promised, all scenes (%.2f times is allowed)",
                                 TOLERANCE),
-                        Chart.setting("promised RMSE (--error)"),
+                        Chart.setting("promised RMS error (--error)"),
                         Chart.ERROR,
                         false)
                 .withGuides(List.of(

@@ -68,7 +68,7 @@ public final class StudyPage {
                 brackets is this power, the slope of the curve over the axis that is drawn: where that axis shows seconds, it
                 differs from the slopes in the tables, which count samples. Left and down is better. Rings are what the program
                 does. The yellow band is the Pareto front: the points that no other beats in both cost and error. Bars reach from
-                the smallest to the largest of several runs. RMSE is the root of the mean square error over all pixels and
+                the smallest to the largest of several runs. The RMS error is the root of the mean square error over all pixels and
                 channels, in linear light where white is 1. A grey line is the error of the reference itself, found from its two
                 halves, where the exact answer is not known.
                 """,
