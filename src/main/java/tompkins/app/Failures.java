@@ -8,7 +8,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
-import tompkins.io.FileFailure;
+import tompkins.image.FileFailure;
 import tompkins.io.SceneFileException;
 import tompkins.render.RenderFailedException;
 

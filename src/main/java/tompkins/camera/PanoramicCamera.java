@@ -3,7 +3,6 @@ package tompkins.camera;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.property.Meaning;
-import tompkins.property.NumberText;
 import tompkins.property.Require;
 import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
@@ -42,9 +41,6 @@ public record PanoramicCamera(
         @Meaning("Where the shutter is and when it opens") Shutter shutter)
         implements Camera {
 
-    /** Digits of an angle that follows another one; what comes after them is rounding. */
-    private static final int ANGLE_DIGITS = 12;
-
     /** The whole sky. */
     public static final PanoramicCamera DEFAULT = new PanoramicCamera(
             new Vector3d(),
@@ -76,13 +72,12 @@ public record PanoramicCamera(
     @Override
     public PanoramicCamera withHorizontalAngle(double degrees) {
         Require.positive("horizontalAngleDegrees", degrees, 360);
-        double vertical = verticalAngleDegrees * degrees / horizontalAngleDegrees;
         return new PanoramicCamera(
                 position,
                 viewDirection,
                 topDirection,
                 degrees,
-                Math.min(180, NumberText.rounded(vertical, ANGLE_DIGITS)),
+                Math.min(180, verticalAngleDegrees * degrees / horizontalAngleDegrees),
                 focusDistance,
                 exposureStops,
                 shutter);

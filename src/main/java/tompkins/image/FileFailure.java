@@ -1,5 +1,6 @@
-package tompkins.io;
+package tompkins.image;
 
+import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
@@ -11,9 +12,9 @@ public final class FileFailure {
 
     private FileFailure() {}
 
-    /** The reason in a few words, without the name of the file. */
+    /** The reason in a few words and one line, without the name of the file. */
     public static String reason(IOException failure) {
-        if (failure instanceof NoSuchFileException) {
+        if (failure instanceof NoSuchFileException || failure instanceof FileNotFoundException) {
             return "there is no such file or folder";
         }
         if (failure instanceof AccessDeniedException) {
@@ -22,9 +23,11 @@ public final class FileFailure {
         if (failure instanceof FileAlreadyExistsException) {
             return "there is a file of this name already";
         }
-        if (failure instanceof FileSystemException system && system.getReason() != null) {
-            return system.getReason();
-        }
-        return failure.getMessage() == null ? failure.getClass().getSimpleName() : failure.getMessage();
+        String message = failure instanceof FileSystemException system && system.getReason() != null
+                ? system.getReason()
+                : failure.getMessage();
+        return message == null || message.isBlank()
+                ? failure.getClass().getSimpleName()
+                : message.strip().lines().findFirst().orElseThrow();
     }
 }

@@ -1,11 +1,7 @@
 package tompkins.image;
 
 import java.io.EOFException;
-import java.io.FileNotFoundException;
 import java.io.IOException;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.FileSystemException;
-import java.nio.file.NoSuchFileException;
 import java.util.zip.ZipException;
 import javax.imageio.IIOException;
 
@@ -52,18 +48,6 @@ public final class PictureException extends IOException {
             // What a reader says when it stumbles over a damaged file is about the reader.
             return "the file ends too early or contradicts itself";
         }
-        if (root instanceof AccessDeniedException) {
-            return "there is no permission";
-        }
-        if (root instanceof NoSuchFileException || root instanceof FileNotFoundException) {
-            return "there is no such file or folder";
-        }
-        String message = root instanceof FileSystemException system && system.getReason() != null
-                ? system.getReason()
-                : root.getMessage();
-        if (message == null || message.isBlank()) {
-            return root.getClass().getSimpleName();
-        }
-        return message.strip().lines().findFirst().orElseThrow();
+        return root instanceof IOException io ? FileFailure.reason(io) : root.toString();
     }
 }

@@ -9,6 +9,7 @@ import java.io.LineNumberReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import tompkins.image.FileFailure;
 import tompkins.ray.MeshData;
 
 /** Reads triangle meshes from OBJ files: vertices and faces; faces with more corners are cut into fans of triangles. */

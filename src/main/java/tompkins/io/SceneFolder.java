@@ -6,6 +6,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
+import tompkins.image.FileFailure;
 import tompkins.ray.FileContent;
 
 /** The files under the folder of a scene file; nothing else on the disk can be reached. Each is read once. */

@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
+import tompkins.image.FileFailure;
 import tompkins.image.PhotographFile;
 import tompkins.image.PictureException;
 
