@@ -16,6 +16,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.UUID;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 
 /**
@@ -29,7 +30,7 @@ public final class PendingFile implements Closeable {
     private static final Set<PendingFile> OPEN = new HashSet<>();
 
     /** Whether the program is being stopped; from then on nothing is begun. */
-    private static boolean stopped;
+    private static final AtomicBoolean STOPPED = new AtomicBoolean();
 
     static {
         Runtime.getRuntime().addShutdownHook(new Thread(PendingFile::removeAll, "tompkins-remove"));
@@ -92,7 +93,7 @@ public final class PendingFile implements Closeable {
 
     private void begin(boolean isFolder) throws IOException {
         synchronized (OPEN) {
-            if (stopped) {
+            if (STOPPED.get()) {
                 throw new InterruptedIOException("the program is being stopped");
             }
             OPEN.add(this);
@@ -141,7 +142,7 @@ public final class PendingFile implements Closeable {
 
     private static void removeAll() {
         synchronized (OPEN) {
-            stopped = true;
+            STOPPED.set(true);
             for (PendingFile pending : List.copyOf(OPEN)) {
                 try {
                     pending.close();

@@ -19,7 +19,7 @@ import tompkins.trace.RenderPlan;
 /** Whether samples are better shared evenly or put where they are needed, and whether the error is what was promised. */
 final class AntialiasingStudy implements Study {
 
-    static final String ADAPTIVE = "samples where needed (--error)";
+    static final String ADAPTIVE = "where needed (--error)";
     static final String FIXED = "the same number everywhere";
     static final String CENTRE = "one sample, in the centre";
     private static final String ANYWHERE = "one sample, anywhere";

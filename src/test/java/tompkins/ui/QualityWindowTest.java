@@ -61,10 +61,11 @@ class QualityWindowTest {
     @Test
     void aClickOnAPointIsTaken() {
         WindowDriver.await(
-                "points of both curves", () -> entity("adaptive", 0) != null && entity("the same", 0) != null);
+                "points of both curves", () -> entity("where needed", 0) != null && entity("the same", 0) != null);
         assertThat(driver.studio().settings().samples()).isEqualTo(1);
 
-        WindowDriver.await("all points", () -> state().startsWith("Click on a point") && entity("adaptive", 5) != null);
+        WindowDriver.await(
+                "all points", () -> state().startsWith("Click on a point") && entity("where needed", 5) != null);
         choose("the same", 0, "4 samples a pixel");
         assertThat(state()).startsWith("Chosen for the picture:");
         assertThat(driver.studio().settings().samples()).isEqualTo(4);
@@ -79,7 +80,7 @@ class QualityWindowTest {
                 .as("when the scene has another number")
                 .startsWith("Click on a point");
 
-        choose("adaptive", 5, "Samples where they are needed, error 0.001");
+        choose("where needed", 5, "Samples where they are needed, error 0.001");
         WindowDriver.await(
                 "a picture that is as good",
                 () -> driver.picture().complete() && driver.picture().error() <= 0.001);

@@ -1,12 +1,10 @@
 package tompkins.ui.picture;
 
-import java.awt.AlphaComposite;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Cursor;
 import java.awt.Dimension;
 import java.awt.Font;
-import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Point;
@@ -292,36 +290,10 @@ public final class PictureCanvas extends JPanel {
         g.drawRoundRect(x - 5, middle - 18, 10, 36, 10, 10);
     }
 
-    /** Writes a text into a corner of a picture; what there is no room for is left out at its end. */
     private void label(Graphics2D g, String text, Rectangle bounds, boolean atRight) {
-        Graphics2D local = (Graphics2D) g.create();
-        local.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        local.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        local.setFont(
-                getFont() == null ? UIManager.getFont("Label.font") : getFont().deriveFont(Font.BOLD));
-        String fitting = shortened(text, local.getFontMetrics(), bounds.width - 40);
-        int width = local.getFontMetrics().stringWidth(fitting) + 16;
-        int height = local.getFontMetrics().getHeight() + 6;
-        int left = atRight ? bounds.x + bounds.width - 12 - width : bounds.x + 12;
-        local.setComposite(AlphaComposite.SrcOver.derive(0.65f));
-        local.setColor(Color.BLACK);
-        local.fillRoundRect(left, bounds.y + 12, width, height, 12, 12);
-        local.setComposite(AlphaComposite.SrcOver);
-        local.setColor(Color.WHITE);
-        local.drawString(
-                fitting, left + 8, bounds.y + 15 + local.getFontMetrics().getAscent());
-        local.dispose();
-    }
-
-    private static String shortened(String text, FontMetrics metrics, int room) {
-        if (metrics.stringWidth(text) <= room) {
-            return text;
-        }
-        int length = text.length();
-        while (length > 0 && metrics.stringWidth(text.substring(0, length) + "\u2026") > room) {
-            length--;
-        }
-        return text.substring(0, length) + "\u2026";
+        Font font =
+                getFont() == null ? UIManager.getFont("Label.font") : getFont().deriveFont(Font.BOLD);
+        Caption.paint(g, font, text, bounds, atRight);
     }
 
     private void paintPin(Graphics2D g, Rectangle bounds) {
