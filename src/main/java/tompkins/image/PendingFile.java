@@ -128,16 +128,18 @@ public final class PendingFile implements Closeable {
 
     /** Gives the complete file its name; all streams into it must be closed. */
     public void commit() throws IOException {
-        if (Files.isDirectory(temporary)) {
-            // Not every system replaces a folder, even an empty one.
-            Files.deleteIfExists(target);
+        synchronized (OPEN) {
+            if (Files.isDirectory(temporary)) {
+                // Not every system replaces a folder, even an empty one.
+                Files.deleteIfExists(target);
+            }
+            try {
+                Files.move(temporary, target, StandardCopyOption.ATOMIC_MOVE);
+            } catch (AtomicMoveNotSupportedException e) {
+                Files.move(temporary, target, StandardCopyOption.REPLACE_EXISTING);
+            }
+            remove();
         }
-        try {
-            Files.move(temporary, target, StandardCopyOption.ATOMIC_MOVE);
-        } catch (AtomicMoveNotSupportedException e) {
-            Files.move(temporary, target, StandardCopyOption.REPLACE_EXISTING);
-        }
-        Files.delete(room);
     }
 
     private static void removeAll() {
@@ -145,7 +147,7 @@ public final class PendingFile implements Closeable {
             STOPPED.set(true);
             for (PendingFile pending : List.copyOf(OPEN)) {
                 try {
-                    pending.close();
+                    pending.remove();
                 } catch (IOException | UncheckedIOException kept) {
                     // there is nobody left to tell
                 }
@@ -157,8 +159,13 @@ public final class PendingFile implements Closeable {
     @Override
     public void close() throws IOException {
         synchronized (OPEN) {
-            OPEN.remove(this);
+            remove();
         }
+    }
+
+    /** Whoever calls this holds the lock: the program must not end in the middle of it. */
+    private void remove() throws IOException {
+        OPEN.remove(this);
         if (Files.notExists(room)) {
             return;
         }
