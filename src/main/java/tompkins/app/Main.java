@@ -8,6 +8,7 @@ import java.nio.charset.Charset;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import picocli.CommandLine;
+import tompkins.property.NumberText;
 
 /** Starts the program: a command line with its sub-commands, or the window. */
 public final class Main {
@@ -52,8 +53,8 @@ public final class Main {
         commandLine.setExpandAtFiles(false);
         commandLine.setCaseInsensitiveEnumValuesAllowed(true);
         commandLine.registerConverter(Path.class, Main::file);
-        commandLine.registerConverter(Double.class, StudioOptions::number);
-        commandLine.registerConverter(double.class, StudioOptions::number);
+        commandLine.registerConverter(Double.class, NumberText::parse);
+        commandLine.registerConverter(double.class, NumberText::parse);
         commandLine.setExecutionExceptionHandler(Failures::report);
         commandLine.setParameterExceptionHandler(Failures::reportUsage);
         try {

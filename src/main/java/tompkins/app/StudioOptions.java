@@ -2,7 +2,6 @@ package tompkins.app;
 
 import java.util.Arrays;
 import java.util.Locale;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import picocli.CommandLine.ArgGroup;
@@ -10,6 +9,7 @@ import picocli.CommandLine.Option;
 import tompkins.light.ColourLaw;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
+import tompkins.property.NumberText;
 import tompkins.property.Require;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
@@ -19,9 +19,6 @@ import tompkins.studio.Studio;
 
 /** Options that change a studio before its picture is taken. */
 final class StudioOptions {
-
-    private static final Pattern NUMBER =
-            Pattern.compile("[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?|NaN|[+-]?Infinity");
 
     @Option(names = "--size", paramLabel = "WxH", description = "size of the picture in pixels, such as 640x480")
     private String size;
@@ -130,7 +127,7 @@ final class StudioOptions {
         double[] numbers = new double[parts.length];
         try {
             for (int i = 0; i < parts.length; i++) {
-                numbers[i] = number(parts[i].trim());
+                numbers[i] = NumberText.parse(parts[i].trim());
             }
         } catch (NumberFormatException notANumber) {
             numbers = new double[0];
@@ -140,18 +137,6 @@ final class StudioOptions {
                     + option + "=" + example + ", was " + text);
         }
         return numbers;
-    }
-
-    /**
-     * A number as scene files write it; what else Java takes for one, such as {@code 3d} or {@code 0x1p3}, is none.
-     *
-     * @throws NumberFormatException if the text is no number
-     */
-    static double number(String text) {
-        if (!NUMBER.matcher(text).matches()) {
-            throw new NumberFormatException(text);
-        }
-        return Double.parseDouble(text);
     }
 
     /** The model with a name such as {@code detector-plane}; the present one stays as it is, with all its values. */

@@ -2,6 +2,7 @@ package tompkins.property;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.regex.Pattern;
 
 /** Numbers as people write them, for messages, fields and command lines: {@code 2}, {@code 0.000001}, {@code 1e-9}. */
 public final class NumberText {
@@ -9,7 +10,22 @@ public final class NumberText {
     private static final double SMALLEST_PLAIN = 1e-6;
     private static final double LARGEST_PLAIN = 1e9;
 
+    private static final Pattern NUMBER =
+            Pattern.compile("[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?|NaN|[+-]?Infinity");
+
     private NumberText() {}
+
+    /**
+     * The number that a text writes, with spaces around it or without; what else Java takes for one, such as {@code 3d} or {@code 0x1p3}, is none.
+     *
+     * @throws NumberFormatException if the text is no number
+     */
+    public static double parse(String text) {
+        if (!NUMBER.matcher(text.trim()).matches()) {
+            throw new NumberFormatException(text);
+        }
+        return Double.parseDouble(text);
+    }
 
     /** All digits of a number, but no more than it needs: read again, they give the same bits. */
     public static String of(double value) {

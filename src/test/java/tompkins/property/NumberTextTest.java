@@ -7,6 +7,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class NumberTextTest {
 
@@ -30,6 +31,19 @@ class NumberTextTest {
     void numbersAreWrittenAsPeopleDo(double value, String text) {
         assertThat(NumberText.of(value)).isEqualTo(text);
         assertThat(Double.valueOf(text)).isEqualTo(Double.valueOf(value));
+        assertThat(Double.valueOf(NumberText.parse(" " + text))).isEqualTo(Double.valueOf(value));
+    }
+
+    @ParameterizedTest
+    @CsvSource({".5, 0.5", "+1., 1", "-.25E+2, -25", "007, 7"})
+    void numbersAreReadAsPeopleWriteThem(String text, double value) {
+        assertThat(NumberText.parse(text)).isEqualTo(value);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", ".", "3d", "0.5f", "0x1p3", "1e", "1 2", "\u0663", "nan", "1,5"})
+    void whatElseJavaTakesForNumbersIsNone(String text) {
+        assertThatThrownBy(() -> NumberText.parse(text)).isInstanceOf(NumberFormatException.class);
     }
 
     @ParameterizedTest

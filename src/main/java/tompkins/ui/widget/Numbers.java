@@ -18,7 +18,7 @@ public final class Numbers {
      */
     static double parse(String property, String text) {
         try {
-            return Double.parseDouble(text.strip().replace('\u2212', '-'));
+            return NumberText.parse(text.strip().replace('\u2212', '-'));
         } catch (NumberFormatException e) {
             throw noNumber(property, "a number such as 0.5 or 2e-3", text);
         }

@@ -7,6 +7,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.joml.Vector3dc;
 import tompkins.property.InvalidPropertyException;
+import tompkins.property.NumberText;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 
@@ -86,7 +87,7 @@ public final class SpeedText {
                     ? new BigDecimal(digits.substring(0, digits.length() - 1).strip())
                             .movePointLeft(2)
                             .doubleValue()
-                    : Double.parseDouble(digits);
+                    : NumberText.parse(digits);
         } catch (ArithmeticException | NumberFormatException e) {
             throw wrong(text);
         }
