@@ -178,10 +178,11 @@ final class FileActions implements FileContentEditor.Choosers {
         leaveForAnother(() -> show(example, null));
     }
 
-    /** Shows a scene; messages and refused values of the one before it go. */
+    /** Shows a scene; messages, refused values and the pin of the one before it go. */
     private void show(Studio studio, Path file) {
         status.clear();
         lastFolder = Objects.equals(file, model.file()) ? lastFolder : null;
+        view.setPin(null);
         model.open(studio, file);
         held.put(file, studio);
         EntryField.in(frame).forEach(EntryField::revert);

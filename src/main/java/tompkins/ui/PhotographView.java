@@ -67,7 +67,6 @@ final class PhotographView implements AutoCloseable {
     private boolean pinnedInOther;
     private RenderPlan pinnedPlan;
     private String pinnedName;
-    private int openings;
     private Picking picking;
 
     PhotographView(StudioModel model, Listener listener) {
@@ -111,12 +110,8 @@ final class PhotographView implements AutoCloseable {
         SwingUtilities.invokeLater(() -> listener.failed(Messages.of(error)));
     }
 
-    /** Makes the picture of the current studio. A place in the picture of another scene means nothing here. */
+    /** Makes the picture of the current studio. */
     void render() {
-        if (model.openings() != openings) {
-            openings = model.openings();
-            setPin(null);
-        }
         controller.show(model.studio());
         renderOther();
     }

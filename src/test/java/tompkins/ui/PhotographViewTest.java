@@ -23,13 +23,11 @@ import tompkins.render.Quality;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
-import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.picture.Comparison;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
-import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.picture.ScreenPicture;
 import tompkins.ui.widget.Look;
 
@@ -40,14 +38,7 @@ class PhotographViewTest {
     private final StudioModel model =
             new StudioModel(Studios.lattice().withSettings(Studios.sphere().settings()), null);
     private final PhotographView view =
-            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener() {
-                @Override
-                public void pinned(PixelProbe.Reading reading, String picture) {
-                    pinned = reading != null;
-                }
-            }));
-
-    private volatile boolean pinned;
+            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener()));
 
     @BeforeAll
     static void look() {
@@ -95,22 +86,6 @@ class PhotographViewTest {
                 "the picture of Newton's world",
                 () -> view.canvas().shown().now().studio().transformation() == TransformationLaw.GALILEAN);
         assertThat(WindowDriver.onEventThread(view::keepPicture)).endsWith("\u03b2 = 1-5e-15, Galilean");
-    }
-
-    /** A place in the picture means nothing in that of another scene. */
-    @Test
-    void whatIsPinnedStaysPinnedInItsSceneAlone() {
-        onEventThread(view::render);
-        WindowDriver.await("a picture", () -> view.canvas().shown().now() != null);
-        onEventThread(() -> view.setPin(new Point2D.Double(32, 24)));
-        WindowDriver.await("the pinned ray", () -> pinned);
-        Studio moving = model.studio().withVelocity(Velocity.of(0, 0, 0.5));
-        onEventThread(() -> model.set(moving));
-        WindowDriver.await(
-                "the next picture", () -> view.canvas().shown().now().studio().equals(moving));
-        assertThat(pinned).isTrue();
-        onEventThread(() -> model.open(Studios.sphere(), null));
-        assertThat(pinned).isFalse();
     }
 
     @Test

@@ -187,6 +187,29 @@ class WindowTest {
                         .contains("Pixel 160, 120"));
     }
 
+    /** A place in the picture means nothing in that of another scene. */
+    @Test
+    void whatIsPinnedStaysPinnedInItsSceneAlone() {
+        driver.completePicture();
+        driver.click(driver.centre(driver.find(PictureCanvas.class, "picture")));
+        JTextArea story = driver.find(JTextArea.class, "ray.story");
+        WindowDriver.await("the pinned ray", story::isShowing);
+        Studio before = driver.studio();
+        Studio moving = before.withVelocity(Velocity.of(0, 0, 0.5));
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().set(moving);
+            return null;
+        });
+        driver.completePicture();
+        assertThat(story.isShowing()).isTrue();
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(driver.studio()).isEqualTo(before);
+        driver.menu("menu.new");
+        WindowDriver.await(
+                "the new scene", () -> driver.window().model().studio().scene().isEmpty());
+        assertThat(story.isShowing()).isFalse();
+    }
+
     @Test
     void aPinThatLiesBesideASmallerPictureIsGone() {
         driver.completePicture();

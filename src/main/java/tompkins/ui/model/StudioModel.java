@@ -41,7 +41,6 @@ public final class StudioModel {
     private final Deque<Step> future = new ArrayDeque<>();
     private Step current;
     private Object gesture;
-    private int openings;
 
     /** A model of a studio; the file may be null. */
     public StudioModel(Studio studio, Path file) {
@@ -91,14 +90,8 @@ public final class StudioModel {
         gesture = null;
     }
 
-    /** How many studios were opened since the first. */
-    public int openings() {
-        return openings;
-    }
-
     /** Takes a studio that was read from a file, as a step that can be undone. */
     public void open(Studio studio, Path file) {
-        openings++;
         change(new Step(studio, file, studio), null);
     }
 
