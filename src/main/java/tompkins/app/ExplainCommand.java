@@ -9,8 +9,8 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import tompkins.io.StudioReader;
-import tompkins.property.ControlCharacters;
 import tompkins.property.NumberText;
+import tompkins.property.OneLine;
 import tompkins.render.CostForecast;
 import tompkins.render.Quality;
 import tompkins.render.Renderer;
@@ -43,11 +43,8 @@ final class ExplainCommand implements Callable<Integer> {
         RenderPlan plan = ScenePlan.of(studio, scene);
         // all that may be refused comes before the first word
         Quality wish = quality.of(studio);
-        spec.commandLine().getOut().println(ControlCharacters.replaced(studio.title()));
-        studio.remarks()
-                .lines()
-                .map(ControlCharacters::replaced)
-                .forEach(spec.commandLine().getOut()::println);
+        spec.commandLine().getOut().println(OneLine.of(studio.title()));
+        studio.remarks().lines().map(OneLine::of).forEach(spec.commandLine().getOut()::println);
         for (String sentence : plan.sentences()) {
             spec.commandLine().getOut().println("- " + sentence);
         }

@@ -13,8 +13,8 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import tompkins.io.RayLifeWriter;
 import tompkins.io.StudioReader;
-import tompkins.property.ControlCharacters;
 import tompkins.property.NumberText;
+import tompkins.property.OneLine;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
@@ -115,7 +115,7 @@ final class TraceCommand implements Callable<Integer> {
             out.println(format(
                     "%shit  %s (%s) in the %s frame at %s, t = %.9g, distance %.9g, share %s",
                     "  ".repeat(hit.branch()),
-                    ControlCharacters.replaced(hit.object()),
+                    OneLine.of(hit.object()),
                     hit.surface().getClass().getSimpleName(),
                     hit.frame().name().toLowerCase(Locale.ROOT),
                     text(hit.event().position()),

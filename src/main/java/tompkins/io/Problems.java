@@ -3,7 +3,7 @@ package tompkins.io;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import tompkins.property.ControlCharacters;
+import tompkins.property.OneLine;
 
 /** Collects the mistakes of one file. */
 final class Problems {
@@ -32,7 +32,7 @@ final class Problems {
      * @throws SceneFileException if there are too many
      */
     void add(int line, int column, String path, String message) {
-        found.add(new Problem(file, line, column, shortened(path, LONGEST_PATH), ControlCharacters.replaced(message)));
+        found.add(new Problem(file, line, column, OneLine.shortened(path, LONGEST_PATH), OneLine.of(message)));
         if (found.size() == MOST) {
             found.add(new Problem(file, line, column, "", "after " + MOST + " mistakes the rest is not looked at"));
             throw new SceneFileException(found);
@@ -63,12 +63,6 @@ final class Problems {
 
     /** A text of bearable length, on one line. */
     static String shortened(String text) {
-        return shortened(text, LONGEST_VALUE);
-    }
-
-    private static String shortened(String text, int longest) {
-        boolean tooLong = text.length() > longest;
-        String start = tooLong ? text.substring(0, longest - 10) : text;
-        return ControlCharacters.replaced(start) + (tooLong ? "... (" + text.length() + " characters)" : "");
+        return OneLine.shortened(text, LONGEST_VALUE);
     }
 }

@@ -5,7 +5,7 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.Properties;
 import tompkins.image.PhotographInfo;
-import tompkins.property.ControlCharacters;
+import tompkins.property.OneLine;
 import tompkins.studio.Studio;
 
 /** What the file of a photograph says about itself: its title, the program that took it, and the scene, to take it again. */
@@ -21,7 +21,7 @@ public final class SelfDescription {
      * @throws tompkins.property.InvalidPropertyException if the scene is too long to travel inside
      */
     public static PhotographInfo of(Studio studio) {
-        String title = ControlCharacters.replaced(studio.title());
+        String title = OneLine.of(studio.title());
         return new PhotographInfo(title, program(), StudioWriter.writeSelfContained(studio));
     }
 

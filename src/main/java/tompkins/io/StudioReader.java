@@ -1,9 +1,7 @@
 package tompkins.io;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import tompkins.image.PhotographFile;
 import tompkins.io.JsonValue.JsonNumber;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.Member;
@@ -28,15 +26,6 @@ public final class StudioReader {
         Problems problems = new Problems(file.toString());
         String text = new SceneText(file, problems).read();
         return studio(text, problems, file.toAbsolutePath().getParent());
-    }
-
-    /**
-     * Whether a file is a photograph, which holds a scene but is no file to save one in.
-     *
-     * @throws IOException if the file cannot be read
-     */
-    public static boolean isPhotograph(Path file) throws IOException {
-        return PhotographFile.isPicture(file);
     }
 
     /**

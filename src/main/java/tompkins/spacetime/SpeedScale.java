@@ -3,6 +3,7 @@ package tompkins.spacetime;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import tompkins.property.Meaning;
+import tompkins.property.OneLine;
 
 /** The numbers by which a speed can be given. */
 public enum SpeedScale {
@@ -49,8 +50,7 @@ public enum SpeedScale {
         return numbers.map(String::trim)
                 .filter(number -> BELOW_ONE.matcher(number).matches() && Math.abs(Double.parseDouble(number)) == 1)
                 .findFirst()
-                .map(number -> "; " + number.substring(0, Math.min(number.length(), LONGEST_SHOWN))
-                        + (number.length() > LONGEST_SHOWN ? "..." : "")
+                .map(number -> "; " + OneLine.shortened(number, LONGEST_SHOWN)
                         + " was rounded to 1: nearer to the speed of light come \"gamma\" and"
                         + " \"oneMinusBeta\" in the velocity of a scene file")
                 .orElse("");

@@ -260,10 +260,9 @@ final class FileActions implements FileContentEditor.Choosers {
 
     private void saved(Path file) {
         settings.addRecentFile(file);
-        exported(file);
-        if (EntryField.in(frame).anyMatch(EntryField::isPending)) {
-            status.say(Texts.get("file.savedWithout", file));
-        }
+        used(file);
+        boolean refused = EntryField.in(frame).anyMatch(EntryField::isPending);
+        status.say(Texts.get(refused ? "file.savedWithout" : "file.saved", file));
     }
 
     /** A file was saved that cannot be opened again. */

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import tompkins.image.PhotographFile;
 import tompkins.io.SceneFileException;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
@@ -26,7 +27,7 @@ public enum Loss {
     /** What is lost of a file that held a studio when it was opened or saved last. Reads the file. */
     public static Loss of(Path file, Studio held) {
         try {
-            if (StudioReader.isPhotograph(file)) {
+            if (PhotographFile.isPicture(file)) {
                 return PHOTOGRAPH;
             }
             // programs that keep versions may change the ends of lines

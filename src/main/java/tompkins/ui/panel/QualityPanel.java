@@ -140,7 +140,7 @@ public final class QualityPanel {
         private List<Measurement> shown = List.of();
 
         /** What is said of the point that was taken; null if none is in force. */
-        private String chosen;
+        private String chosenPoint;
 
         /** What is said once nothing is measured any more; null before. */
         private String ended;
@@ -197,12 +197,12 @@ public final class QualityPanel {
         }
 
         private void forgetPoint() {
-            chosen = null;
+            chosenPoint = null;
             showState();
         }
 
         private void showState() {
-            state.setText(chosen != null ? chosen : ended != null ? ended : progress());
+            state.setText(chosenPoint != null ? chosenPoint : ended != null ? ended : progress());
         }
 
         private void draw(List<Measurement> measured) {
@@ -226,7 +226,7 @@ public final class QualityPanel {
                     Measurement measurement = ChartDrawing.pointAt(study.chart(), shown, x, y);
                     if (measurement != null) {
                         set(study.qualityOf(measurement));
-                        chosen = Texts.get("quality.chosen", text(study.qualityOf(measurement)));
+                        chosenPoint = Texts.get("quality.chosen", text(study.qualityOf(measurement)));
                         showState();
                     }
                 }
