@@ -88,4 +88,12 @@ public record Chart(
                         || measurement.problem().startsWith(problem + ":"))
                 .toList();
     }
+
+    /** Those of them that have a place on logarithmic axes. */
+    List<Measurement> drawn(List<Measurement> all) {
+        return shown(all).stream()
+                .filter(point -> across.value().apply(point) > 0
+                        && up.value().apply(point).low() > 0)
+                .toList();
+    }
 }

@@ -6,6 +6,7 @@ import java.awt.Font;
 import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
+import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -17,6 +18,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.ToDoubleFunction;
 import org.jfree.chart.ChartUtils;
 import org.jfree.chart.JFreeChart;
 import org.jfree.chart.block.BlockBorder;
@@ -69,10 +71,7 @@ public final class ChartDrawing {
 
     /** The chart, drawn from those of the measurements that it shows. */
     public static JFreeChart drawing(Chart chart, List<Measurement> all) {
-        List<Measurement> shown = chart.shown(all).stream()
-                .filter(point -> chart.across().value().apply(point) > 0
-                        && chart.up().value().apply(point).low() > 0)
-                .toList();
+        List<Measurement> shown = chart.drawn(all);
         XYIntervalSeriesCollection curves = new XYIntervalSeriesCollection();
         XYErrorRenderer renderer = new XYErrorRenderer();
         renderer.setDefaultLinesVisible(true);
@@ -197,12 +196,22 @@ public final class ChartDrawing {
         return front;
     }
 
-    /** The measurement that is drawn at a place; null if there is none. */
-    public static Measurement pointAt(Chart chart, List<Measurement> all, double x, double y) {
-        return chart.shown(all).stream()
-                .filter(point -> chart.across().value().apply(point) == x
-                        && chart.up().value().apply(point).middle() == y)
-                .findFirst()
+    /**
+     * The measurement whose point is nearest to a place on a drawing; null if none is within reach.
+     *
+     * @param area where the drawing has its curves, in pixels
+     * @param place in pixels
+     * @param reach in pixels
+     */
+    public static Measurement nearest(
+            Chart chart, List<Measurement> all, XYPlot plot, Rectangle2D area, Point2D place, double reach) {
+        ToDoubleFunction<Measurement> distance = point -> place.distance(
+                plot.getDomainAxis().valueToJava2D(chart.across().value().apply(point), area, plot.getDomainAxisEdge()),
+                plot.getRangeAxis()
+                        .valueToJava2D(chart.up().value().apply(point).middle(), area, plot.getRangeAxisEdge()));
+        return chart.drawn(all).stream()
+                .filter(point -> distance.applyAsDouble(point) <= reach)
+                .min(Comparator.comparingDouble(distance))
                 .orElse(null);
     }
 

@@ -3,10 +3,12 @@ package tompkins.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Point;
-import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -16,8 +18,8 @@ import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
 import org.jfree.chart.ChartPanel;
-import org.jfree.chart.entity.EntityCollection;
 import org.jfree.chart.entity.XYItemEntity;
+import org.jfree.data.xy.XYDataset;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -31,6 +33,8 @@ import tompkins.studio.Studio;
 class QualityWindowTest {
 
     private static final int MOST_CLICKS = 5;
+    private static final String CHOSEN = "Chosen for the picture: ";
+    private static final int REACH = 10;
     private static final long CLICK_NANOSECONDS = 3_000_000_000L;
 
     @TempDir
@@ -67,7 +71,6 @@ class QualityWindowTest {
         WindowDriver.await(
                 "all points", () -> state().startsWith("Click on a point") && entity("where needed", 5) != null);
         choose("the same", 0, "4 samples a pixel");
-        assertThat(state()).startsWith("Chosen for the picture:");
         assertThat(driver.studio().settings().samples()).isEqualTo(4);
 
         JTextField samples = driver.find(JTextField.class, "Samples");
@@ -96,15 +99,18 @@ class QualityWindowTest {
     /** Clicks on a point, and again if the chart was just drawn anew between press and release and took no click. */
     private void choose(String curve, int point, String chosen) {
         for (int click = 0; click < MOST_CLICKS && !isChosen(chosen); click++) {
-            driver.click(WindowDriver.onEventThread(() -> place(curve, point)));
+            Point place = WindowDriver.onEventThread(() -> place(curve, point));
+            driver.move(place);
+            WindowDriver.await("what a click takes", () -> state().equals("A click takes: " + chosen));
+            driver.click(place);
             long end = System.nanoTime() + CLICK_NANOSECONDS;
-            WindowDriver.await("an answer", () -> state().endsWith(chosen) || System.nanoTime() > end);
+            WindowDriver.await("an answer", () -> state().equals(CHOSEN + chosen) || System.nanoTime() > end);
         }
-        assertThat(WindowDriver.onEventThread(QualityWindowTest::state)).endsWith(chosen);
+        assertThat(WindowDriver.onEventThread(QualityWindowTest::state)).isEqualTo(CHOSEN + chosen);
     }
 
     private static boolean isChosen(String chosen) {
-        return WindowDriver.onEventThread(() -> state().endsWith(chosen));
+        return WindowDriver.onEventThread(() -> state().equals(CHOSEN + chosen));
     }
 
     private static Stream<JDialog> dialogs() {
@@ -127,48 +133,55 @@ class QualityWindowTest {
 
     /** A point of a curve, the cheapest first, or null if it is not there yet. */
     private static XYItemEntity entity(String curve, int point) {
+        return points().filter(item -> item.getItem() == point
+                        && item.getDataset()
+                                .getSeriesKey(item.getSeriesIndex())
+                                .toString()
+                                .startsWith(curve))
+                .findFirst()
+                .orElse(null);
+    }
+
+    /** The points of the curves, without those of the front. */
+    private static Stream<XYItemEntity> points() {
         if (chart().getChart() == null) {
-            return null;
+            return Stream.empty();
         }
-        for (Object entity :
-                chart().getChartRenderingInfo().getEntityCollection().getEntities()) {
-            if (entity instanceof XYItemEntity item
-                    && item.getItem() == point
-                    && item.getDataset()
-                            .getSeriesKey(item.getSeriesIndex())
-                            .toString()
-                            .startsWith(curve)) {
-                return item;
-            }
-        }
-        return null;
+        XYDataset curves = chart().getChart().getXYPlot().getDataset();
+        Collection<?> entities =
+                chart().getChartRenderingInfo().getEntityCollection().getEntities();
+        return entities.stream()
+                .filter(XYItemEntity.class::isInstance)
+                .map(XYItemEntity.class::cast)
+                .filter(point -> point.getDataset() == curves);
     }
 
     private static Point place(String curve, int point) {
         // the places of the points are those of the last painting, which a new chart may still be waiting for
         chart().paintImmediately(0, 0, chart().getWidth(), chart().getHeight());
-        XYItemEntity entity = entity(curve, point);
-        Point free = freePlace(entity, entity.getArea().getBounds());
+        XYItemEntity wanted = entity(curve, point);
+        Point place = placeNear(wanted);
         Point corner = chart().getLocationOnScreen();
-        return new Point((int) (corner.x + chart().getInsets().left + free.x * chart().getScaleX()), (int)
-                (corner.y + chart().getInsets().top + free.y * chart().getScaleY()));
+        return new Point((int) (corner.x + chart().getInsets().left + place.x * chart().getScaleX()), (int)
+                (corner.y + chart().getInsets().top + place.y * chart().getScaleY()));
     }
 
-    /** The place nearest to the centre of a point around which no other point covers it. */
-    private static Point freePlace(XYItemEntity entity, Rectangle bounds) {
-        return IntStream.range(bounds.x, bounds.x + bounds.width)
+    /** The place nearest to a point that is clearly nearer to it than to any other. */
+    private static Point placeNear(XYItemEntity wanted) {
+        Point2D centre = centre(wanted);
+        return IntStream.rangeClosed(-REACH, REACH)
                 .boxed()
-                .flatMap(
-                        x -> IntStream.range(bounds.y, bounds.y + bounds.height).mapToObj(y -> new Point(x, y)))
-                .filter(place -> isFree(entity, place))
-                .min(Comparator.comparingDouble(place -> place.distance(bounds.getCenterX(), bounds.getCenterY())))
-                .orElseThrow(() -> new AssertionError("other points cover " + entity));
+                .flatMap(right -> IntStream.rangeClosed(-REACH, REACH)
+                        .mapToObj(down -> new Point((int) centre.getX() + right, (int) centre.getY() + down)))
+                .filter(place -> place.distance(centre) <= REACH
+                        && points().filter(point -> point != wanted)
+                                .allMatch(point -> place.distance(centre(point)) > place.distance(centre) + 2))
+                .min(Comparator.comparingDouble(place -> place.distance(centre)))
+                .orElseThrow(() -> new AssertionError("other points cover " + wanted));
     }
 
-    private static boolean isFree(XYItemEntity entity, Point place) {
-        EntityCollection entities = chart().getChartRenderingInfo().getEntityCollection();
-        return IntStream.rangeClosed(-1, 1)
-                .allMatch(right -> IntStream.rangeClosed(-1, 1)
-                        .allMatch(down -> entities.getEntity(place.x + right, place.y + down) == entity));
+    private static Point2D centre(XYItemEntity point) {
+        Rectangle2D bounds = point.getArea().getBounds2D();
+        return new Point2D.Double(bounds.getCenterX(), bounds.getCenterY());
     }
 }

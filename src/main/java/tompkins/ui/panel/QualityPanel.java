@@ -1,14 +1,19 @@
 package tompkins.ui.panel;
 
 import java.awt.BorderLayout;
+import java.awt.Cursor;
 import java.awt.Dimension;
 import java.awt.Window;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -20,7 +25,6 @@ import javax.swing.WindowConstants;
 import org.jfree.chart.ChartMouseEvent;
 import org.jfree.chart.ChartMouseListener;
 import org.jfree.chart.ChartPanel;
-import org.jfree.chart.entity.XYItemEntity;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
 import tompkins.study.ChartDrawing;
@@ -40,6 +44,9 @@ public final class QualityPanel {
 
     private static final int CHART_WIDTH = 860;
     private static final int CHART_HEIGHT = 520;
+
+    /** How far from a point the mouse still takes it, in pixels. */
+    private static final double REACH = 12;
 
     private final JPanel panel = Rows.column();
     private final Note chosen = new Note("");
@@ -139,6 +146,9 @@ public final class QualityPanel {
         private volatile boolean closed;
         private List<Measurement> shown = List.of();
 
+        /** What is said of the point under the mouse, which a click would take; null if there is none. */
+        private String pointedAt;
+
         /** What is said of the point that was taken; null if none is in force. */
         private String chosenPoint;
 
@@ -159,7 +169,9 @@ public final class QualityPanel {
                 }
             });
             chart.setPreferredSize(new Dimension(CHART_WIDTH, CHART_HEIGHT));
-            chart.addChartMouseListener(new PointChooser());
+            PointChooser chooser = new PointChooser();
+            chart.addChartMouseListener(chooser);
+            chart.addMouseListener(chooser);
             JPanel content = new JPanel(new BorderLayout());
             content.add(chart, BorderLayout.CENTER);
             state.setBorder(BorderFactory.createEmptyBorder(6, 10, 6, 10));
@@ -202,7 +214,10 @@ public final class QualityPanel {
         }
 
         private void showState() {
-            state.setText(chosenPoint != null ? chosenPoint : ended != null ? ended : progress());
+            state.setText(Stream.of(pointedAt, chosenPoint, ended)
+                    .filter(Objects::nonNull)
+                    .findFirst()
+                    .orElseGet(this::progress));
         }
 
         private void draw(List<Measurement> measured) {
@@ -216,25 +231,44 @@ public final class QualityPanel {
                     Locale.ROOT, "%s  %d / %d", Texts.get("quality.measuring"), shown.size(), study.points());
         }
 
-        private final class PointChooser implements ChartMouseListener {
+        /** The point nearest to the mouse; null if none is near. */
+        private Measurement near(ChartMouseEvent event) {
+            return ChartDrawing.nearest(
+                    study.chart(),
+                    shown,
+                    event.getChart().getXYPlot(),
+                    chart.getScreenDataArea(),
+                    event.getTrigger().getPoint(),
+                    REACH);
+        }
+
+        private void pointAt(Measurement point) {
+            pointedAt = point == null ? null : Texts.get("quality.pointedAt", text(study.qualityOf(point)));
+            chart.setCursor(Cursor.getPredefinedCursor(point == null ? Cursor.DEFAULT_CURSOR : Cursor.HAND_CURSOR));
+            showState();
+        }
+
+        private final class PointChooser extends MouseAdapter implements ChartMouseListener {
 
             @Override
             public void chartMouseClicked(ChartMouseEvent event) {
-                if (event.getEntity() instanceof XYItemEntity point) {
-                    double x = point.getDataset().getXValue(point.getSeriesIndex(), point.getItem());
-                    double y = point.getDataset().getYValue(point.getSeriesIndex(), point.getItem());
-                    Measurement measurement = ChartDrawing.pointAt(study.chart(), shown, x, y);
-                    if (measurement != null) {
-                        set(study.qualityOf(measurement));
-                        chosenPoint = Texts.get("quality.chosen", text(study.qualityOf(measurement)));
-                        showState();
-                    }
+                Measurement point = near(event);
+                if (point != null) {
+                    set(study.qualityOf(point));
+                    chosenPoint = Texts.get("quality.chosen", text(study.qualityOf(point)));
+                    pointedAt = null;
+                    showState();
                 }
             }
 
             @Override
             public void chartMouseMoved(ChartMouseEvent event) {
-                // the tool tip is enough
+                pointAt(near(event));
+            }
+
+            @Override
+            public void mouseExited(MouseEvent event) {
+                pointAt(null);
             }
         }
     }
