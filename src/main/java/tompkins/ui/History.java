@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import java.awt.Window;
 import java.util.List;
+import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.EntryField;
 
@@ -13,10 +14,17 @@ final class History {
 
     private final StudioModel model;
     private final Window window;
+    private final Runnable otherScene;
 
-    History(StudioModel model, Window window) {
+    /**
+     * The history.
+     *
+     * @param otherScene told that a step led to a scene that was open before, or after
+     */
+    History(StudioModel model, Window window, Runnable otherScene) {
         this.model = model;
         this.window = window;
+        this.otherScene = otherScene;
     }
 
     boolean canUndo() {
@@ -35,13 +43,21 @@ final class History {
     void undo() {
         List<EntryField> entries = pending();
         if (entries.isEmpty()) {
-            model.undo();
+            step(model::undo);
         }
         entries.forEach(EntryField::revert);
     }
 
     void redo() {
-        model.redo();
+        step(model::redo);
+    }
+
+    private void step(Runnable move) {
+        Studio opened = model.opened();
+        move.run();
+        if (model.opened() != opened) {
+            otherScene.run();
+        }
     }
 
     /** Takes back what was not taken, and all that was since the studio was opened or saved. */

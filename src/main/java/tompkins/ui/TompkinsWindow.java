@@ -67,7 +67,7 @@ public final class TompkinsWindow {
         files = new FileActions(frame, model, view, status, settings, commandLine);
         play = new PlayPanel(model, new AnimationExport(frame, files, view::quality)::ask);
         frame.setContentPane(content());
-        menus = new Menus(files, new History(model, frame), settings, new WindowCommands());
+        menus = new Menus(files, new History(model, frame, this::sayOtherScene), settings, new WindowCommands());
         frame.setJMenuBar(menus.bar());
         frame.getRootPane().setTransferHandler(files.drop());
         bindPeekKey();
@@ -123,6 +123,12 @@ public final class TompkinsWindow {
                 "tompkins-rest");
         thread.setDaemon(true);
         thread.start();
+    }
+
+    /** Undo and redo lead from one scene to another, which nobody may have meant; a pin stays with its scene. */
+    private void sayOtherScene() {
+        view.setPin(null);
+        status.say(Texts.get("history.otherScene", model.studio().title()));
     }
 
     JFrame frame() {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
+import javax.swing.JLabel;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -73,5 +74,26 @@ class HistoryTest {
         assertThat(Components.isMarked(field("Focus"))).isFalse();
         assertThat(Components.isMarked(field("Field of view (\u00b0)"))).isFalse();
         assertThat(driver.studio()).isEqualTo(Studios.sphere());
+    }
+
+    @Test
+    void aStepToAnotherSceneIsSpokenOf() {
+        driver.type(field("Speed"), "0.5");
+        driver.key(KeyEvent.VK_N, KeyEvent.VK_CONTROL);
+        Studio begun = driver.studio();
+        driver.type(field("Speed"), "0.7");
+        undo();
+        assertThat(driver.studio()).isEqualTo(begun);
+        assertThat(said()).as("within a scene").startsWith("A scene without objects");
+        undo();
+        String title = Studios.sphere().title();
+        assertThat(driver.studio().title()).isEqualTo(title);
+        assertThat(said()).endsWith("this is \"" + title + "\" again.");
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
+        assertThat(said()).endsWith("this is \"" + begun.title() + "\" again.");
+    }
+
+    private String said() {
+        return driver.find(JLabel.class, "status.what").getText();
     }
 }
