@@ -16,6 +16,7 @@ import tompkins.studio.Studio;
 /** Looks for mistakes in scene files, and for damage in saved photographs. */
 @Command(
         mixinStandardHelpOptions = true,
+        versionProvider = ProgramVersion.class,
         description = "Looks for mistakes in scene files, and for damage in saved photographs.")
 final class CheckCommand implements Callable<Integer> {
 

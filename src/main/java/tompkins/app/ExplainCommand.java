@@ -20,6 +20,7 @@ import tompkins.trace.RenderPlan;
 /** Says what a picture needs and what it leaves out. */
 @Command(
         mixinStandardHelpOptions = true,
+        versionProvider = ProgramVersion.class,
         description = "Says what the picture of a scene models, what it leaves out, and why, and what it will cost.")
 final class ExplainCommand implements Callable<Integer> {
 

@@ -38,23 +38,26 @@ final class QualityOptions {
     @Option(names = "--seed", paramLabel = "N", description = "seed of the places of the samples")
     private Long seed;
 
-    /** The studio with the number of samples and the seed that were given. */
+    /** The studio with the samples, the error and the seed that were given. */
     Studio applyTo(Studio studio) {
-        RenderSettings settings = studio.settings();
-        RenderSettings seeded = seed == null ? settings : settings.withSeed(seed);
-        return studio.withSettings(
-                wish.samples == null
-                        ? seeded
-                        : MistakeException.inOption("--samples", () -> seeded.withSamples(wish.samples)));
+        RenderSettings settings =
+                seed == null ? studio.settings() : studio.settings().withSeed(seed);
+        if (wish.samples != null) {
+            return studio.withSettings(
+                    MistakeException.inOption("--samples", () -> settings.withSamples(wish.samples)));
+        }
+        if (wish.error != null) {
+            // 0 means something to a scene, but is no error to ask for
+            return studio.withSettings(MistakeException.inOption(
+                    "--error", () -> settings.withTargetError(new Quality.TargetError(wish.error).rootMeanSquare())));
+        }
+        return studio.withSettings(settings);
     }
 
-    /** The wish, or what the studio says if there is none. */
+    /** What the studio says, unless the time is limited. */
     Quality of(Studio studio) {
-        if (wish.error != null) {
-            return MistakeException.inOption("--error", () -> new Quality.TargetError(wish.error));
-        }
-        return wish.seconds != null
-                ? MistakeException.inOption("--seconds", () -> new Quality.TimeLimit(wish.seconds))
-                : Quality.of(studio);
+        return wish.seconds == null
+                ? Quality.of(studio)
+                : MistakeException.inOption("--seconds", () -> new Quality.TimeLimit(wish.seconds));
     }
 }

@@ -22,6 +22,7 @@ import tompkins.studio.Studio;
 /** Takes photographs of scene files. */
 @Command(
         mixinStandardHelpOptions = true,
+        versionProvider = ProgramVersion.class,
         description = "Takes the photographs of scene files. The scene travels inside the picture: render a saved"
                 + " photograph to take it again.")
 final class RenderCommand implements Callable<Integer> {
@@ -40,12 +41,13 @@ final class RenderCommand implements Callable<Integer> {
             paramLabel = "FILE",
             description =
                     "the picture (.png, .tif, .tiff, .hdr or .pic), or a folder that exists; without it SCENE.png in"
-                            + " the current folder")
+                            + " the current folder, for a photograph SCENE-again.png")
     private Path output;
 
     @Option(
             names = "--format",
             paramLabel = "FORMAT",
+            completionCandidates = OptionWords.Formats.class,
             description = "${COMPLETION-CANDIDATES}; without it that of a photograph that is taken again, or else the"
                     + " usual one for the file's ending: png, tiff (16 bit) or hdr")
     private PictureFormat format;
@@ -53,6 +55,7 @@ final class RenderCommand implements Callable<Integer> {
     @Option(
             names = "--tone",
             paramLabel = "CURVE",
+            completionCandidates = OptionWords.ToneCurves.class,
             description = "tone curve of png and tiff: ${COMPLETION-CANDIDATES}")
     private ToneCurve toneCurve;
 

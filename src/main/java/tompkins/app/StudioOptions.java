@@ -53,6 +53,7 @@ final class StudioOptions {
     @Option(
             names = "--colours",
             paramLabel = "LAW",
+            completionCandidates = OptionWords.ColourLaws.class,
             description = "what the motion does to brightness and colours: ${COMPLETION-CANDIDATES}")
     private ColourLaw colours;
 

@@ -29,6 +29,7 @@ import tompkins.study.StudySetup;
 /** Charts speed against accuracy. */
 @Command(
         mixinStandardHelpOptions = true,
+        versionProvider = ProgramVersion.class,
         description =
                 "Charts speed against accuracy: measures methods against each other and writes charts, figures and"
                         + " what they show. A study that was stopped with Ctrl-C goes on where it was when it is started again.")

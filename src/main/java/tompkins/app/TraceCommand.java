@@ -23,9 +23,10 @@ import tompkins.trace.RayLife;
 /** Shows the life of one ray. */
 @Command(
         mixinStandardHelpOptions = true,
+        versionProvider = ProgramVersion.class,
         description = "Shows the life of one ray: its events and directions in both frames, its hits, its colour. Where"
                 + " it splits, as in glass, all hits of the weaker branch come first, indented; entry and frequency are those of"
-                + " the main branch. The share is the most of the pixel's light that the ray of a hit can still bring.")
+                + " the main branch. The share is the most light of the pixel that the ray of a hit can still add.")
 final class TraceCommand implements Callable<Integer> {
 
     /** Half of the way from the centre of the lens to its right edge. */

@@ -4,14 +4,12 @@ import java.net.URISyntaxException;
 import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.Optional;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
-import tompkins.render.Quality;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.RenderSettings;
@@ -50,7 +48,7 @@ final class WindowCommandLine implements CommandLineWriter {
     }
 
     @Override
-    public Optional<String> of(Studio studio, Quality quality, Studio opened, Path file) {
+    public Optional<String> of(Studio studio, Studio opened, Path file) {
         Optional<String> velocity = velocity(studio.velocity(), opened.velocity());
         if (file == null || velocity.isEmpty() || !isSayable(studio, opened)) {
             return Optional.empty();
@@ -61,17 +59,13 @@ final class WindowCommandLine implements CommandLineWriter {
         if (settings.width() != before.width() || settings.height() != before.height()) {
             line.append(" --size ").append(settings.width()).append('x').append(settings.height());
         }
-        if (quality instanceof Quality.TargetError target) {
-            line.append(" --error=").append(NumberText.of(target.rootMeanSquare()));
-        } else if (settings.samples() != before.samples()) {
-            line.append(" --samples ").append(settings.samples());
-        }
+        appendSamples(line, settings, before);
         if (settings.seed() != before.seed()) {
             line.append(" --seed ").append(settings.seed());
         }
         line.append(velocity.get());
         if (studio.colours() != opened.colours()) {
-            line.append(" --colours ").append(studio.colours().name().toLowerCase(Locale.ROOT));
+            line.append(" --colours ").append(OptionWords.of(studio.colours()));
         }
         appendShutter(line, studio.camera().shutter(), opened.camera().shutter());
         return Optional.of(line.toString());
@@ -90,6 +84,16 @@ final class WindowCommandLine implements CommandLineWriter {
         return now.direction().equals(Vectors.unit(before.givenDirection()), SAME_DIRECTION)
                 ? Optional.of(" --gamma=" + NumberText.of(now.gamma()))
                 : Optional.empty();
+    }
+
+    private static void appendSamples(StringBuilder line, RenderSettings now, RenderSettings before) {
+        if (now.targetError() > 0) {
+            if (now.targetError() != before.targetError()) {
+                line.append(" --error=").append(NumberText.of(now.targetError()));
+            }
+        } else if (now.samples() != before.samples() || before.targetError() > 0) {
+            line.append(" --samples ").append(now.samples());
+        }
     }
 
     private static void appendShutter(StringBuilder line, Shutter now, Shutter before) {
@@ -117,6 +121,7 @@ final class WindowCommandLine implements CommandLineWriter {
                 .withSettings(opened.settings()
                         .withSize(settings.width(), settings.height())
                         .withSamples(settings.samples())
+                        .withTargetError(settings.targetError())
                         .withSeed(settings.seed()));
         return said.equals(studio);
     }

@@ -50,7 +50,7 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
     double exposureStops();
 
     /** Whether different points of the lens take different pictures. */
-    boolean hasWideLens();
+    boolean hasWideAperture();
 
     /**
      * The camera, ready to take a picture.

@@ -35,7 +35,7 @@ public record PanoramicCamera(
         @Meaning(value = "Distance in focus, for shutters that depend on it", unit = "length")
         double focusDistance,
 
-        @Meaning(value = "Exposure compensation; 1 stop doubles the light", unit = "stops")
+        @Meaning(value = "Exposure compensation, -100 to 100; 1 stop doubles the light", unit = "stops")
         double exposureStops,
 
         @Meaning("Where the shutter is and when it opens") Shutter shutter)
@@ -106,7 +106,7 @@ public record PanoramicCamera(
     }
 
     @Override
-    public boolean hasWideLens() {
+    public boolean hasWideAperture() {
         return false;
     }
 

@@ -19,7 +19,7 @@ public final class PixelSampler {
     public static final int CENTRE = -1;
 
     private final int seed;
-    private final boolean wideLens;
+    private final boolean wideAperture;
 
     private final int[] pixels = new int[RayBlock.MOST];
     private final int[] points = new int[RayBlock.MOST];
@@ -30,15 +30,15 @@ public final class PixelSampler {
      * A sampler for one picture.
      *
      * @param seed other seeds give other places
-     * @param wideLens whether the place on the lens matters; for a pinhole it stays in the centre
+     * @param wideAperture whether the place on the lens matters; for a pinhole it stays in the centre
      */
-    public PixelSampler(long seed, boolean wideLens) {
+    public PixelSampler(long seed, boolean wideAperture) {
         int[] halves = {(int) (seed >>> 32)};
         hash(halves, 1);
         halves[0] ^= (int) seed;
         hash(halves, 1);
         this.seed = halves[0];
-        this.wideLens = wideLens;
+        this.wideAperture = wideAperture;
     }
 
     /** The number of a pixel's first sample, if it gets this many: a single one is taken in the centre. */
@@ -66,7 +66,7 @@ public final class PixelSampler {
         hashPixels(places, count);
         SobolPoints.shuffle(sample, pixels, points, count);
         // the first two dimensions fill their square best; they go to the lens, over which more is blurred
-        if (wideLens) {
+        if (wideAperture) {
             coordinates(0, places.lensX, count);
             coordinates(1, places.lensY, count);
             toLens(places, count);

@@ -29,7 +29,9 @@ public record ThinLensCamera(
         @Meaning(value = "Angle between the left and the right edge of the picture, below 180", unit = "degrees")
         double horizontalAngleDegrees,
 
-        @Meaning(value = "Angle between the upper and the lower edge; 0 gives square pixels", unit = "degrees")
+        @Meaning(
+                value = "Angle between the upper and the lower edge, below 180; 0 gives square pixels",
+                unit = "degrees")
         double verticalAngleDegrees,
 
         @Meaning(value = "Radius of the aperture; 0 is a pinhole", unit = "length")
@@ -38,7 +40,7 @@ public record ThinLensCamera(
         @Meaning("The object on whose surface the camera is focused, at rest in the camera frame")
         SceneObject focus,
 
-        @Meaning(value = "Exposure compensation; 1 stop doubles the light", unit = "stops")
+        @Meaning(value = "Exposure compensation, -100 to 100; 1 stop doubles the light", unit = "stops")
         double exposureStops,
 
         @Meaning("Where the shutter is and when it opens") Shutter shutter)
@@ -65,9 +67,7 @@ public record ThinLensCamera(
         viewDirection = Require.direction("viewDirection", viewDirection);
         topDirection = CameraAxes.requireTop(topDirection, viewDirection);
         Require.between("horizontalAngleDegrees", horizontalAngleDegrees, 0, 180);
-        if (verticalAngleDegrees != 0) {
-            Require.between("verticalAngleDegrees", verticalAngleDegrees, 0, 180);
-        }
+        Require.notNegativeBelow("verticalAngleDegrees", verticalAngleDegrees, 180);
         Require.notNegative("apertureRadius", apertureRadius);
         Require.present("focus", focus);
         if (focus instanceof Plane plane
@@ -145,7 +145,7 @@ public record ThinLensCamera(
     }
 
     @Override
-    public boolean hasWideLens() {
+    public boolean hasWideAperture() {
         return apertureRadius > 0;
     }
 

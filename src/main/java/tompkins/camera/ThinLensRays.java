@@ -44,7 +44,7 @@ final class ThinLensRays implements CameraRays {
         shutter = camera.shutter();
         constantTime = shutter instanceof AperturePlaneShutter;
         // a pinhole needs its focus only where the shutter does
-        boolean focused = camera.hasWideLens() || shutter.needsFocus();
+        boolean focused = camera.hasWideAperture() || shutter.needsFocus();
         focus = focused ? new FocusSurface(camera.focus()) : null;
         this.sceneFromCamera = sceneFromCamera;
         double halfWidth = Math.tan(Math.toRadians(camera.horizontalAngleDegrees()) / 2);

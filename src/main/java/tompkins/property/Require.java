@@ -36,6 +36,20 @@ public final class Require {
         return check(value >= 0 && Double.isFinite(value), property, "a finite number, 0 or above", value);
     }
 
+    /** A number, 0 or above, and below {@code limit}. */
+    public static double notNegativeBelow(String property, double value, double limit) {
+        return check(value >= 0 && value < limit, property, "0 or above, and below " + NumberText.of(limit), value);
+    }
+
+    /** 0, or a number from {@code minimum} to {@code maximum}, both included. */
+    public static double zeroOrWithin(String property, double value, double minimum, double maximum) {
+        return check(
+                value == 0 || value >= minimum && value <= maximum,
+                property,
+                "0, or from " + NumberText.of(minimum) + " to " + NumberText.of(maximum),
+                value);
+    }
+
     /** A number from {@code minimum} to {@code maximum}, both included. */
     public static double within(String property, double value, double minimum, double maximum) {
         return check(

@@ -8,7 +8,7 @@ import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * Takes samples where they are needed. A pinhole begins with the centre of each pixel, a wide lens with
+ * Takes samples where they are needed. A pinhole begins with the centre of each pixel, a wide aperture with
  * {@link #FIRST_SAMPLES}. Then, round by round, pixels get twice as many where one sample more lowers the picture's error
  * most. Which ones depends on the picture alone, so that the result does not depend on the number of threads.
  */
@@ -39,11 +39,11 @@ final class AdaptiveSchedule implements Schedule {
      * @param targetError root mean square error before exposure, or 0
      * @param time when to stop at the latest
      */
-    AdaptiveSchedule(int pixels, boolean wideLens, boolean coarseFirst, double targetError, TimeBudget time) {
+    AdaptiveSchedule(int pixels, boolean wideAperture, boolean coarseFirst, double targetError, TimeBudget time) {
         this.pixels = pixels;
         this.targetError = targetError;
         this.time = time;
-        waiting.addAll(Pass.of(wideLens ? FIRST_SAMPLES : 1, coarseFirst));
+        waiting.addAll(Pass.of(wideAperture ? FIRST_SAMPLES : 1, coarseFirst));
         expectedWork = 2 * waiting.stream().mapToDouble(Pass::work).sum();
     }
 

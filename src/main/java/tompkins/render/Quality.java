@@ -9,16 +9,17 @@ import tompkins.trace.RenderPlan;
 /** How good a picture has to be, or how long it may take. */
 public sealed interface Quality {
 
-    /** The same number of samples for each pixel, as the scene asks for. */
+    /** What the settings of a studio ask for. */
     static Quality of(Studio studio) {
-        return new Samples(studio.settings().samples());
+        RenderSettings settings = studio.settings();
+        return settings.targetError() > 0 ? new TargetError(settings.targetError()) : new Samples(settings.samples());
     }
 
     /** Says which samples the picture of a plan gets. */
     String sentence(RenderPlan plan);
 
     private static String spread(RenderPlan plan) {
-        return plan.studio().camera().hasWideLens()
+        return plan.studio().camera().hasWideAperture()
                 ? "spread evenly over pixel and lens"
                 : "spread evenly over the pixel";
     }
@@ -40,7 +41,7 @@ public sealed interface Quality {
             if (samples > 1) {
                 return samples + " samples for each pixel, " + spread(plan) + ".";
             }
-            return plan.studio().camera().hasWideLens()
+            return plan.studio().camera().hasWideAperture()
                     ? "One sample for each pixel, in its centre and through the centre of the lens: blur needs more samples."
                     : "One sample for each pixel, in its centre.";
         }
@@ -61,7 +62,7 @@ public sealed interface Quality {
 
         /** Checks the number. */
         public TargetError {
-            Require.within("error", rootMeanSquare, 1e-6, 1);
+            Require.within("error", rootMeanSquare, RenderSettings.SMALLEST_ERROR, 1);
         }
 
         @Override

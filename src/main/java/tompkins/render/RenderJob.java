@@ -284,7 +284,7 @@ public final class RenderJob {
     }
 
     private double estimatedError(int sampledPixels) {
-        boolean blurUnknown = plan.studio().camera().hasWideLens() && film.samples(0) == 1;
+        boolean blurUnknown = plan.studio().camera().hasWideAperture() && film.samples(0) == 1;
         boolean varianceUnknown = film.samples(0) > 1 && !film.comparesHalves();
         boolean pixelsMissing = sampledPixels < film.width() * film.height();
         return blurUnknown || varianceUnknown || pixelsMissing

@@ -22,7 +22,7 @@ import tompkins.ray.RayCounts;
  * @param pixels pixels of the picture
  * @param sampledPixels those that have samples; time may be over before all of them have
  * @param error estimated root mean square error in linear light; NaN if there is too little to tell, such as one sample
- *     through a wide lens, or pixels without any
+ *     through a wide aperture, or pixels without any
  * @param time how long it took
  */
 public record RenderReport(

@@ -89,12 +89,12 @@ public final class Renderer implements AutoCloseable {
             return new FixedSchedule(Pass.of(fixed.samples(), coarseFirst));
         }
         int pixels = plan.width() * plan.height();
-        boolean wideLens = plan.studio().camera().hasWideLens();
+        boolean wideAperture = plan.studio().camera().hasWideAperture();
         if (quality instanceof Quality.TimeLimit limit) {
-            return new AdaptiveSchedule(pixels, wideLens, true, 0, new TimeBudget(limit.seconds()));
+            return new AdaptiveSchedule(pixels, wideAperture, true, 0, new TimeBudget(limit.seconds()));
         }
         double error = ((Quality.TargetError) quality).rootMeanSquare() / plan.exposure();
-        return new AdaptiveSchedule(pixels, wideLens, coarseFirst, error, new TimeBudget(Double.POSITIVE_INFINITY));
+        return new AdaptiveSchedule(pixels, wideAperture, coarseFirst, error, new TimeBudget(Double.POSITIVE_INFINITY));
     }
 
     /** Renders a picture, with as many samples as its scene says, and waits for it. */

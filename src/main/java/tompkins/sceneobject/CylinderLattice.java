@@ -12,7 +12,7 @@ import tompkins.surface.ColouredSurface;
 import tompkins.surface.Surface;
 
 /** Rods along all three axes through the points of a rectangular grid, as in the paper's figures. */
-@Meaning("Rods along all three axes through the points of a rectangular grid")
+@Meaning("Rods along all three axes through the points of a rectangular grid, at most 4000000")
 public record CylinderLattice(
         @Meaning("Name of the object") String description,
 

@@ -34,7 +34,7 @@ public record ImagePointGrid(
         @Meaning(value = "From that corner along the columns of the grid", unit = "length")
         Vector3dc spanV,
 
-        @Meaning("Number of points along the rows and along the columns")
+        @Meaning("Number of points along the rows and along the columns, at most 1000000 in all")
         Vector2ic points)
         implements SceneObject {
 

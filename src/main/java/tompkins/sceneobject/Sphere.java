@@ -8,7 +8,8 @@ import tompkins.surface.ColouredSurface;
 import tompkins.surface.Surface;
 
 /** A sphere. Coordinates: u once around the vertical axis, v from the lowest point (0) to the highest (1). */
-@Meaning("A sphere; u runs once around its vertical axis, v from the lowest point (0) to the highest (1)")
+@Meaning(
+        "A sphere; u runs once around its vertical axis, from left to right seen from outside, v from the lowest point (0) to the highest (1)")
 public record Sphere(
         @Meaning("Name of the object") String description,
         @Meaning(value = "Centre", unit = "length") Vector3dc centre,

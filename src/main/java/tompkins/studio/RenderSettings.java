@@ -11,23 +11,31 @@ public record RenderSettings(
         @Meaning(value = "Pixels in a row", unit = "pixels") int width,
         @Meaning(value = "Number of rows", unit = "pixels") int height,
 
-        @Meaning("Samples for each pixel; 1 is taken in the centre of the pixel and of the lens")
+        @Meaning("Samples for each pixel, 1 to 1048576; 1 is taken in the centre of the pixel and of the lens")
         int samples,
+
+        @Meaning(
+                value =
+                        "The root mean square error, in linear light where white is 1, until which samples are taken where"
+                                + " they are needed, 0.000001 to 1; 0 for the same number of samples everywhere")
+        double targetError,
 
         @Meaning("Seed of the places of the samples; the same seed gives the same picture")
         long seed,
 
-        @Meaning("How many surfaces may send a ray on before it is given up")
+        @Meaning("How many surfaces may send a ray on, 0 to 1000000, before the ray is given up")
         int maximumDepth,
 
-        @Meaning("How light becomes numbers in a file of whole numbers")
+        @Meaning(
+                "How light becomes numbers in a file of whole numbers: linear writes it as it is, as the paper does, which screens show too dark;"
+                        + " srgb writes it as screens expect it")
         ToneCurve toneCurve) {
 
     /**
      * 640 x 480 with one sample for each pixel: the cheapest picture, and of all with one sample the best, because it is taken
      * in the centre (see the charts of antialiasing in docs/speed-and-accuracy.md).
      */
-    public static final RenderSettings DEFAULT = new RenderSettings(640, 480, 1, 1, 1000, ToneCurve.LINEAR);
+    public static final RenderSettings DEFAULT = new RenderSettings(640, 480, 1, 0, 1, 1000, ToneCurve.LINEAR);
 
     /** Largest number of pixels in a row or a column. */
     public static final int LONGEST_SIDE = 65_535;
@@ -37,6 +45,9 @@ public record RenderSettings(
 
     /** Largest number of samples for each pixel. */
     public static final int MOST_SAMPLES = 1 << 20;
+
+    /** Smallest error that can be wanted: below it, rounding of the light itself comes in. */
+    public static final double SMALLEST_ERROR = 1e-6;
 
     /** Checks all values. */
     public RenderSettings {
@@ -49,32 +60,38 @@ public record RenderSettings(
                     height + " (with width " + width + ")");
         }
         Require.within("samples", samples, 1, MOST_SAMPLES);
+        Require.zeroOrWithin("targetError", targetError, SMALLEST_ERROR, 1);
         Require.within("maximumDepth", maximumDepth, 0, 1_000_000);
         Require.present("toneCurve", toneCurve);
     }
 
     /** The same settings with another size. */
     public RenderSettings withSize(int newWidth, int newHeight) {
-        return new RenderSettings(newWidth, newHeight, samples, seed, maximumDepth, toneCurve);
+        return new RenderSettings(newWidth, newHeight, samples, targetError, seed, maximumDepth, toneCurve);
     }
 
-    /** The same settings with another number of samples. */
+    /** The same settings with a number of samples, the same for each pixel: no error is wanted any more. */
     public RenderSettings withSamples(int newSamples) {
-        return new RenderSettings(width, height, newSamples, seed, maximumDepth, toneCurve);
+        return new RenderSettings(width, height, newSamples, 0, seed, maximumDepth, toneCurve);
+    }
+
+    /** The same settings with another wanted error; 0 for the same number of samples everywhere. */
+    public RenderSettings withTargetError(double newTargetError) {
+        return new RenderSettings(width, height, samples, newTargetError, seed, maximumDepth, toneCurve);
     }
 
     /** The same settings with another seed. */
     public RenderSettings withSeed(long newSeed) {
-        return new RenderSettings(width, height, samples, newSeed, maximumDepth, toneCurve);
+        return new RenderSettings(width, height, samples, targetError, newSeed, maximumDepth, toneCurve);
     }
 
     /** The same settings with another recursion depth. */
     public RenderSettings withMaximumDepth(int newMaximumDepth) {
-        return new RenderSettings(width, height, samples, seed, newMaximumDepth, toneCurve);
+        return new RenderSettings(width, height, samples, targetError, seed, newMaximumDepth, toneCurve);
     }
 
     /** The same settings with another tone curve. */
     public RenderSettings withToneCurve(ToneCurve newToneCurve) {
-        return new RenderSettings(width, height, samples, seed, maximumDepth, newToneCurve);
+        return new RenderSettings(width, height, samples, targetError, seed, maximumDepth, newToneCurve);
     }
 }

@@ -19,7 +19,7 @@ import tompkins.trace.RenderPlan;
 /** Whether samples are better shared evenly or put where they are needed, and whether the error is what was promised. */
 final class AntialiasingStudy implements Study {
 
-    static final String ADAPTIVE = "where needed (--error)";
+    static final String ADAPTIVE = "where needed";
     static final String FIXED = "the same number everywhere";
     static final String CENTRE = "one sample, in the centre";
     private static final String ANYWHERE = "one sample, anywhere";
@@ -80,7 +80,7 @@ final class AntialiasingStudy implements Study {
             Studio small = small(studio, width);
             ScenePixels pixels = ScenePixels.all(small, referenceSamples, Double.POSITIVE_INFINITY);
             // places in the centre of the lens make another picture if the lens is wide
-            boolean pinhole = !studio.camera().hasWideLens();
+            boolean pinhole = !studio.camera().hasWideAperture();
             if (pinhole) {
                 trials.add(trial(name, CENTRE, 1, small, pixels, new Quality.Samples(1)));
                 trials.add(new Trial(
@@ -203,7 +203,7 @@ final class AntialiasingStudy implements Study {
         List<Chart> charts = new ArrayList<>();
         compared.forEach((name, studio) -> charts.add(new Chart(
                         name,
-                        name + (studio.camera().hasWideLens() ? ", wide lens" : ", pinhole"),
+                        name + (studio.camera().hasWideAperture() ? ", wide aperture" : ", pinhole"),
                         Chart.across("rays", Measurement::rays),
                         Chart.ERROR,
                         true)
@@ -225,7 +225,7 @@ final class AntialiasingStudy implements Study {
                         Measurement.of(name, ANYWHERE, all).get(0).error().middle();
                 text.append(String.format(
                         Locale.ROOT,
-                        " On %s it errs by %.0f %% of what a sample anywhere in the pixel errs by.",
+                        " On %s its error is %.0f %% of that of a sample anywhere in the pixel.",
                         name,
                         100 * centre.error().middle() / anywhere));
             }

@@ -62,7 +62,7 @@ final class ApertureFindings {
                         + " which is nearly all the time in problems that have a formula for an answer. In a photograph a ray is traced"
                         + " through each point: on %s a sample takes %.0f ns with the spiral and %.0f ns with"
                         + " the program's points. And the spiral fills the lens evenly, but not pixel and lens together, as every"
-                        + " photograph with a wide lens needs it: where the edge also sweeps over the pixel, its error falls with the"
+                        + " photograph with a wide aperture needs it: where the edge also sweeps over the pixel, its error falls with the"
                         + " number of samples to the power %.2f, that of the program's points to the power %.2f. So the program"
                         + " takes Sobol points with Owen's scrambling.",
                 own.slope(),

@@ -66,9 +66,9 @@ final class ApertureStudy implements Study {
 
     @Override
     public String question() {
-        return "A wide lens sees each pixel through many points. How should they be chosen? Each method works out how"
+        return "A wide aperture sees each pixel through many points. How should they be chosen? Each method works out how"
                 + " much of the lens sees a bright half-plane, disc or chequerboard, where the answer is known exactly,"
-                + " and the light of pixels of wide-lens photographs. \"Random\" is the method of Dr TIM, the ray tracer of"
+                + " and the light of pixels of photographs with a wide aperture. \"Random\" is the method of Dr TIM, the ray tracer of"
                 + " the University of Glasgow with which the photographs of the paper were taken (Courtial et al. 2016).";
     }
 
@@ -203,7 +203,7 @@ final class ApertureStudy implements Study {
                     .withOwn(program));
         }
         for (String name : scenes.keySet()) {
-            charts.add(Chart.errorAgainstTime(name, name + ", wide lens").withOwn(program));
+            charts.add(Chart.errorAgainstTime(name, name + ", wide aperture").withOwn(program));
         }
         return charts;
     }

@@ -43,7 +43,7 @@ final class Honesty {
         List<Trial> trials = new ArrayList<>();
         small.forEach((name, studio) -> {
             ScenePixels pixels = ScenePixels.all(studio, referenceSamples, WANTED_REFERENCE_ERROR);
-            String lens = studio.camera().hasWideLens() ? "wide lenses" : "pinholes";
+            String lens = studio.camera().hasWideAperture() ? "wide apertures" : "pinholes";
             for (double promise : PROMISES) {
                 for (long run = seed; run < seed + SEEDS; run++) {
                     String problem = PROBLEM + ":" + name + ":seed " + run;

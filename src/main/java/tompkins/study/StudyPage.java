@@ -65,8 +65,8 @@ public final class StudyPage {
                 ## How to read the charts
 
                 Both axes are logarithmic, so that "the error falls as a power of the cost" is a straight line. The number in
-                brackets is this power, the slope of the curve over the axis that is drawn: where that axis shows seconds, it
-                differs from the slopes in the tables, which count samples. Left and down is better. Rings are what the program
+                brackets is this power, the slope of the curve as it is drawn. The slopes in the tables are those over the
+                number of samples, or over gamma where the power law holds, and differ a little. Left and down is better. Rings are what the program
                 does. The yellow band is the Pareto front: the points that no other beats in both cost and error. Bars reach from
                 the smallest to the largest of several runs. The RMS error is the root of the mean square error over all pixels and
                 channels, in linear light where white is 1. A grey line is the error of the reference itself, found from its two

@@ -68,7 +68,7 @@ final class PlanSentences {
     private boolean missesFocus() {
         return studio.camera() instanceof ThinLensCamera camera
                 && camera.focus().primitiveCount() == 0
-                && (camera.hasWideLens() || camera.shutter().needsFocus());
+                && (camera.hasWideAperture() || camera.shutter().needsFocus());
     }
 
     private String motion() {
@@ -86,8 +86,8 @@ final class PlanSentences {
     }
 
     private String lens() {
-        if (studio.camera().hasWideLens()) {
-            return "A wide lens: the focus decides what is sharp.";
+        if (studio.camera().hasWideAperture()) {
+            return "A wide aperture: the focus decides what is sharp.";
         }
         return "A pinhole: one point of the lens, everything is sharp"
                 + (studio.camera().shutter().needsFocus()
@@ -103,12 +103,12 @@ final class PlanSentences {
         if (studio.camera().shutter() instanceof AperturePlaneShutter shutter) {
             boolean atOrigin = shutter.openingTime() == 0
                     && cameraFrame.size() == 0
-                    && !studio.camera().hasWideLens()
+                    && !studio.camera().hasWideAperture()
                     && studio.camera().position().length() == 0;
             return atOrigin
                     ? "All light crosses the pinhole at time 0, where the origins of both frames meet: of the geometry only"
                             + " directions change (aberration), the point of view does not."
-                    : "All light crosses the lens at one time: the shutter is a constant.";
+                    : "All light crosses the lens at one time, which is a constant.";
         }
         return "The time at the lens is worked out for each ray: different pixels may see the scene from different places.";
     }
@@ -116,7 +116,7 @@ final class PlanSentences {
     private String cameraObjects() {
         int count = cameraFrame.size();
         return count == 0
-                ? "Nothing moves with the camera: rays start in the scene frame at once."
+                ? "Nothing moves with the camera: only the scene is searched."
                 : format(
                         "%d primitive%s with the camera and %s searched first: nothing of the scene is in front.",
                         count, count == 1 ? " moves" : "s move", count == 1 ? "is" : "are");

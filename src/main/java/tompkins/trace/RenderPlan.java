@@ -133,7 +133,7 @@ public final class RenderPlan {
 
     /** The places of the samples, for one thread. */
     PixelSampler sampler() {
-        return new PixelSampler(studio.settings().seed(), studio.camera().hasWideLens());
+        return new PixelSampler(studio.settings().seed(), studio.camera().hasWideAperture());
     }
 
     /** The unit direction, in the camera frame, of the ray through the centre of the lens for a point of the picture in pixels. */

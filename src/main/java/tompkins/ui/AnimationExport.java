@@ -2,14 +2,12 @@ package tompkins.ui;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.function.Supplier;
 import java.util.stream.Stream;
 import javax.swing.JFrame;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
 import tompkins.image.PhotographInfo;
 import tompkins.io.SelfDescription;
-import tompkins.render.Quality;
 import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.FormatFilter;
@@ -24,13 +22,10 @@ final class AnimationExport {
 
     private final JFrame frame;
     private final FileActions files;
-    private final Supplier<Quality> quality;
 
-    /** An export that takes photographs of the quality that is wanted then. */
-    AnimationExport(JFrame frame, FileActions files, Supplier<Quality> quality) {
+    AnimationExport(JFrame frame, FileActions files) {
         this.frame = frame;
         this.files = files;
-        this.quality = quality;
     }
 
     /** Asks where to save an animation of a studio. */
@@ -50,17 +45,15 @@ final class AnimationExport {
 
     /** Saves an animation, with progress and cancel. */
     void save(Studio studio, Animation animation, Path file, AnimationFormat format) {
-        Quality wanted = quality.get();
         BackgroundTask.start(
                 frame,
                 Texts.get("file.saving", file),
-                progress -> write(studio, wanted, animation, file, format, progress),
+                progress -> write(studio, animation, file, format, progress),
                 () -> files.exported(file));
     }
 
     /** Takes all pictures and writes them; leaves nothing behind if the task is cancelled or fails. */
-    static void write(
-            Studio studio, Quality quality, Animation animation, Path file, AnimationFormat format, Progress progress)
+    static void write(Studio studio, Animation animation, Path file, AnimationFormat format, Progress progress)
             throws Exception {
         int frames = animation.frames();
         try (PhotographTaker taker = new PhotographTaker();
@@ -69,7 +62,7 @@ final class AnimationExport {
             for (int i = 0; i < frames; i++) {
                 Studio moment = animation.studio(studio, animation.timeOf(i));
                 PhotographInfo info = SelfDescription.of(moment);
-                writer.add(taker.take(moment, quality, progress, (double) i / frames, 1.0 / frames), info);
+                writer.add(taker.take(moment, progress, (double) i / frames, 1.0 / frames), info);
             }
             writer.finish();
         }

@@ -2,7 +2,6 @@ package tompkins.ui;
 
 import java.nio.file.Path;
 import java.util.Optional;
-import tompkins.render.Quality;
 import tompkins.studio.Studio;
 
 /** Knows the command line that takes the same photograph as the window shows. */
@@ -13,9 +12,8 @@ public interface CommandLineWriter {
      * The command line; empty if none can say what has changed, so that the scene has to be saved first.
      *
      * @param studio what the window shows
-     * @param quality which samples its photograph gets
      * @param opened the studio as it was read from the file or last saved
      * @param file where it was read from, or null
      */
-    Optional<String> of(Studio studio, Quality quality, Studio opened, Path file);
+    Optional<String> of(Studio studio, Studio opened, Path file);
 }

@@ -21,7 +21,6 @@ import tompkins.image.PictureFormat;
 import tompkins.io.SelfDescription;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
-import tompkins.render.Quality;
 import tompkins.studio.Studio;
 import tompkins.ui.editor.FileContentEditor;
 import tompkins.ui.file.BackgroundTask;
@@ -295,18 +294,15 @@ final class FileActions implements FileContentEditor.Choosers {
     void savePhotograph(Path file, PictureFormat format) {
         Studio studio = model.studio();
         Picture onScreen = view.canvas().shown().now();
-        Quality quality = view.quality();
-        boolean ready = onScreen != null
-                && onScreen.complete()
-                && onScreen.studio().equals(studio)
-                && onScreen.quality().equals(quality);
+        boolean ready =
+                onScreen != null && onScreen.complete() && onScreen.studio().equals(studio);
         BackgroundTask.start(
                 frame,
                 Texts.get("file.saving", file),
                 task -> {
                     PhotographInfo info = SelfDescription.of(studio);
                     try (PhotographTaker taker = new PhotographTaker()) {
-                        LinearImage image = ready ? onScreen.image() : taker.take(studio, quality, task, 0, 1);
+                        LinearImage image = ready ? onScreen.image() : taker.take(studio, task, 0, 1);
                         PhotographFile.write(
                                 file, image, format, studio.settings().toneCurve(), info);
                     }
@@ -333,7 +329,7 @@ final class FileActions implements FileContentEditor.Choosers {
 
     /** Puts the command line that takes this photograph on the clipboard. */
     void copyCommandLine() {
-        Optional<String> command = commandLine.of(model.studio(), view.quality(), model.opened(), model.file());
+        Optional<String> command = commandLine.of(model.studio(), model.opened(), model.file());
         if (command.isEmpty()) {
             // the clipboard may still hold the command of another photograph
             Messages.error(frame, Texts.get(model.file() == null ? "file.copyNeedsFile" : "file.saveFirst"));

@@ -7,7 +7,6 @@ import java.util.Objects;
 import java.util.function.DoubleConsumer;
 import javax.swing.SwingUtilities;
 import tompkins.light.ColourLaw;
-import tompkins.render.Quality;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
@@ -87,22 +86,6 @@ final class PhotographView implements AutoCloseable {
 
     RenderController controller() {
         return controller;
-    }
-
-    /**
-     * Makes the picture again with a quality; null for what the scene says. What it is compared with gets the same, so that
-     * the two differ in nothing else.
-     */
-    void setQuality(Quality quality) {
-        controller.setQuality(quality);
-        otherController.setQuality(quality);
-        otherStudio = null;
-        render();
-    }
-
-    /** The quality that photographs get. */
-    Quality quality() {
-        return controller.quality(model.studio());
     }
 
     /** Tells what went wrong; called by any thread. */

@@ -62,7 +62,7 @@ final class SidePanel {
         add("section.transformation", LawPanel.ofTransformation(model).component(), false);
         add("section.colours", LawPanel.ofColours(model).component(), false);
         add("section.window", new WindowPanel(model).component(), false);
-        add("section.quality", new QualityPanel(model, view::setQuality).component(), false);
+        add("section.quality", new QualityPanel(model).component(), false);
         add("section.plan", plan.component(), false);
         panel.add(ray.component());
         scroll = new JScrollPane(
@@ -123,10 +123,7 @@ final class SidePanel {
     /** Shows what there is to say about the picture on the screen. */
     void show(Picture picture) {
         RenderPlan made = picture.plan();
-        if (shown == null
-                || shown.plan() != made
-                || !shown.quality().equals(picture.quality())
-                || !shown.warnings().equals(picture.warnings())) {
+        if (shown == null || shown.plan() != made || !shown.warnings().equals(picture.warnings())) {
             plan.show(picture.sentences(), picture.warnings());
             shutter.showPlace(made.lensInScene());
             lens.show(picture);

@@ -65,7 +65,7 @@ public final class TompkinsWindow {
         status = new StatusBar(view.controller());
         side = new SidePanel(model, view, status::say);
         files = new FileActions(frame, model, view, status, settings, commandLine);
-        play = new PlayPanel(model, new AnimationExport(frame, files, view::quality)::ask);
+        play = new PlayPanel(model, new AnimationExport(frame, files)::ask);
         frame.setContentPane(content());
         menus = new Menus(files, new History(model, frame, this::sayOtherScene), settings, new WindowCommands());
         frame.setJMenuBar(menus.bar());

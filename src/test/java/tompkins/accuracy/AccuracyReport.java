@@ -74,10 +74,10 @@ final class AccuracyReport {
         line("All numbers are doubles; u = 2^-53 = 1.1e-16 is the relative error of one rounding. Units have c = 1.");
         line("*Naive* is the form that textbooks and the paper give, kept in the test sources as `Naive...`.");
         line("Errors are relative unless the line says otherwise; *none* means that not one digit differs from the");
-        line("reference, *no number* that the form gives infinity or NaN. What the quantities mean stands in");
+        line("reference, *no number* that the form gives infinity or NaN. [Conventions](conventions.md) tells");
         line(
-                "[Conventions](conventions.md), what more samples gain in [Speed and accuracy](speed-and-accuracy.md), and what");
-        line("is refused in [Limits](limits.md).");
+                "what the quantities mean, [Speed and accuracy](speed-and-accuracy.md) what more samples gain, and [Limits](limits.md)");
+        line("what is refused.");
         line("");
     }
 

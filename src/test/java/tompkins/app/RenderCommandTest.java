@@ -38,6 +38,19 @@ class RenderCommandTest {
         }
     }
 
+    @Test
+    void aPhotographOfAWantedErrorIsTakenAgainToIt() throws IOException {
+        Path first = folder.resolve("first.png");
+        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", first, "--size", "32x24", "--error", "0.02");
+        assertThat(run.code()).as(run.err()).isZero();
+        Path second = folder.resolve("second.png");
+        assertThat(ProgramRun.of("render", first, "-o", second).code()).isZero();
+        assertThat(Files.readAllBytes(second)).isEqualTo(Files.readAllBytes(first));
+        Path third = folder.resolve("third.png");
+        assertThat(ProgramRun.of("render", first, "-o", third, "--samples", 2).out())
+                .contains(", 2 samples a pixel");
+    }
+
     @ParameterizedTest
     @CsvSource({
         "png16, first.png, again.png, png16",

@@ -23,7 +23,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.light.ColourLaw;
-import tompkins.render.Quality;
 import tompkins.sceneobject.Sphere;
 import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.FixedPointSurfaceShutter;
@@ -88,15 +87,17 @@ class WindowCommandLineTest {
     }
 
     private static Optional<String> line(Studio studio, Path from) {
-        Quality quality = Quality.of(studio);
-        return new WindowCommandLine(JAR).of(studio, quality, OPENED, from);
+        return new WindowCommandLine(JAR).of(studio, OPENED, from);
     }
 
     @Test
-    void aPromisedErrorIsSaidInsteadOfTheSamples() {
-        Studio studio = OPENED.withSettings(OPENED.settings().withSamples(7));
-        assertThat(new WindowCommandLine(JAR).of(studio, new Quality.TargetError(0.005), OPENED, file))
-                .contains(PROGRAM + "render " + file + " --error=0.005");
+    void aWantedErrorIsSaidInsteadOfTheSamples() {
+        Studio studio = OPENED.withSettings(OPENED.settings().withSamples(7).withTargetError(0.005));
+        assertThat(line(studio, file)).contains(PROGRAM + "render " + file + " --error=0.005");
+        WindowCommandLine writer = new WindowCommandLine(JAR);
+        assertThat(writer.of(studio, studio, file)).contains(PROGRAM + "render " + file);
+        Studio even = studio.withSettings(studio.settings().withTargetError(0));
+        assertThat(writer.of(even, studio, file)).contains(PROGRAM + "render " + file + " --samples 7");
     }
 
     private List<Object> words(Studio studio) {
@@ -139,9 +140,7 @@ class WindowCommandLineTest {
             Path scene = folder.resolve("slow.json");
             StudioWriter.save(slow, scene);
             Studio fast = slow.withVelocity(Velocity.of(SpeedScale.GAMMA, 12345678.9, direction));
-            String line = new WindowCommandLine(JAR)
-                    .of(fast, Quality.of(fast), slow, scene)
-                    .orElseThrow();
+            String line = new WindowCommandLine(JAR).of(fast, slow, scene).orElseThrow();
             List<Object> words = words(line);
             Path picture = folder.resolve("fast.png");
             words.addAll(List.of("--size", "4x3", "--force", "-o", picture));
@@ -201,7 +200,7 @@ class WindowCommandLineTest {
     }
 
     private String lineOf(WindowCommandLine writer) {
-        return writer.of(OPENED, Quality.of(OPENED), OPENED, file).orElseThrow();
+        return writer.of(OPENED, OPENED, file).orElseThrow();
     }
 
     /** The shell itself is asked: what it makes of the copied line. */

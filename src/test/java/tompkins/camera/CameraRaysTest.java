@@ -150,9 +150,10 @@ class CameraRaysTest {
     @Test
     void camerasKnowTheirPoints() {
         ThinLensCamera camera = thinLens(0, 0.1, AperturePlaneShutter.DEFAULT);
-        assertThat(camera.hasWideLens()).isTrue();
-        assertThat(thinLens(0, 0, AperturePlaneShutter.DEFAULT).hasWideLens()).isFalse();
-        assertThat(PanoramicCamera.DEFAULT.hasWideLens()).isFalse();
+        assertThat(camera.hasWideAperture()).isTrue();
+        assertThat(thinLens(0, 0, AperturePlaneShutter.DEFAULT).hasWideAperture())
+                .isFalse();
+        assertThat(PanoramicCamera.DEFAULT.hasWideAperture()).isFalse();
         Map<Camera, Double> inverseDistances =
                 Map.of(camera, 0.6 / 20, panoramic(AperturePlaneShutter.DEFAULT), 1.0 / 4);
         inverseDistances.forEach((each, inverseDistance) -> {

@@ -146,7 +146,7 @@ public final class RandomStudio {
                 pick(TransformationLaw.values()),
                 pick(ColourLaw.values()),
                 new RenderSettings(
-                        16, 12, 1 + random.nextInt(2), random.nextLong(), pick(10, 100, 1000), ToneCurve.LINEAR)));
+                        16, 12, 1 + random.nextInt(2), 0, random.nextLong(), pick(10, 100, 1000), ToneCurve.LINEAR)));
     }
 
     private SceneObject anyObject() {

@@ -36,15 +36,15 @@ class SceneMistakesTest {
     @CsvSource(delimiter = '|', quoteCharacter = '~', textBlock = """
             {"titel": 1}                  | f:1:2: unknown key "titel"; allowed are version, title, topic, remarks, scene, \
             cameraFrame, lights, background, camera, velocity, transformation, colours, settings; did you mean "title"?
-            {"settings": {"xyzzy": 1}}    | f:1:15: settings: unknown key "xyzzy"; allowed are width, height, samples, seed, \
-            maximumDepth, toneCurve
+            {"settings": {"xyzzy": 1}}    | f:1:15: settings: unknown key "xyzzy"; allowed are width, height, samples, \
+            targetError, seed, maximumDepth, toneCurve
             {"lights": [{"type": "PiontLight"}]} | f:1:22: lights[0]: unknown type "PiontLight"; allowed are AmbientLight, \
             PointLight; did you mean "PointLight"?
             {"camera": {"aperture": 1}}   | f:1:13: camera: unknown key "aperture"; allowed are type, position, \
             viewDirection, topDirection, horizontalAngleDegrees, verticalAngleDegrees, apertureRadius, focus, exposureStops, \
             shutter; did you mean "apertureRadius"?
-            {"settings": {"--e-": 1}}     | f:1:15: settings: unknown key "--e-"; allowed are width, height, samples, seed, \
-            maximumDepth, toneCurve
+            {"settings": {"--e-": 1}}     | f:1:15: settings: unknown key "--e-"; allowed are width, height, samples, \
+            targetError, seed, maximumDepth, toneCurve
             {"camera": {"angle": 1}}      | f:1:13: camera: unknown key "angle"; allowed are type, position, viewDirection, \
             topDirection, horizontalAngleDegrees, verticalAngleDegrees, apertureRadius, focus, exposureStops, shutter
             {"camera": {"shutter": {"type": "DetectorPlane"}}} | f:1:33: camera.shutter: unknown type "DetectorPlane"; \

@@ -37,8 +37,8 @@ class MirrorCorridorTest {
                 new Plane("right", new Vector3d(1, 0, 0), new Vector3d(1, 0, 0), walls),
                 new Plane("lamp", new Vector3d(0, 0, 2 * bounces), new Vector3d(0, 0, 1), LAMP));
         ThinLensCamera camera = Photograph.pinhole(new Vector3d(1, 0, 1), 1, 0);
-        RenderSettings settings =
-                new RenderSettings(1, 1, 1, 1, depth, Studio.DEFAULT.settings().toneCurve());
+        RenderSettings settings = new RenderSettings(
+                1, 1, 1, 0, 1, depth, Studio.DEFAULT.settings().toneCurve());
         return new Photograph(new Studio(
                 "",
                 "",

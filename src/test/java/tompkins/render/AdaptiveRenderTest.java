@@ -62,7 +62,7 @@ class AdaptiveRenderTest {
     }
 
     @Test
-    void wideLensIsHonest() throws InterruptedException {
+    void wideApertureIsHonest() throws InterruptedException {
         Studio studio = studio(spheres(), 0.2);
         for (double target : new double[] {0.01, 0.003}) {
             RenderJob job = render(studio, new Quality.TargetError(target));

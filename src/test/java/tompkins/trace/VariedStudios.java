@@ -79,7 +79,8 @@ public final class VariedStudios {
             String name = shutter.getClass().getSimpleName();
             Studio pinhole = moving(crowd()).withCamera(PaperStudios.camera(0, shutter));
             Studio wide = moving(crowd()).withCamera(PaperStudios.camera(0.2, shutter));
-            return Stream.of(Named.of(name + ", pinhole", pinhole), Named.of(name + ", wide lens", samples(wide, 3)));
+            return Stream.of(
+                    Named.of(name + ", pinhole", pinhole), Named.of(name + ", wide aperture", samples(wide, 3)));
         });
     }
 
@@ -95,7 +96,7 @@ public final class VariedStudios {
         return Stream.of(
                 Named.of("dust", studio),
                 Named.of("dust, two lamps", Lighting.of(studio, List.of(PointLight.DEFAULT, lamp(0.2, 0.1, 9, 0.7)))),
-                Named.of("dust through a wide lens", samples(wide(studio), 2)),
+                Named.of("dust through a wide aperture", samples(wide(studio), 2)),
                 Named.of("dust behind a window", studio.withCameraFrame(List.of(window(3, Clear.DEFAULT)))));
     }
 
@@ -121,7 +122,7 @@ public final class VariedStudios {
                 Named.of(
                         "Lorentz window before the lens", moving(crowd()).withCameraFrame(List.of(window(3, lorentz)))),
                 Named.of(
-                        "Galileo window before a wide lens",
+                        "Galileo window before a wide aperture",
                         samples(wide(moving(crowd()).withCameraFrame(List.of(window(4, galileo)))), 2)),
                 Named.of("Lorentz window in the scene", moving(with(crowd(), window(2, tilted)))),
                 Named.of("Galileo window in the scene", moving(with(crowd(), window(2, galileo)))),
@@ -159,7 +160,7 @@ public final class VariedStudios {
         return Stream.of(
                 Named.of("panoramic camera", studio.withCamera(allAround)),
                 Named.of("panoramic camera, other shutter", studio.withCamera(allAround.withShutter(SHUTTERS.get(5)))),
-                Named.of("very wide lens inside the scene", samples(studio.withCamera(veryWide), 2)),
+                Named.of("very wide aperture inside the scene", samples(studio.withCamera(veryWide), 2)),
                 Named.of("camera that looks back", studio.withCamera(back)));
     }
 

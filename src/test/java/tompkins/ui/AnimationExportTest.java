@@ -14,7 +14,6 @@ import org.junit.jupiter.api.io.TempDir;
 import tompkins.image.AnimationFormat;
 import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
-import tompkins.render.Quality;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.ui.file.Progress;
@@ -22,8 +21,6 @@ import tompkins.ui.panel.Animation;
 import tompkins.ui.panel.NumberProperty;
 
 class AnimationExportTest {
-
-    private static final Quality ONE_SAMPLE = new Quality.Samples(1);
 
     private static final Animation FASTER =
             new Animation(NumberProperty.speed(SpeedScale.BETA), 0, 0.8, 0.4, Animation.Course.FORWARDS);
@@ -34,7 +31,7 @@ class AnimationExportTest {
     @Test
     void framesHoldTheirOwnScenes() throws Exception {
         Path frames = folder.resolve("frames");
-        AnimationExport.write(Studios.sphere(), ONE_SAMPLE, FASTER, frames, AnimationFormat.NUMBERED_PNG, progress());
+        AnimationExport.write(Studios.sphere(), FASTER, frames, AnimationFormat.NUMBERED_PNG, progress());
         try (Stream<Path> files = Files.list(frames)) {
             assertThat(files).hasSize(10);
         }
@@ -55,7 +52,7 @@ class AnimationExportTest {
             }
         };
         assertThatThrownBy(() -> AnimationExport.write(
-                        Studios.lattice(), ONE_SAMPLE, FASTER, folder.resolve("a.gif"), AnimationFormat.GIF, cancelled))
+                        Studios.lattice(), FASTER, folder.resolve("a.gif"), AnimationFormat.GIF, cancelled))
                 .isInstanceOf(CancellationException.class);
         try (Stream<Path> files = Files.list(folder)) {
             assertThat(files).isEmpty();

@@ -52,14 +52,15 @@ class PhotographViewTest {
 
     @Test
     void theOtherPictureIsAsGoodSoThatPicturesOfTheSameStudioDoNotDiffer() {
-        Quality fine = new Quality.TargetError(0.002);
+        Quality.TargetError fine = new Quality.TargetError(0.002);
         onEventThread(() -> {
             view.canvas().setSize(64, 48);
             model.set(model.studio().withVelocity(Velocity.of(0, 0, 0)));
             compareWithRest();
         });
         awaitBoth("the pictures of one sample", new Quality.Samples(1));
-        onEventThread(() -> view.setQuality(fine));
+        onEventThread(() -> model.set(
+                model.studio().withSettings(model.studio().settings().withTargetError(fine.rootMeanSquare()))));
         awaitBoth("the pictures of many samples", fine);
         BufferedImage difference = view.canvas().shown().difference();
         int[] levels = difference.getRGB(0, 0, 64, 48, null, 0, 64);

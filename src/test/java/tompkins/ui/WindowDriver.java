@@ -63,7 +63,7 @@ public final class WindowDriver implements AutoCloseable {
         robot.setAutoDelay(8);
         Toolkit.getDefaultToolkit().addAWTEventListener(listener, AWTEvent.KEY_EVENT_MASK | AWTEvent.MOUSE_EVENT_MASK);
         window = onEventThread(() -> TompkinsWindow.opened(
-                studio, file, () -> examples, (now, quality, opened, from) -> Optional.of("tompkins render " + from)));
+                studio, file, () -> examples, (now, opened, from) -> Optional.of("tompkins render " + from)));
         await("a picture on the screen", () -> picture() != null);
     }
 

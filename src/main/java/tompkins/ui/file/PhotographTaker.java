@@ -18,17 +18,16 @@ public final class PhotographTaker implements AutoCloseable {
     private RenderPlan plan;
 
     /**
-     * Takes a photograph of some quality and waits for it.
+     * Takes a photograph and waits for it.
      *
      * @param done the share of the task that was done before
      * @param share the share of the task that the photograph is
      * @throws CancellationException if the task is cancelled
      */
-    public LinearImage take(Studio studio, Quality quality, Progress progress, double done, double share)
-            throws InterruptedException {
+    public LinearImage take(Studio studio, Progress progress, double done, double share) throws InterruptedException {
         // from moment to moment of an animation the scene often stays
         plan = RenderPlan.of(studio, plan);
-        RenderJob job = renderer.start(plan, quality, RenderListener.NONE);
+        RenderJob job = renderer.start(plan, Quality.of(studio), RenderListener.NONE);
         while (!job.isComplete() && job.failure() == null) {
             if (progress.isCancelled()) {
                 job.cancel();

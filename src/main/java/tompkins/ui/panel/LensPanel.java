@@ -104,10 +104,10 @@ public final class LensPanel {
         return panel;
     }
 
-    /** Says of the picture on the screen if its one sample leaves a wide lens without effect, or if it has others than the scene says. */
+    /** Says of the picture on the screen if its one sample leaves a wide aperture without effect, or if it has others than the scene says. */
     public void show(Picture picture) {
         boolean sharp =
-                picture.studio().camera().hasWideLens() && picture.quality().equals(new Quality.Samples(1));
+                picture.studio().camera().hasWideAperture() && picture.quality().equals(new Quality.Samples(1));
         oneSample.setText(sharp ? Texts.get("lens.oneSample") : "");
         boolean wished = picture.quality() instanceof Quality.TargetError;
         otherSamples.setText(wished ? Texts.get("lens.otherSamples") : "");

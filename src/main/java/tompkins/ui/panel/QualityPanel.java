@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
-import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -26,6 +25,7 @@ import org.jfree.chart.ChartMouseEvent;
 import org.jfree.chart.ChartMouseListener;
 import org.jfree.chart.ChartPanel;
 import tompkins.render.Quality;
+import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.study.ChartDrawing;
 import tompkins.study.Measurement;
@@ -35,11 +35,15 @@ import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
+import tompkins.ui.widget.NumberField;
+import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Tips;
+import tompkins.ui.widget.Wording;
 
-/** How good the picture has to be: as its scene says, or the point that is chosen on a chart of speed against accuracy. */
+/** How good the picture has to be: the error that is wanted, and a chart of speed against accuracy to choose from. */
 public final class QualityPanel {
 
     private static final int CHART_WIDTH = 860;
@@ -48,37 +52,37 @@ public final class QualityPanel {
     /** How far from a point the mouse still takes it, in pixels. */
     private static final double REACH = 12;
 
-    private final JPanel panel = Rows.column();
-    private final Note chosen = new Note("");
-    private final JButton asScene = new JButton(Texts.get("quality.asScene"));
-    private final JButton measure = new JButton(Texts.get("quality.measure"));
+    private final JPanel panel = Rows.panel();
+    private final Note asked = new Note("");
+    private final NumberField error;
     private final StudioModel model;
-    private final Consumer<Quality> choose;
-    private Studio opened;
-    private int sceneSamples;
+    private Quality shown;
 
     /** The last one that was opened; null before. */
     private ChartWindow chartWindow;
 
-    /**
-     * The panel.
-     *
-     * @param choose told of the quality that was chosen; null for what the scene says
-     */
-    public QualityPanel(StudioModel model, Consumer<Quality> choose) {
+    /** The panel. */
+    public QualityPanel(StudioModel model) {
         this.model = model;
-        this.choose = choose;
-        asScene.setName(Texts.get("quality.asScene"));
-        asScene.addActionListener(event -> set(null));
+        String title = Wording.label("targetError");
+        String meaning = Wording.meaning(RenderSettings.class, "targetError");
+        Note refused = new Note("");
+        error = new NumberField(
+                NumberKind.DOUBLE, "targetError", title, meaning, refused, value -> want(value.doubleValue()));
+        JLabel label = new JLabel(title);
+        label.setToolTipText(Tips.html(meaning));
+        label.setLabelFor(error.field());
+        JButton measure = new JButton(Texts.get("quality.measure"));
         Naming.name(measure, Texts.get("quality.measure"), Texts.get("quality.measureTip"));
         measure.addActionListener(event -> {
             chartWindow = new ChartWindow(SwingUtilities.getWindowAncestor(panel));
             chartWindow.start();
         });
-        panel.add(chosen.component(), "wmin 0");
-        panel.add(asScene, "wmin 0");
-        panel.add(measure, "wmin 0");
-        show(null);
+        panel.add(label, "span 2");
+        panel.add(error.field());
+        panel.add(refused.component(), "span, growx, wmin 0");
+        panel.add(asked.component(), "span, growx, wmin 0");
+        panel.add(measure, "span 3, growx");
         model.addListener(this::update);
         update();
     }
@@ -88,43 +92,31 @@ public final class QualityPanel {
         return panel;
     }
 
-    /** Takes a quality: a number of samples goes into the scene, an error stays with the window; null is what the scene says. */
-    void set(Quality quality) {
-        forgetPoint();
-        if (quality instanceof Quality.Samples fixed) {
+    private void want(double targetError) {
+        Studio studio = model.studio();
+        model.set(studio.withSettings(studio.settings().withTargetError(targetError)));
+    }
+
+    /** Takes a quality of the chart into the scene. */
+    private void take(Quality quality) {
+        if (quality instanceof Quality.TargetError target) {
+            want(target.rootMeanSquare());
+        } else if (quality instanceof Quality.Samples fixed) {
             Studio studio = model.studio();
-            show(null);
-            choose.accept(null);
             model.set(studio.withSettings(studio.settings().withSamples(fixed.samples())));
-        } else {
-            show(quality);
-            choose.accept(quality);
         }
     }
 
-    /** Whoever changes the number of samples of the scene wants to see that number. */
     private void update() {
-        int samples = model.studio().settings().samples();
-        boolean changed = model.opened() == opened && samples != sceneSamples;
-        opened = model.opened();
-        sceneSamples = samples;
-        if (changed && asScene.isEnabled()) {
-            set(null);
-        } else if (changed) {
-            forgetPoint();
+        error.show(model.studio().settings().targetError());
+        Quality now = Quality.of(model.studio());
+        if (!now.equals(shown)) {
+            shown = now;
+            asked.setText(text(now));
+            if (chartWindow != null) {
+                chartWindow.forgetPoint();
+            }
         }
-    }
-
-    /** No point of the chart is in force any more. */
-    private void forgetPoint() {
-        if (chartWindow != null) {
-            chartWindow.forgetPoint();
-        }
-    }
-
-    private void show(Quality quality) {
-        chosen.setText(text(quality));
-        asScene.setEnabled(quality != null);
     }
 
     private static String text(Quality quality) {
@@ -133,7 +125,7 @@ public final class QualityPanel {
         }
         return quality instanceof Quality.Samples fixed && fixed.samples() > 1
                 ? Texts.get("quality.samples", fixed.samples())
-                : Texts.get(quality == null ? "quality.scene" : "quality.sample");
+                : Texts.get("quality.sample");
     }
 
     /** A window with the chart of the picture on show, which grows while it is measured. */
@@ -254,7 +246,7 @@ public final class QualityPanel {
             public void chartMouseClicked(ChartMouseEvent event) {
                 Measurement point = near(event);
                 if (point != null) {
-                    set(study.qualityOf(point));
+                    take(study.qualityOf(point));
                     chosenPoint = Texts.get("quality.chosen", text(study.qualityOf(point)));
                     pointedAt = null;
                     showState();

@@ -14,7 +14,6 @@ import tompkins.trace.RenderPlan;
  * A picture on its way to the screen.
  *
  * @param plan what it was made from
- * @param quality which samples it gets
  * @param image its light
  * @param complete whether all samples were taken
  * @param time since the change that it answers
@@ -24,7 +23,6 @@ import tompkins.trace.RenderPlan;
  */
 public record Picture(
         RenderPlan plan,
-        Quality quality,
         LinearImage image,
         boolean complete,
         Duration time,
@@ -37,10 +35,15 @@ public record Picture(
         return plan.studio();
     }
 
+    /** Which samples it gets. */
+    public Quality quality() {
+        return Quality.of(studio());
+    }
+
     /** What it models and which samples it gets, in sentences. */
     public List<String> sentences() {
         List<String> sentences = new ArrayList<>(plan.sentences());
-        sentences.add(quality.sentence(plan));
+        sentences.add(quality().sentence(plan));
         return sentences;
     }
 

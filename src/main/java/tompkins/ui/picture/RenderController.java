@@ -37,7 +37,7 @@ public final class RenderController implements AutoCloseable {
     /** The sum of the parts of the work may miss 1 by its rounding. */
     private static final double ALMOST_ONE = 1 - 1e-9;
 
-    private record Request(Studio studio, Quality quality, long time) {}
+    private record Request(Studio studio, long time) {}
 
     private final Renderer renderer = new Renderer();
     private final Consumer<Picture> pictures;
@@ -49,7 +49,6 @@ public final class RenderController implements AutoCloseable {
 
     private volatile boolean stopped;
     private volatile Run run;
-    private volatile Quality quality;
 
     private final Object shownLock = new Object();
     private int lastShown;
@@ -73,21 +72,10 @@ public final class RenderController implements AutoCloseable {
 
     /** Asks for the picture of a studio instead of all that were asked for before. Returns at once. */
     public void show(Studio studio) {
-        Request request = new Request(studio, quality(studio), System.nanoTime());
+        Request request = new Request(studio, System.nanoTime());
         stopped = false;
         wanted.set(request);
         planner.submit(request);
-    }
-
-    /** The quality of the next pictures; null for what their scenes say. */
-    public void setQuality(Quality wish) {
-        quality = wish;
-    }
-
-    /** The quality that pictures of a studio get. */
-    public Quality quality(Studio studio) {
-        Quality wish = quality;
-        return wish == null ? Quality.of(studio) : wish;
     }
 
     /** Ends the work on the picture; what is there stays. */
@@ -134,7 +122,7 @@ public final class RenderController implements AutoCloseable {
             return;
         }
         Run next = new Run(request);
-        next.job = renderer.startCoarse(plan, request.quality, next);
+        next.job = renderer.startCoarse(plan, Quality.of(request.studio), next);
         run = next;
         if (wanted.get() == null) {
             // whoever stopped it may have come too early to see the run
@@ -220,7 +208,6 @@ public final class RenderController implements AutoCloseable {
                     / ((double) rendered.plan().width() * rendered.plan().height());
             Picture picture = new Picture(
                     rendered.plan(),
-                    request.quality,
                     rendered.image(),
                     complete,
                     time,

@@ -8,6 +8,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.image.LinearImage;
 import tompkins.render.Quality;
 import tompkins.render.Renderer;
+import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.Studios;
@@ -24,27 +25,29 @@ class PhotographTakerTest {
         }
     };
 
-    /** What is saved is as good as what was chosen for the screen, whatever the scene says. */
+    /** What is saved is as good as the scene says. */
     @ParameterizedTest
     @MethodSource
-    void photographsHaveTheQualityThatIsWanted(Quality quality) throws InterruptedException {
-        Studio studio = Studios.lattice().withSettings(Studio.DEFAULT.settings().withSize(40, 30));
+    void photographsHaveTheQualityThatIsWanted(RenderSettings settings) throws InterruptedException {
+        Studio studio = Studios.lattice().withSettings(settings.withSize(40, 30));
         LinearImage taken;
         LinearImage again;
         try (PhotographTaker taker = new PhotographTaker()) {
-            taken = taker.take(studio, quality, NO_END, 0, 1);
-            again = taker.take(studio, quality, NO_END, 0, 1);
+            taken = taker.take(studio, NO_END, 0, 1);
+            again = taker.take(studio, NO_END, 0, 1);
         }
         LinearImage rendered;
         try (Renderer renderer = new Renderer(1)) {
-            rendered = renderer.render(RenderPlan.of(studio), quality).image();
+            rendered =
+                    renderer.render(RenderPlan.of(studio), Quality.of(studio)).image();
         }
 
         assertThat(taken.rgb()).isEqualTo(rendered.rgb());
         assertThat(again.rgb()).isEqualTo(rendered.rgb());
     }
 
-    static Stream<Quality> photographsHaveTheQualityThatIsWanted() {
-        return Stream.of(new Quality.Samples(1), new Quality.Samples(9), new Quality.TargetError(0.02));
+    static Stream<RenderSettings> photographsHaveTheQualityThatIsWanted() {
+        RenderSettings settings = RenderSettings.DEFAULT;
+        return Stream.of(settings, settings.withSamples(9), settings.withTargetError(0.02));
     }
 }

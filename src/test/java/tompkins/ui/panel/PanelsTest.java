@@ -381,23 +381,23 @@ class PanelsTest {
     }
 
     @Test
-    void aWideLensWithOneSampleSaysThatNothingIsBlurred() {
+    void aWideApertureWithOneSampleSaysThatNothingIsBlurred() {
         LensPanel lens = new LensPanel(model, picking -> {});
         Container panel = (Container) lens.component();
         Studio wide = model.studio().withCamera(Records.with(model.studio().camera(), "apertureRadius", 0.2));
-        lens.show(picture(wide, new Quality.Samples(1)));
+        lens.show(picture(wide));
         assertThat(Components.notes(panel)).containsExactly(Texts.get("lens.oneSample"));
-        lens.show(picture(wide, new Quality.TargetError(0.01)));
+        lens.show(picture(wide.withSettings(wide.settings().withTargetError(0.01))));
         assertThat(Components.notes(panel)).containsExactly(Texts.get("lens.otherSamples"));
-        lens.show(picture(wide, new Quality.Samples(2)));
+        lens.show(picture(wide.withSettings(wide.settings().withSamples(2))));
         assertThat(Components.notes(panel)).isEmpty();
-        lens.show(picture(model.studio(), new Quality.Samples(1)));
+        lens.show(picture(model.studio()));
         assertThat(Components.notes(panel)).isEmpty();
     }
 
-    private static Picture picture(Studio studio, Quality quality) {
+    private static Picture picture(Studio studio) {
         LinearImage black = new LinearImage(1, 1, new float[3]);
-        return new Picture(RenderPlan.of(studio), quality, black, true, Duration.ZERO, 1, Double.NaN, List.of());
+        return new Picture(RenderPlan.of(studio), black, true, Duration.ZERO, 1, Double.NaN, List.of());
     }
 
     @Test
@@ -529,33 +529,28 @@ class PanelsTest {
     }
 
     @Test
-    void aPointOfTheChartSetsTheQuality() {
-        List<Quality> chosen = new ArrayList<>();
-        QualityPanel panel = new QualityPanel(model, chosen::add);
-        JButton asScene = Components.find((Container) panel.component(), JButton.class, "As the scene says");
-        assertThat(asScene.isEnabled()).isFalse();
-        Quality exact = new Quality.TargetError(0.005);
-        panel.set(exact);
-        assertThat(chosen).containsExactly(exact);
-        assertThat(asScene.isEnabled()).isTrue();
-        asScene.doClick();
-        assertThat(chosen).containsExactly(exact, null);
-        panel.set(new Quality.Samples(16));
-        assertThat(model.studio().settings().samples()).isEqualTo(16);
+    void aWantedErrorGoesIntoTheScene() {
+        Container panel = (Container) new QualityPanel(model).component();
+        assertThat(Components.notes(panel)).containsExactly("One sample a pixel");
+        Components.enter(panel, "Target error", "0.005");
+        assertThat(Quality.of(model.studio())).isEqualTo(new Quality.TargetError(0.005));
+        assertThat(Components.notes(panel)).containsExactly("Samples where they are needed, error 0.005");
+        Components.enter(panel, "Target error", "2");
+        assertThat(Components.notes(panel).get(0)).contains("0, or from 0.000001 to 1");
+        assertThat(Quality.of(model.studio())).isEqualTo(new Quality.TargetError(0.005));
+        Components.enter(panel, "Target error", "0");
+        assertThat(Quality.of(model.studio())).isEqualTo(new Quality.Samples(1));
     }
 
     @Test
     void anotherNumberOfSamplesTakesThePlaceOfAWantedError() {
-        List<Quality> chosen = new ArrayList<>();
-        QualityPanel quality = new QualityPanel(model, chosen::add);
+        Container quality = (Container) new QualityPanel(model).component();
         Container lens = (Container) new LensPanel(model, picking -> {}).component();
-        Quality exact = new Quality.TargetError(0.005);
-        quality.set(exact);
+        Components.enter(quality, "Target error", "0.005");
         Components.enter(lens, "Exposure", "1");
-        model.open(Studios.sphere().withSettings(Studio.DEFAULT.settings().withSamples(3)), null);
-        assertThat(chosen).as("what stays with the window").containsExactly(exact);
+        assertThat(model.studio().settings().targetError()).isEqualTo(0.005);
         Components.enter(lens, "Samples", "16");
-        assertThat(chosen).containsExactly(exact, null);
-        assertThat(Components.notes((Container) quality.component())).containsExactly(Texts.get("quality.scene"));
+        assertThat(Quality.of(model.studio())).isEqualTo(new Quality.Samples(16));
+        assertThat(Components.notes(quality)).containsExactly("16 samples a pixel");
     }
 }

@@ -104,7 +104,7 @@ class RenderControllerTest {
     void aPictureIsSeenWhileAHandMovesHoweverLongItTakes() throws InterruptedException {
         Studio mirrors = Studios.sphere()
                 .withScene(List.of(new Sphere("mirror", new Vector3d(0.5, 0, 0), 3, new Mirror(1))))
-                .withSettings(new RenderSettings(320, 240, 1, 1, 5_000, ToneCurve.LINEAR));
+                .withSettings(new RenderSettings(320, 240, 1, 0, 1, 5_000, ToneCurve.LINEAR));
         int changes = 0;
         while (pictures.isEmpty()) {
             controller.show(mirrors.withVelocity(Velocity.of(0, 0, ++changes * 1e-4)));

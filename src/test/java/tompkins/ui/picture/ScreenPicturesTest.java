@@ -12,7 +12,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
-import tompkins.render.Quality;
 import tompkins.render.Renderer;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.Studios;
@@ -26,7 +25,7 @@ class ScreenPicturesTest {
     }
 
     private static Picture picture(RenderPlan plan, LinearImage image) {
-        return new Picture(plan, Quality.of(plan.studio()), image, true, Duration.ZERO, 1, Double.NaN, List.of());
+        return new Picture(plan, image, true, Duration.ZERO, 1, Double.NaN, List.of());
     }
 
     private static Picture grey(int width, int height) {
