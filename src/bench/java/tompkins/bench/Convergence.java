@@ -70,6 +70,7 @@ final class Convergence {
         SampleTracer tracer = plan.tracer(new RayCounts());
         int column = pixel % image.width();
         int row = pixel / image.width();
+        tracer.shareBetween(referenceSamples);
         double[] sums = new double[3];
         for (int sample = 0; sample < referenceSamples; sample++) {
             add(sums, tracer.sample(column, row, sample));

@@ -169,7 +169,8 @@ public record PanoramicCamera(
                 rays.dy[i] = chief.y;
                 rays.dz[i] = chief.z;
                 rays.time[i] = time;
-                rays.spread[i] = latitudePerPixel;
+                double level = Math.cos((middleY - places.y[i]) * latitudePerPixel);
+                rays.spread[i] = Math.max(latitudePerPixel, longitudePerPixel * level);
                 rays.move(i, made);
                 made++;
             }

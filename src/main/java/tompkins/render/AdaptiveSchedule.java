@@ -43,7 +43,9 @@ final class AdaptiveSchedule implements Schedule {
         this.pixels = pixels;
         this.targetError = targetError;
         this.time = time;
-        waiting.addAll(Pass.of(wideAperture ? FIRST_SAMPLES : 1, coarseFirst));
+        // a single sample as wide as its pixel would blur what it does not resolve, and the pixel would pass for
+        // settled
+        waiting.addAll(Pass.of(wideAperture ? FIRST_SAMPLES : 1, FIRST_SAMPLES, coarseFirst));
         expectedWork = 2 * waiting.stream().mapToDouble(Pass::work).sum();
     }
 

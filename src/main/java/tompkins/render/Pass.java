@@ -13,10 +13,11 @@ import tompkins.camera.PixelSampler;
  * @param coarserStride stride of the pass before this one, or 0 if this is the first
  * @param firstSample number of the first sample
  * @param samples samples for each pixel
+ * @param inAll samples between which a pixel is shared: those that it has after the pass, or is expected to have in the end
  * @param chosen the pixels that get them, or null for all
  * @param share the share of the pixels that get them, of those that are rendered
  */
-record Pass(int stride, int coarserStride, int firstSample, int samples, BitSet chosen, double share) {
+record Pass(int stride, int coarserStride, int firstSample, int samples, int inAll, BitSet chosen, double share) {
 
     private static final int COARSEST = 8;
 
@@ -25,20 +26,21 @@ record Pass(int stride, int coarserStride, int firstSample, int samples, BitSet 
     /**
      * The passes that take the given number of samples: 1, 1, 2, 4, ... for each pixel, at most 64 at a time.
      *
+     * @param inAll samples that pixels may come to have, by passes after these
      * @param coarseFirst whether the first one is taken coarse to fine
      */
-    static List<Pass> of(int samples, boolean coarseFirst) {
+    static List<Pass> of(int samples, int inAll, boolean coarseFirst) {
         List<Pass> passes = new ArrayList<>();
         int coarser = 0;
         for (int stride = coarseFirst ? COARSEST : 1; stride >= 1; stride /= 2) {
             double share = 1.0 / (stride * stride) - (coarser == 0 ? 0 : 1.0 / (coarser * coarser));
-            passes.add(new Pass(stride, coarser, PixelSampler.firstOf(samples), 1, null, share));
+            passes.add(new Pass(stride, coarser, PixelSampler.firstOf(samples), 1, inAll, null, share));
             coarser = stride;
         }
         int done = 1;
         while (done < samples) {
             int next = Math.min(Math.min(done, MOST_SAMPLES), samples - done);
-            passes.add(new Pass(1, 0, done, next, null, 1));
+            passes.add(new Pass(1, 0, done, next, inAll, null, 1));
             done += next;
         }
         return passes;
@@ -46,7 +48,8 @@ record Pass(int stride, int coarserStride, int firstSample, int samples, BitSet 
 
     /** A pass that takes further samples of some pixels. */
     static Pass refining(int firstSample, int samples, BitSet chosen, int pixels) {
-        return new Pass(1, 0, firstSample, samples, chosen, (double) chosen.cardinality() / pixels);
+        double share = (double) chosen.cardinality() / pixels;
+        return new Pass(1, 0, firstSample, samples, firstSample + samples, chosen, share);
     }
 
     /** Whether this pass takes samples of a pixel, whose number is {@code pixel}. */

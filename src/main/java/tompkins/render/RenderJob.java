@@ -113,6 +113,7 @@ public final class RenderJob {
                 film.add(column, row, colour);
             }
         };
+        tracer.shareBetween(pass.inAll());
         int side = RayBlock.SIDE * pass.stride();
         int end = pass.firstSample() + pass.samples();
         for (int row = 0; row < tile.height(); row += side) {

@@ -86,7 +86,7 @@ public final class Renderer implements AutoCloseable {
 
     private static Schedule schedule(RenderPlan plan, Quality quality, boolean coarseFirst) {
         if (quality instanceof Quality.Samples fixed) {
-            return new FixedSchedule(Pass.of(fixed.samples(), coarseFirst));
+            return new FixedSchedule(Pass.of(fixed.samples(), fixed.samples(), coarseFirst));
         }
         int pixels = plan.width() * plan.height();
         boolean wideAperture = plan.studio().camera().hasWideAperture();

@@ -40,8 +40,8 @@ final class GalileanTransformation implements SpaceTimeTransformation {
     /**
      * The tangent (d, dt) of the ray becomes (d + beta dt, dt). Its spatial part is no longer of length |dt|: the ray keeps
      * both, as a unit direction and a slowness. The phase of a wave is the same in both frames: its frequency in the other one is
-     * {@code 1 - slowness beta.d} of what it is here, where a wave runs along its rays. The width of a bundle stays as it is, which is
-     * near enough for the fineness of tiles.
+     * {@code 1 - slowness beta.d} of what it is here, where a wave runs along its rays. The angles of a narrow
+     * bundle are divided by |d + beta dt|; that those in the plane of d and beta shrink by its inclination, too, is left out.
      */
     @Override
     public Ray transform(Ray ray) {
@@ -60,7 +60,7 @@ final class GalileanTransformation implements SpaceTimeTransformation {
                 time,
                 ray.slowness / length,
                 1 - ray.slowness * (beta.x() * ray.dx + beta.y() * ray.dy + beta.z() * ray.dz),
-                1);
+                length);
     }
 
     /** 0: at t = 0 all places coincide. */

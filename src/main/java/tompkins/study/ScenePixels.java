@@ -65,6 +65,7 @@ final class ScenePixels {
     double[] light(SamplePattern pattern, int samples, BooleanSupplier cancelled) {
         double[] light = new double[3 * count()];
         SampleTracer tracer = plan.tracer(new RayCounts());
+        tracer.shareBetween(samples);
         for (int row = 0; row < rows; row++) {
             Stopwatch.stopIf(cancelled);
             addRow(row, pattern, tracer, samples, light);

@@ -44,7 +44,8 @@ public record GalileoWindow(
         if (length == 0) {
             return Response.ends(Colour.BLACK);
         }
-        Ray next = ray.bent(hit, dx / length, dy / length, dz / length, ray.slowness / length, transmission);
+        Ray next = ray.bent(hit, dx / length, dy / length, dz / length, ray.slowness / length, transmission)
+                .narrowed(length);
         return Response.goesOn(next, Colour.grey(transmission));
     }
 

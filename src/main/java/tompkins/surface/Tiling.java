@@ -29,6 +29,9 @@ public record Tiling(
         boolean filtered)
         implements Surface {
 
+    /** The spot of a ray is taken in so many parts at most. */
+    private static final int MOST_PARTS = 16;
+
     /** Grey and white unit tiles, filtered. */
     public static final Tiling DEFAULT = new Tiling(
             new ColouredSurface(Colour.grey(0.5), Colour.BLACK),
@@ -75,9 +78,30 @@ public record Tiling(
         if (!filtered) {
             return isOdd(Math.floor(u) + Math.floor(v)) ? 1 : 0;
         }
-        double waves =
-                SquareWave.mean(u, at.spreadU(ray, hit) / width) * SquareWave.mean(v, at.spreadV(ray, hit) / height);
+        double alongU = at.alongU(ray, hit) / width;
+        double alongV = at.alongV(ray, hit) / height;
+        double acrossU = at.acrossU(ray, hit) / width;
+        double acrossV = at.acrossV(ray, hit) / height;
+        double waves = waves(u, v, alongU, alongV, acrossU, acrossV);
+        // a spot that lies obliquely over the tiles fills little of the box around it, but most of the boxes around its
+        // parts
+        int parts = (int) Math.min(MOST_PARTS, Math.ceil(1 / Math.abs(hit.cosine(ray))));
+        if (Math.abs(waves) < 1 && parts > 1) {
+            waves = 0;
+            for (int part = 0; part < parts; part++) {
+                double place = (2.0 * part + 1) / parts - 1;
+                waves +=
+                        waves(u + place * alongU, v + place * alongV, alongU / parts, alongV / parts, acrossU, acrossV);
+            }
+            waves /= parts;
+        }
         return (1 - waves) / 2;
+    }
+
+    /** The mean of the chequerboard, +1 and -1, over the box around a spot. */
+    private static double waves(double u, double v, double alongU, double alongV, double acrossU, double acrossV) {
+        return SquareWave.mean(u, Math.sqrt(alongU * alongU + acrossU * acrossU))
+                * SquareWave.mean(v, Math.sqrt(alongV * alongV + acrossV * acrossV));
     }
 
     /** Parity by halves, which are exact: a whole number that no int can hold is still odd or even. */

@@ -38,6 +38,7 @@ public final class SampleTracer {
     private final Colour[] factors = new Colour[RayBlock.MOST];
     private final Candidates candidates = new Candidates();
     private final EntryNodes entries = new EntryNodes();
+    private double narrowing = 1;
     private int column;
     private int row;
 
@@ -63,6 +64,16 @@ public final class SampleTracer {
         this.sceneEntry = sceneEntry;
         this.counts = counts;
         this.witness = witness;
+    }
+
+    /**
+     * Tells how many samples a pixel gets from now on; 1 before. Each stands for its share of the pixel, so that what is finer
+     * is not blurred twice, by the width of its ray and by the others.
+     *
+     * @param samples 1 or more
+     */
+    public void shareBetween(int samples) {
+        narrowing = 1 / Math.sqrt(samples);
     }
 
     /** The colour of one sample of a pixel, before exposure. Black where something went wrong, which is counted. */
@@ -91,6 +102,9 @@ public final class SampleTracer {
         cameraRays.make(places, rays, counts);
         if (lensSlowness != 1) {
             rays.startIn(lensSlowness);
+        }
+        if (narrowing != 1) {
+            rays.narrow(narrowing);
         }
     }
 

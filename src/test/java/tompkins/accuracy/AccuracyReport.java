@@ -160,8 +160,10 @@ final class AccuracyReport {
         line(
                 "- Tiles alternate up to 2^53 of them from the start of the coordinates; beyond, and wherever a pixel sees very");
         line(
-                "  many, a filtered tiling is the mean of its surfaces. The filter is a box around the spot of the pixel on the");
-        line("  surface: in pixels that see one or two tiles it may be wrong by some hundredths of the contrast.");
+                "  many, a filtered tiling is the mean of its surfaces. The filter takes boxes along the spot of a ray on the");
+        line(
+                "  surface: with one sample, pixels that see one or two tiles are wrong by some hundredths of the contrast. The");
+        line("  spot is that of the part of the pixel for which a sample stands, so that more samples are less wrong.");
         line(
                 "- A point in focus at infinity has no time for a shutter on the focus surface, and a ray parallel to the plane");
         line("  of a shutter never crosses it: such samples stay black and are counted.");

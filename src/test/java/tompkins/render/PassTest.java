@@ -16,7 +16,7 @@ class PassTest {
         int side = 24;
         int[][] taken = new int[side * side][samples];
 
-        for (Pass pass : Pass.of(samples, coarseFirst)) {
+        for (Pass pass : Pass.of(samples, samples, coarseFirst)) {
             for (int row = 0; row < side; row += pass.stride()) {
                 for (int column = 0; column < side; column += pass.stride()) {
                     for (int i = 0; i < pass.samples() && pass.takes(column, row, 0); i++) {
@@ -32,8 +32,9 @@ class PassTest {
     @ParameterizedTest
     @CsvSource({"1,true", "1,false", "5,true", "64,false", "300,true"})
     void workAddsUpToTheSamples(int samples, boolean coarseFirst) {
-        double work =
-                Pass.of(samples, coarseFirst).stream().mapToDouble(Pass::work).sum();
+        double work = Pass.of(samples, samples, coarseFirst).stream()
+                .mapToDouble(Pass::work)
+                .sum();
 
         assertThat(work).isCloseTo(samples, within(1e-12 * samples));
     }
@@ -41,7 +42,7 @@ class PassTest {
     @ParameterizedTest
     @CsvSource({"1,'1'", "2,'1,1'", "5,'1,1,2,1'", "200,'1,1,2,4,8,16,32,64,64,8'"})
     void passesDoubleTheSamplesUpTo64(int samples, String expected) {
-        List<String> sizes = Pass.of(samples, false).stream()
+        List<String> sizes = Pass.of(samples, samples, false).stream()
                 .map(pass -> Integer.toString(pass.samples()))
                 .toList();
 
