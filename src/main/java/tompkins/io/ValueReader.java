@@ -71,7 +71,9 @@ final class ValueReader {
             return refuse(value, path, "a whole number");
         }
         boolean exact = Math.abs(result) <= LARGEST_EXACT;
-        return exact ? (Long) result.longValue() : refuse(value, path, "a whole number from -2^63 to 2^63 - 1");
+        return exact
+                ? (Long) result.longValue()
+                : refuse(value, path, "a whole number from -2^63 to 2^63 - 1, written with all its digits beyond 2^53");
     }
 
     Boolean flag(JsonValue value, String path) {

@@ -11,6 +11,9 @@ final class ConePrimitive extends Primitive {
     /** The radius at the tip, where u changes without end, as a share of that of the base. */
     private static final double SMALLEST = 1e-12;
 
+    /** So many times its size away, a cone is seen from the point of the ray nearest to the tip: squares would lose its form. */
+    private static final double FAR = 16;
+
     private final Vector3d tip;
     private final Vector3d axis;
     private final double height;
@@ -39,6 +42,13 @@ final class ConePrimitive extends Primitive {
         double wx = ray.x - tip.x;
         double wy = ray.y - tip.y;
         double wz = ray.z - tip.z;
+        double toTip = -(wx * ray.dx + wy * ray.dy + wz * ray.dz);
+        double start = toTip > FAR * (height + baseRadius) ? toTip : 0;
+        if (start > 0) {
+            wx = Math.fma(start, ray.dx, wx);
+            wy = Math.fma(start, ray.dy, wy);
+            wz = Math.fma(start, ray.dz, wz);
+        }
         double rayAlong = ray.dx * axis.x + ray.dy * axis.y + ray.dz * axis.z;
         double startAlong = wx * axis.x + wy * axis.y + wz * axis.z;
         double rayX = ray.dx - rayAlong * axis.x;
@@ -53,7 +63,7 @@ final class ConePrimitive extends Primitive {
         double b = startX * rayX + startY * rayY + startZ * rayZ - slope * slope * startAlong * rayAlong;
         double c = (from - slope * startAlong) * (from + slope * startAlong);
         if (ray.boundary == this) {
-            return a == 0 ? NO_HIT : within(-2 * b / a, startAlong, rayAlong, limit);
+            return a == 0 ? NO_HIT : within(-2 * b / a, 0, startAlong, rayAlong, limit);
         }
         double discriminant = b * b - a * c;
         if (discriminant < 0) {
@@ -62,12 +72,14 @@ final class ConePrimitive extends Primitive {
         double q = -(b + Math.copySign(Math.sqrt(discriminant), b));
         double one = a == 0 ? NO_HIT : q / a;
         double other = q == 0 ? NO_HIT : c / q;
-        double near = within(Math.min(one, other), startAlong, rayAlong, limit);
-        return near < NO_HIT ? near : within(Math.max(one, other), startAlong, rayAlong, limit);
+        double near = within(Math.min(one, other), start, startAlong, rayAlong, limit);
+        return near < NO_HIT ? near : within(Math.max(one, other), start, startAlong, rayAlong, limit);
     }
 
-    private double within(double distance, double startAlong, double rayAlong, double limit) {
-        double along = startAlong + distance * rayAlong;
+    /** A distance on the ray, if there is cone; counted from {@code start} on. */
+    private double within(double further, double start, double startAlong, double rayAlong, double limit) {
+        double along = startAlong + further * rayAlong;
+        double distance = start + further;
         return distance > 0 && distance <= limit && along >= 0 && along <= height ? distance : NO_HIT;
     }
 

@@ -97,8 +97,10 @@ final class SpherePrimitive extends Primitive {
         Vector3d alongU = level == 0
                 ? new Vector3d(right)
                 : new Vector3d(right).mul(-toForward / level).add(new Vector3d(forward).mul(toRight / level));
-        Vector3d alongV = new Vector3d(up).sub(new Vector3d(normal).mul(height));
-        alongV.mul(level == 0 ? 0 : 1 / level);
+        // at a pole all directions are level: those in front go on over it
+        Vector3d alongV = level == 0
+                ? new Vector3d(forward).mul(height)
+                : new Vector3d(up).sub(new Vector3d(normal).mul(height)).div(level);
         return new SurfaceCoordinates(
                 u,
                 v,

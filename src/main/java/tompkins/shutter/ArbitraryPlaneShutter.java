@@ -2,6 +2,7 @@ package tompkins.shutter;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.math.Vectors;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.spacetime.SpaceTimeTransformation;
@@ -36,8 +37,9 @@ public record ArbitraryPlaneShutter(
     @Override
     public double transmissionTime(LensRay ray, SpaceTimeTransformation sceneFromCamera) {
         Vector3d direction = ray.towardsFocus().normalize();
-        double slope = direction.dot(normal);
-        double height = point.sub(ray.pupilPoint(), new Vector3d()).dot(normal);
+        Vector3d unit = Vectors.unit(normal);
+        double slope = direction.dot(unit);
+        double height = point.sub(ray.pupilPoint(), new Vector3d()).dot(unit);
         // parallel: not finite, whether or not the lens lies in the plane
         return slope == 0 ? Double.NaN : openingTime + height / slope;
     }

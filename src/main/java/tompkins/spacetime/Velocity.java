@@ -228,7 +228,8 @@ public final class Velocity {
 
     @Override
     public int hashCode() {
-        return Objects.hash(scale, value, given);
+        // -0.0 equals 0.0
+        return Objects.hash(scale, value + 0.0, given);
     }
 
     @Override

@@ -2,6 +2,7 @@ package tompkins.surface;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.math.Vectors;
 import tompkins.ray.Hit;
 import tompkins.ray.SurfaceCoordinates;
 
@@ -20,12 +21,17 @@ public enum WindowAxes {
         SurfaceCoordinates at = hit.coordinates;
         Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
         // gradients may leave the surface, as that of the height does on a cone: what counts is their part in it
-        Vector3d first =
-                without(normal, new Vector3d(at.uX(), at.uY(), at.uZ())).normalize();
+        Vector3d first = unit(without(normal, new Vector3d(at.uX(), at.uY(), at.uZ())), Vectors.firstAxis(normal));
         // the second axis is the part of its coordinate's gradient that the first does not hold
-        Vector3d second = without(first, without(normal, new Vector3d(at.vX(), at.vY(), at.vZ())))
-                .normalize();
+        Vector3d second = unit(
+                without(first, without(normal, new Vector3d(at.vX(), at.vY(), at.vZ()))),
+                first.cross(normal, new Vector3d()));
         return first.mul(vector.x()).add(second.mul(vector.y())).add(normal.mul(vector.z()));
+    }
+
+    /** A unit vector, or another one for a coordinate that does not change here. */
+    private static Vector3d unit(Vector3d vector, Vector3dc other) {
+        return vector.lengthSquared() > 0 ? Vectors.unit(vector) : new Vector3d(other);
     }
 
     /** A vector without its part along a unit vector. */

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -175,5 +176,22 @@ class MeshFileTest {
         return IntStream.range(0, 9)
                 .mapToObj(i -> mesh.coordinate(triangle, i / 3, i % 3))
                 .toList();
+    }
+
+    /** The signed volume of what is closed is positive if its corners run counter-clockwise seen from outside: glass asks for that. */
+    @Test
+    void theTrefoilHasItsOutsideOutside() throws IOException {
+        MeshData trefoil =
+                read(Files.readString(Path.of(System.getProperty("basedir", "")).resolve("scenes/meshes/trefoil.obj")));
+        double volume = 0;
+        for (int triangle = 0; triangle < trefoil.triangles(); triangle++) {
+            List<Double> at = corners(trefoil, triangle);
+            Vector3d first = new Vector3d(at.get(0), at.get(1), at.get(2));
+            Vector3d second = new Vector3d(at.get(3), at.get(4), at.get(5));
+            Vector3d third = new Vector3d(at.get(6), at.get(7), at.get(8));
+            volume += first.dot(second.cross(third)) / 6;
+        }
+        // corners of a polyhedron: a little less than a tube around a knot
+        assertThat(volume).isBetween(0.8, 0.9);
     }
 }

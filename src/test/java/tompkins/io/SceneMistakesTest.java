@@ -60,7 +60,8 @@ class SceneMistakesTest {
             {"settings": {"width": 0.5}}  | f:1:24: settings.width: must be a whole number, was 0.5
             {"settings": {"width": 0}}    | f:1:24: settings.width: must be a whole number from 1 to 65535, was 0
             {"settings": {"width": 3e9}}  | f:1:24: settings.width: must be a whole number from -2147483648 to 2147483647, was 3e9
-            {"settings": {"seed": 1e20}}  | f:1:23: settings.seed: must be a whole number from -2^63 to 2^63 - 1, was 1e20
+            {"settings": {"seed": 1e20}}  | f:1:23: settings.seed: must be a whole number from -2^63 to 2^63 - 1, \
+            written with all its digits beyond 2^53, was 1e20
             {"settings": {"toneCurve": "srbg"}} | f:1:28: settings.toneCurve: must be one of linear, srgb, was "srbg"; did \
             you mean "srgb"?
             {"transformation": "newton"}  | f:1:20: transformation: must be one of lorentz, galilean, none, was "newton"

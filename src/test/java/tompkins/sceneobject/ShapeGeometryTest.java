@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.PixelPicture;
@@ -329,5 +330,42 @@ class ShapeGeometryTest {
     private static Ray ray(Vector3dc origin, Vector3dc target) {
         Vector3d d = target.sub(origin, new Vector3d()).normalize();
         return Ray.fromCamera(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 0);
+    }
+
+    /** Seen from far away, a cone keeps its form: the way to a point of it is known to the rounding of the places. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 1e2, 1e4, 1e6, 1e8})
+    void farConesAreHitWhereTheyAre(double distance) {
+        Vector3d tip = new Vector3d(0.3, 1, -0.2);
+        Primitive cone = PrimitiveCollector.primitivesOf(
+                        new Cone("", tip, new Vector3d(0.3, -1, -0.2), 1.5, false, ColouredSurface.DEFAULT))
+                .get(0);
+        for (int i = 0; i < 200; i++) {
+            double angle = 0.1 * i;
+            double below = 0.2 + 0.008 * i;
+            Vector3d radial = new Vector3d(Math.cos(angle), 0, Math.sin(angle));
+            Vector3d point =
+                    new Vector3d(radial).mul(0.75 * below).add(0, -below, 0).add(tip);
+            Vector3d normal = new Vector3d(radial).add(0, 0.75, 0).normalize();
+            Vector3d from = new Vector3d(normal).add(0, 0.3, 0.1).normalize();
+            Vector3d origin = new Vector3d(from).mul(distance).add(point);
+            double expected = origin.distance(point);
+            double rounding = 1e-14 * (distance + 1) / normal.dot(from);
+            assertThat(cone.distance(ray(origin, point), 10 * distance)).isCloseTo(expected, within(rounding));
+        }
+    }
+
+    @Test
+    void tiledThingsThrowTheShadowsOfTheirTiles() {
+        Surface tiles = new Tiling(ColouredSurface.DEFAULT, Clear.DEFAULT, 0.5, 0.5, true);
+        Primitive sheet = PrimitiveCollector.primitivesOf(new Parallelogram(
+                        "", new Vector3d(0, 0, 5), new Vector3d(2, 0, 0), new Vector3d(0, 2, 0), tiles))
+                .get(0);
+        assertThat(sheet.shadows(ray(new Vector3d(0.5, 0.5, 0), new Vector3d(0.5, 0.5, 5)), 10))
+                .as("the first tile")
+                .isTrue();
+        assertThat(sheet.shadows(ray(new Vector3d(1.5, 0.5, 0), new Vector3d(1.5, 0.5, 5)), 10))
+                .as("the second tile")
+                .isFalse();
     }
 }

@@ -94,4 +94,17 @@ class ShutterContractTest {
         return new DetectorPlaneShutter(1, 1).transmissionTime(ray, MOVING)
                 - new FocusSurfaceShutter(0).transmissionTime(ray, MOVING);
     }
+
+    @Test
+    void aNormalMayHaveAnyLength() {
+        ArbitraryPlaneShutter shutter =
+                new ArbitraryPlaneShutter(1, new Vector3d(0.1, 0.2, 5), new Vector3d(0, 0.6, 0.8));
+        LensRay ray = lensRay(0.1);
+        double time = shutter.transmissionTime(ray, MOVING);
+        for (double length : new double[] {1e-300, 1e-160, 7, 1e160, 1e300}) {
+            Vector3d normal = new Vector3d(0, 0.6, 0.8).mul(length);
+            assertThat(new ArbitraryPlaneShutter(1, shutter.point(), normal).transmissionTime(ray, MOVING))
+                    .isCloseTo(time, within(1e-14 * Math.abs(time)));
+        }
+    }
 }

@@ -138,4 +138,11 @@ class VelocityTest {
     void zeroVectorIsNoDirection(SpeedScale scale) {
         assertThatThrownBy(() -> Velocity.of(scale, 1, new Vector3d())).isInstanceOf(InvalidPropertyException.class);
     }
+
+    @Test
+    void equalVelocitiesHaveEqualHashes() {
+        Velocity zero = Velocity.of(SpeedScale.BETA, 0.0, new Vector3d(0, 0, 1));
+        Velocity minusZero = Velocity.of(SpeedScale.BETA, -0.0, new Vector3d(0, 0, 1));
+        assertThat(minusZero).isEqualTo(zero).hasSameHashCodeAs(zero);
+    }
 }

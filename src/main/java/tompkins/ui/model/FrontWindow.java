@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Vector3d;
 import tompkins.camera.Camera;
+import tompkins.math.Vectors;
 import tompkins.property.Descriptions;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
@@ -66,7 +67,7 @@ public final class FrontWindow {
     }
 
     private static Plane plane(Camera camera, Surface surface) {
-        Vector3d view = new Vector3d(camera.viewDirection()).normalize();
+        Vector3d view = Vectors.unit(camera.viewDirection());
         return new Plane(DESCRIPTION, new Vector3d(view).mul(DISTANCE).add(camera.position()), view, surface);
     }
 

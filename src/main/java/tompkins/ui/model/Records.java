@@ -20,8 +20,10 @@ public final class Records {
      * The same record with another value of one component.
      *
      * @throws tompkins.property.InvalidPropertyException if the record does not accept it
+     * @throws IllegalArgumentException if there is no such component
      */
     public static <R> R with(R holder, String name, Object value) {
+        component(holder.getClass(), name);
         @SuppressWarnings("unchecked")
         Class<R> type = (Class<R>) holder.getClass();
         Object[] values = Descriptions.components(type).stream()

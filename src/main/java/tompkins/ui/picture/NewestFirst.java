@@ -48,7 +48,7 @@ final class NewestFirst<T> implements AutoCloseable {
     private void work(T thing) {
         try {
             work.accept(thing);
-        } catch (RuntimeException | OutOfMemoryError | StackOverflowError error) {
+        } catch (RuntimeException | Error error) {
             failed.accept(thing, error);
         }
     }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import tompkins.camera.Camera;
 import tompkins.image.LinearImage;
 import tompkins.render.Renderer;
 import tompkins.sceneobject.Parallelogram;
@@ -93,5 +94,15 @@ class FrontWindowTest {
         try (Renderer renderer = new Renderer(1)) {
             return renderer.render(RenderPlan.of(studio)).image();
         }
+    }
+
+    @Test
+    void theWindowGoesWhereTheLensIs() {
+        Studio studio = Studios.sphere();
+        Camera camera = Records.with(studio.camera(), "position", new Vector3d(1, 2, 3));
+        Camera far = Records.with(camera, "viewDirection", new Vector3d(1e200, 0, 0));
+        assertThat(FrontWindow.with(studio.withCamera(far), CLEAR).cameraFrame())
+                .containsExactly(
+                        new Plane(FrontWindow.DESCRIPTION, new Vector3d(1.01, 2, 3), new Vector3d(1, 0, 0), CLEAR));
     }
 }

@@ -223,6 +223,17 @@ class PanelsTest {
         assertThat(direction(panel)).containsExactly("0.2683", "0.8944", "-0.3578");
     }
 
+    /** Its components have no digits left to tell its speed from that of light. */
+    @Test
+    void aVeryFastCameraTurnsWithItsSpeed() {
+        Velocity fast = Velocity.of(0.8640576671518558, 0.5033928364965999, 0);
+        model.set(model.studio().withVelocity(fast));
+        Container panel = (Container) new VelocityPanel(model).component();
+        Components.find(panel, JButton.class, "Forwards").doClick();
+        assertThat(velocity().gamma()).isEqualTo(fast.gamma());
+        assertThat(velocity().direction()).isEqualTo(new Vector3d(0, 0, 1));
+    }
+
     private static List<String> direction(Container panel) {
         return Stream.of("x", "y", "z")
                 .map(axis -> Components.find(panel, JTextField.class, "Direction " + axis)
