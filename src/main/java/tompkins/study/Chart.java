@@ -90,7 +90,7 @@ public record Chart(
     }
 
     /** Those of them that have a place on logarithmic axes. */
-    List<Measurement> drawn(List<Measurement> all) {
+    public List<Measurement> drawn(List<Measurement> all) {
         return shown(all).stream()
                 .filter(point -> across.value().apply(point) > 0
                         && up.value().apply(point).low() > 0)

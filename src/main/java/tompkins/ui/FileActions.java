@@ -45,6 +45,7 @@ final class FileActions implements FileContentEditor.Choosers {
     private final PhotographView view;
     private final Settings settings;
     private final CommandLineWriter commandLine;
+    private final Runnable pause;
     private final StatusBar status;
 
     /** What the scene files held when they were opened or saved last. */
@@ -59,18 +60,22 @@ final class FileActions implements FileContentEditor.Choosers {
             PhotographView view,
             StatusBar status,
             Settings settings,
-            CommandLineWriter commandLine) {
+            CommandLineWriter commandLine,
+            Runnable pause) {
         this.frame = frame;
         this.model = model;
         this.view = view;
         this.status = status;
         this.settings = settings;
         this.commandLine = commandLine;
+        this.pause = pause;
         held.put(model.file(), model.studio());
     }
 
     /** Does what lets go of the scene, once its changes are saved or discarded; not at all if the user cancels that. */
     void leaveScene(Runnable next) {
+        // or the scene would go on changing behind the question, and never be saved
+        pause.run();
         takeEntries();
         Messages.Unsaved answer = model.isModified()
                 ? Messages.askAboutChanges(frame, model.studio().title())

@@ -70,16 +70,24 @@ final class StatusBar {
     }
 
     private void showIdle() {
-        what.setText(failure == null ? Texts.get("status.idle") : failure);
+        setWhat(failure == null ? Texts.get("status.idle") : failure);
         what.setForeground(UIManager.getColor(failure == null ? "Label.foreground" : "Tompkins.error"));
         where.setText(" ");
+    }
+
+    /** A line that is too long for the window is read in its tip. */
+    private void setWhat(String text) {
+        what.setText(text);
+        what.setToolTipText(Tips.html(text));
     }
 
     /** Says why there is no picture of the scene, until there is one. */
     void fail(String message) {
         failure = message;
         showIdle();
-        picture.setText(Texts.get("status.before"));
+        if (!picture.getText().isEmpty()) {
+            picture.setText(Texts.get("status.before"));
+        }
     }
 
     /** There is a picture of the scene. */
@@ -110,7 +118,7 @@ final class StatusBar {
         if (Double.isFinite(reading.angleDegrees())) {
             text.append("  \u00b7  ").append(angle(reading));
         }
-        what.setText(text.toString());
+        setWhat(text.toString());
         where.setText(details(reading));
         where.setToolTipText(where.getText());
     }
@@ -159,7 +167,7 @@ final class StatusBar {
     /** Shows one line of text, until there is something else to read under the mouse. */
     void say(String message) {
         what.setForeground(UIManager.getColor("Label.foreground"));
-        what.setText(message);
+        setWhat(message);
         where.setText(" ");
     }
 }

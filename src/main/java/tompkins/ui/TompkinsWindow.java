@@ -31,6 +31,7 @@ import tompkins.ui.panel.NumberProperty;
 import tompkins.ui.panel.PlayPanel;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PixelProbe;
+import tompkins.ui.widget.FocusFollower;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Messages;
@@ -64,13 +65,14 @@ public final class TompkinsWindow {
         view = new PhotographView(model, new PictureListener());
         status = new StatusBar(view.controller());
         side = new SidePanel(model, view, status::say);
-        files = new FileActions(frame, model, view, status, settings, commandLine);
+        files = new FileActions(frame, model, view, status, settings, commandLine, this::pause);
         play = new PlayPanel(model, new AnimationExport(frame, files)::ask);
         frame.setContentPane(content());
         menus = new Menus(files, new History(model, frame, this::sayOtherScene), settings, new WindowCommands());
         frame.setJMenuBar(menus.bar());
         frame.getRootPane().setTransferHandler(files.drop());
         bindPeekKey();
+        FocusFollower.install(frame);
         frame.setName("tompkins");
         frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         frame.addWindowListener(new Closer());
@@ -131,6 +133,10 @@ public final class TompkinsWindow {
         status.say(Texts.get("history.otherScene", model.studio().title()));
     }
 
+    private void pause() {
+        play.setPlaying(false);
+    }
+
     JFrame frame() {
         return frame;
     }
@@ -174,6 +180,13 @@ public final class TompkinsWindow {
         Keys.bind(pane, KeyStroke.getKeyStroke("F8"), () -> view.canvas().setOtherAlone(true));
         Keys.bind(
                 pane, KeyStroke.getKeyStroke("released F8"), () -> view.canvas().setOtherAlone(false));
+        frame.addWindowFocusListener(new WindowAdapter() {
+            @Override
+            public void windowLostFocus(WindowEvent event) {
+                // the key is let go of elsewhere
+                view.canvas().setOtherAlone(false);
+            }
+        });
     }
 
     private void showTitle() {
@@ -272,6 +285,10 @@ public final class TompkinsWindow {
             editor.pack();
             editor.setSize(
                     onScreen(Math.max(made.width, editor.getWidth()), Math.max(made.height, editor.getHeight())));
+            Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+            editor.setLocation(
+                    Math.max(screen.x, Math.min(editor.getX(), screen.x + screen.width - editor.getWidth())),
+                    Math.max(screen.y, Math.min(editor.getY(), screen.y + screen.height - editor.getHeight())));
         }
 
         @Override

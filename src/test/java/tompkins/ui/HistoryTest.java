@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
+import javax.swing.JToggleButton;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -62,6 +63,17 @@ class HistoryTest {
         undo();
         assertThat(field("Speed").getText()).isEqualTo("0.5");
         assertThat(driver.studio()).isSameAs(fast);
+    }
+
+    /** What is folded away is neither lost nor in the way for ever. */
+    @Test
+    void aRefusedValueThatIsFoldedAwayIsTakenBackToo() {
+        JTextField refused = field("Direction x");
+        driver.type(refused, "1e400");
+        driver.click(driver.find(JToggleButton.class, "Velocity"));
+        undo();
+        assertThat(Components.isMarked(refused)).isFalse();
+        assertThat(driver.studio()).isEqualTo(Studios.sphere());
     }
 
     @Test

@@ -283,6 +283,38 @@ class WindowQuestionsTest {
                 .doesNotContain(0);
     }
 
+    /** An animation that went on behind the question would leave changes for ever. */
+    @Test
+    void aSceneThatPlaysIsSavedBeforeTheWindowCloses() {
+        change();
+        driver.key(KeyEvent.VK_F9);
+        WindowDriver.await(
+                "the animation",
+                () -> driver.window().model().studio().velocity().speed() != 0.5);
+        driver.menu("menu.close");
+        driver.answer("Save");
+        WindowDriver.await("the end", () -> !driver.window().frame().isDisplayable());
+        assertThat(StudioReader.read(file)).isEqualTo(driver.studio());
+    }
+
+    @Test
+    void whatTheTabKeyReachesComesIntoView() {
+        JScrollPane panel = driver.find(JScrollPane.class, "panel");
+        WindowDriver.onEventThread(() -> {
+            driver.window().frame().setSize(900, 500);
+            driver.window().frame().validate();
+            return null;
+        });
+        JTextField exposure = driver.find(JTextField.class, "Exposure");
+        assertThat(isInView(panel, exposure)).isFalse();
+        driver.click(driver.find(JTextField.class, "Speed"));
+        for (int tab = 0; tab < 40 && !WindowDriver.onEventThread(exposure::isFocusOwner); tab++) {
+            driver.key(KeyEvent.VK_TAB);
+        }
+        assertThat(WindowDriver.onEventThread(exposure::isFocusOwner)).isTrue();
+        WindowDriver.await("the field", () -> isInView(panel, exposure));
+    }
+
     @Test
     void whatIsUnfoldedComesIntoViewAndTheRemarksOfAnotherSceneToo() {
         JScrollPane panel = driver.find(JScrollPane.class, "panel");
@@ -390,6 +422,7 @@ class WindowQuestionsTest {
         JPanel table = driver.find(JPanel.class, "keys");
         assertThat(Components.labels(table)).containsAll(keys);
         assertThat(table.getParent().getHeight()).isGreaterThanOrEqualTo(table.getPreferredSize().height);
+        WindowDriver.await("the keys that scroll", table::isFocusOwner);
         driver.answer("OK");
     }
 

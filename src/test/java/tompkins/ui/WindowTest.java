@@ -266,7 +266,17 @@ class WindowTest {
                 () -> Components.find(driver.window().frame(), JTextArea.class, "ray.story")
                         .getText()
                         .startsWith("In the picture \u201cThe camera at rest\u201d\nPixel 200, "));
+        Point atLeft = new Point(bounds.x + bounds.width / 8, bounds.y + bounds.height / 2);
+        assertThat(WindowDriver.onEventThread(() -> canvas.shownAt(atLeft)))
+                .isSameAs(canvas.shown().now());
         driver.hold(KeyEvent.VK_F8);
+        WindowDriver.await(
+                "the other picture alone",
+                () -> canvas.shownAt(atLeft) == canvas.shown().other());
+        // the key may be let go of in another window
+        driver.menu("menu.editScene");
+        WindowDriver.await(
+                "both pictures", () -> canvas.shownAt(atLeft) == canvas.shown().now());
         driver.release(KeyEvent.VK_F8);
         WindowDriver.onEventThread(() -> {
             Components.find(driver.window().frame(), JRadioButton.class, "Difference")

@@ -3,6 +3,7 @@ package tompkins.ui.editor;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Graphics;
+import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.Icon;
 import javax.swing.JButton;
@@ -11,7 +12,6 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
-import tompkins.image.ToneCurve;
 import tompkins.property.NumberText;
 import tompkins.ray.Colour;
 import tompkins.ui.widget.Naming;
@@ -25,6 +25,7 @@ import tompkins.ui.widget.Wording;
 final class ColourEditor implements ValueEditor {
 
     private static final int LEVELS = 255;
+    private static final List<String> PARTS = List.of("red", "green", "blue");
 
     private final JPanel panel = new JPanel(
             new MigLayout("novisualpadding, insets 0, fillx, gap 4", "[pref!][grow,fill][grow,fill][grow,fill]"));
@@ -42,7 +43,7 @@ final class ColourEditor implements ValueEditor {
         fields = new VectorFields(
                 property,
                 NumberKind.DOUBLE,
-                3,
+                PARTS,
                 tip + ". " + Texts.get("colour.tip"),
                 note,
                 vector -> commit.accept(new Colour(vector.x(), vector.y(), vector.z())));
@@ -51,22 +52,30 @@ final class ColourEditor implements ValueEditor {
     }
 
     private void choose(Component parent, Note note) {
-        Color chosen = JColorChooser.showDialog(parent, Texts.get("colour.title"), screenColour());
-        if (chosen != null) {
+        Color before = screenColour();
+        Color chosen = JColorChooser.showDialog(parent, Texts.get("colour.title"), before);
+        // what a screen can show is less than the colour: nothing is lost where none was chosen
+        if (chosen != null && !chosen.equals(before)) {
             note.attempt(() -> commit.accept(
-                    new Colour(share(chosen.getRed()), share(chosen.getGreen()), share(chosen.getBlue()))));
+                    new Colour(light(chosen.getRed()), light(chosen.getGreen()), light(chosen.getBlue()))));
         }
     }
 
-    private static double share(int level) {
-        return NumberText.rounded((double) level / LEVELS, 4);
+    /** Light brighter than white is chosen like the colour that it has, and stays as bright. */
+    private double brightness() {
+        return Math.max(1, Math.max(colour.red(), Math.max(colour.green(), colour.blue())));
+    }
+
+    private double light(int level) {
+        return NumberText.rounded(brightness() * level / LEVELS, 4);
     }
 
     private Color screenColour() {
-        return new Color(
-                ToneCurve.LINEAR.quantise(colour.red(), LEVELS),
-                ToneCurve.LINEAR.quantise(colour.green(), LEVELS),
-                ToneCurve.LINEAR.quantise(colour.blue(), LEVELS));
+        return new Color(level(colour.red()), level(colour.green()), level(colour.blue()));
+    }
+
+    private int level(double light) {
+        return (int) Math.rint(LEVELS * Math.max(0, light) / brightness());
     }
 
     @Override

@@ -109,9 +109,10 @@ public final class SceneEditor {
                 && studio.hasSameObjects(shown)
                 && focus(studio) == focus(shown)
                 && studio.title().equals(shown.title());
+        StudioPath chosen = line == null ? StudioPath.ROOT : line.path().followed(shown, studio);
         shown = studio;
         if (!sameTree) {
-            tree.show(studio);
+            tree.show(studio, chosen);
         }
         choose(tree.chosenLine());
     }
@@ -265,7 +266,13 @@ public final class SceneEditor {
         while (taken.contains(name + " " + number)) {
             number++;
         }
-        return Records.with(element, "description", name + " " + number);
+        return renamed(object, name + " " + number);
+    }
+
+    private static SceneObject renamed(SceneObject object, String name) {
+        return object instanceof Hidden hidden
+                ? new Hidden(renamed(hidden.object(), name))
+                : Records.with(object, "description", name);
     }
 
     private static List<?> inserted(List<?> list, int place, Object element) {

@@ -64,12 +64,10 @@ final class StudioTree {
         return (Line) node.getUserObject();
     }
 
-    /** Shows a studio. */
-    void show(Studio studio) {
+    /** Shows a studio, and chooses the line of one of its parts. */
+    void show(Studio studio, StudioPath selected) {
         DefaultMutableTreeNode root = node(studio, StudioPath.ROOT, Studio.class, studio.title());
         Set<StudioPath> open = openPaths();
-        StudioPath selected =
-                tree.getSelectionPath() == null ? StudioPath.ROOT : chosenLine().path();
         updating.during(() -> {
             tree.setModel(new DefaultTreeModel(root));
             open.add(StudioPath.ROOT);

@@ -68,20 +68,25 @@ final class ValueEditors {
             return choice(type, label, tip, note, commit);
         }
         if (type == Vector3dc.class) {
-            return vector(new VectorFields(name, NumberKind.DOUBLE, 3, tip, note, commit::accept));
+            return vector(new VectorFields(name, NumberKind.DOUBLE, VectorFields.AXES, tip, note, commit::accept));
         }
         if (type == Vector3ic.class) {
             return vector(new VectorFields(
                     name,
                     NumberKind.INT,
-                    3,
+                    VectorFields.AXES,
                     tip,
                     note,
                     v -> commit.accept(new Vector3i((int) v.x(), (int) v.y(), (int) v.z()))));
         }
         if (type == Vector2ic.class) {
             return vector(new VectorFields(
-                    name, NumberKind.INT, 2, tip, note, v -> commit.accept(new Vector2i((int) v.x(), (int) v.y()))));
+                    name,
+                    NumberKind.INT,
+                    VectorFields.AXES.subList(0, 2),
+                    tip,
+                    note,
+                    v -> commit.accept(new Vector2i((int) v.x(), (int) v.y()))));
         }
         if (type == Colour.class) {
             return new ColourEditor(name, tip, note, commit);

@@ -34,10 +34,11 @@ final class VelocityEditor implements ValueEditor {
                 tip + ". " + Texts.get("speed.tip"),
                 note,
                 text -> commit.accept(SpeedText.parse(text, SpeedScale.BETA, velocity.givenDirection())));
-        direction = new VectorFields("direction", NumberKind.DOUBLE, 3, Texts.get("direction.tip"), note, vector -> {
-            SpeedScale scale = velocity.scale() == null ? SpeedScale.BETA : velocity.scale();
-            commit.accept(Velocity.of(scale, scale.valueOf(velocity), vector));
-        });
+        direction = new VectorFields(
+                "direction", NumberKind.DOUBLE, VectorFields.AXES, Texts.get("direction.tip"), note, vector -> {
+                    SpeedScale scale = velocity.scale() == null ? SpeedScale.BETA : velocity.scale();
+                    commit.accept(Velocity.of(scale, scale.valueOf(velocity), vector));
+                });
         panel.add(new JLabel(Texts.get("speed.name")), "span");
         panel.add(speed.field(), "span, growx, wmin 0");
         panel.add(new JLabel(Wording.label("direction")), "span");

@@ -40,6 +40,48 @@ public record StudioPath(List<Object> steps) {
         return steps.get(steps.size() - 1);
     }
 
+    /**
+     * The way to the same part in a whole that has changed, also where it has another place in a list now. A part that its
+     * list has lost leads to the one before it; a way that ends leads to its end.
+     */
+    public StudioPath followed(Object before, Object now) {
+        StudioPath path = ROOT;
+        Object old = before;
+        Object part = now;
+        for (Object step : steps) {
+            if (!leadsOn(part, step)) {
+                return path;
+            }
+            Object next = step instanceof Integer place ? place((List<?>) old, place, (List<?>) part) : step;
+            path = path.then(next);
+            old = step(old, step);
+            part = step(part, next);
+        }
+        return path;
+    }
+
+    private static boolean leadsOn(Object part, Object step) {
+        return part instanceof List<?> list
+                ? step instanceof Integer && !list.isEmpty()
+                : part instanceof Record
+                        && Descriptions.components(part.getClass()).stream()
+                                .anyMatch(component -> component.getName().equals(step));
+    }
+
+    private static int place(List<?> before, int place, List<?> now) {
+        Object part = before.get(place);
+        if (place < now.size() && now.get(place) == part) {
+            return place;
+        }
+        for (int i = 0; i < now.size(); i++) {
+            if (now.get(i) == part) {
+                return i;
+            }
+        }
+        int neighbour = now.size() < before.size() ? place - 1 : place;
+        return Math.max(0, Math.min(neighbour, now.size() - 1));
+    }
+
     /** The part of a whole. */
     public Object get(Object whole) {
         Object part = whole;

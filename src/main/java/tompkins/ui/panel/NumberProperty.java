@@ -66,7 +66,7 @@ public record NumberProperty(
                         studio.camera().withShutter(studio.camera().shutter().openedAt(value))));
     }
 
-    /** Speed and opening time first, then the other decimal numbers of camera, objects and lights, {@link #MOST} at most. */
+    /** Speed and opening time first, then the other decimal numbers of camera, lights and objects, {@link #MOST} at most. */
     static List<NumberProperty> of(Studio studio) {
         List<NumberProperty> properties = new ArrayList<>();
         properties.add(speed(SpeedScale.BETA));
@@ -76,7 +76,7 @@ public record NumberProperty(
             properties.add(openingTime());
         }
         collect(studio.camera(), StudioPath.ROOT.then("camera"), Texts.get("tree.camera"), properties);
-        for (String list : List.of("cameraFrame", "scene", "lights")) {
+        for (String list : List.of("lights", "cameraFrame", "scene")) {
             StudioPath path = StudioPath.ROOT.then(list);
             collect(path.get(studio), path, Wording.label(list), properties);
         }

@@ -156,6 +156,7 @@ public final class PlayPanel {
         update();
         if (!shown) {
             setPlaying(false);
+            EntryField.in(panel).forEach(EntryField::revert);
         }
     }
 

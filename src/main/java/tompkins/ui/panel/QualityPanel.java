@@ -58,7 +58,7 @@ public final class QualityPanel {
     private final StudioModel model;
     private Quality shown;
 
-    /** The last one that was opened; null before. */
+    /** The one that was opened last, which takes the place of the one before; null before the first. */
     private ChartWindow chartWindow;
 
     /** The panel. */
@@ -75,6 +75,9 @@ public final class QualityPanel {
         JButton measure = new JButton(Texts.get("quality.measure"));
         Naming.name(measure, Texts.get("quality.measure"), Texts.get("quality.measureTip"));
         measure.addActionListener(event -> {
+            if (chartWindow != null) {
+                chartWindow.dialog.dispose();
+            }
             chartWindow = new ChartWindow(SwingUtilities.getWindowAncestor(panel));
             chartWindow.start();
         });
@@ -161,6 +164,9 @@ public final class QualityPanel {
                 }
             });
             chart.setPreferredSize(new Dimension(CHART_WIDTH, CHART_HEIGHT));
+            // its own menu saves without asking whether to overwrite, and a drag would zoom away from the points
+            chart.setPopupMenu(null);
+            chart.setMouseZoomable(false);
             PointChooser chooser = new PointChooser();
             chart.addChartMouseListener(chooser);
             chart.addMouseListener(chooser);
@@ -185,19 +191,18 @@ public final class QualityPanel {
         private void measure() {
             try {
                 study.measure(measured -> SwingUtilities.invokeLater(() -> draw(measured)), () -> closed);
-                end(Texts.get("quality.choose"));
+                SwingUtilities.invokeLater(() ->
+                        end(Texts.get(study.chart().drawn(shown).isEmpty() ? "quality.exact" : "quality.choose")));
             } catch (CancellationException stopped) {
                 // the window was closed
             } catch (RuntimeException | OutOfMemoryError | StackOverflowError error) {
-                end(Messages.of(error));
+                SwingUtilities.invokeLater(() -> end(Messages.of(error)));
             }
         }
 
         private void end(String text) {
-            SwingUtilities.invokeLater(() -> {
-                ended = text;
-                showState();
-            });
+            ended = text;
+            showState();
         }
 
         private void forgetPoint() {

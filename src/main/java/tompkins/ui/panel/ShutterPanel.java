@@ -19,6 +19,7 @@ import tompkins.studio.Studio;
 import tompkins.ui.editor.RecordForm;
 import tompkins.ui.model.Shutters;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
@@ -118,7 +119,9 @@ public final class ShutterPanel {
         }
         boolean hasTime = hasOpeningTime(shownModel);
         timeRow.setVisible(hasTime);
-        if (hasTime) {
+        if (!hasTime) {
+            EntryField.in(timeRow).forEach(EntryField::revert);
+        } else {
             time.setRange(size.times(model.studio()));
             time.show(shutter.openingTime());
         }

@@ -12,6 +12,7 @@ import tompkins.surface.Surface;
 import tompkins.ui.editor.RecordForm;
 import tompkins.ui.model.FrontWindow;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Rows;
@@ -93,7 +94,7 @@ public final class WindowPanel {
         match.setEnabled(!matches);
         note.setText(matches ? Texts.get("window.follows") : "");
         details.setVisible(window.isPresent());
-        window.ifPresent(this::showDetails);
+        window.ifPresentOrElse(this::showDetails, () -> EntryField.in(details).forEach(EntryField::revert));
     }
 
     private void showDetails(Surface window) {

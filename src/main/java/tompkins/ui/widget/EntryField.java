@@ -75,15 +75,15 @@ public final class EntryField {
         return field;
     }
 
-    /** The fields that are seen in a container, and in the windows that it owns. */
+    /** The fields in a container, and in the windows that it owns; also those that are folded away, or in a window that is hidden. */
     public static Stream<EntryField> in(Container container) {
         Stream<Component> inside = Stream.of(container.getComponents());
         Stream<Component> owned =
                 container instanceof Window window ? Stream.of(window.getOwnedWindows()) : Stream.of();
-        return Stream.concat(inside, owned).filter(Component::isVisible).flatMap(EntryField::of);
+        return Stream.concat(inside, owned).flatMap(EntryField::of);
     }
 
-    /** Takes what is typed into the fields that are seen in a container; false if one of them was refused. */
+    /** Takes what is typed into the fields of a container; false if one of them was refused. */
     public static boolean takeAll(Container container) {
         List<EntryField> fields = in(container).toList();
         fields.forEach(EntryField::commit);

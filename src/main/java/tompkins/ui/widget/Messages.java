@@ -35,10 +35,22 @@ public final class Messages {
         JScrollPane scroll = scroll(content);
         Dimension size = content.getPreferredSize();
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        size.height = Math.min(size.height, screen.height - Look.pixels(FRAME));
+        int room = screen.height - Look.pixels(FRAME);
+        if (size.height > room) {
+            size = new Dimension(size.width + scroll.getVerticalScrollBar().getPreferredSize().width, room);
+        }
         scroll.getViewport().setPreferredSize(size);
         scroll.getVerticalScrollBar().setUnitIncrement(Look.pixels(2));
-        JOptionPane.showMessageDialog(parent, scroll, title, JOptionPane.PLAIN_MESSAGE);
+        content.setFocusable(true);
+        JOptionPane pane = new JOptionPane(scroll, JOptionPane.PLAIN_MESSAGE) {
+            @Override
+            public void selectInitialValue() {
+                super.selectInitialValue();
+                // where the keys scroll
+                content.requestFocusInWindow();
+            }
+        };
+        pane.createDialog(parent, title).setVisible(true);
     }
 
     private static void show(Component parent, String title, String message, int kind) {

@@ -10,12 +10,15 @@ import org.joml.Vector3dc;
 import tompkins.math.Vectors;
 import tompkins.property.NumberText;
 
-/** Fields for the two or three components of a vector. */
+/** Fields for the two or three components of a vector, or of a colour. */
 public final class VectorFields {
 
-    private static final String[] AXES = {"x", "y", "z"};
+    /** What the components of a vector are called. */
+    public static final List<String> AXES = List.of("x", "y", "z");
+
     private static final int DIRECTION_DIGITS = 4;
 
+    private final List<String> names;
     private final List<NumberField> fields = new ArrayList<>();
     private final Vector3d value = new Vector3d();
     private Vector3dc typed;
@@ -25,14 +28,16 @@ public final class VectorFields {
      *
      * @param property its name, for messages
      * @param kind which numbers the fields take
-     * @param axes how many fields there are; components without a field are 0
+     * @param names what the components are called, one for each field; components without a field are 0
      * @param commit takes the vector, or throws
      */
-    public VectorFields(String property, NumberKind kind, int axes, String tip, Note note, Consumer<Vector3dc> commit) {
-        for (int axis = 0; axis < axes; axis++) {
+    public VectorFields(
+            String property, NumberKind kind, List<String> names, String tip, Note note, Consumer<Vector3dc> commit) {
+        this.names = names;
+        for (int axis = 0; axis < names.size(); axis++) {
             int component = axis;
-            String name = Wording.label(property) + " " + AXES[axis];
-            fields.add(new NumberField(kind, property + " (" + AXES[axis] + ")", name, tip, note, number -> {
+            String name = Wording.label(property) + " " + names.get(axis);
+            fields.add(new NumberField(kind, property + " (" + names.get(axis) + ")", name, tip, note, number -> {
                 Vector3d next = new Vector3d(value);
                 next.setComponent(component, number.doubleValue());
                 typed = next;
@@ -45,7 +50,7 @@ public final class VectorFields {
     /** Adds the fields one under the other, each after its name. */
     public void addInColumn(JPanel panel) {
         for (int axis = 0; axis < fields.size(); axis++) {
-            JLabel label = new JLabel(AXES[axis]);
+            JLabel label = new JLabel(names.get(axis));
             label.setLabelFor(fields.get(axis).field());
             panel.add(label);
             panel.add(fields.get(axis).field(), "wmin 40");

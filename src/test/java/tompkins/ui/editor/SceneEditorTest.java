@@ -244,4 +244,26 @@ class SceneEditorTest {
         Components.enter(panel, "Aperture", "0.25");
         assertThat(((ThinLensCamera) model.studio().camera()).apertureRadius()).isEqualTo(0.25);
     }
+
+    @Test
+    void undoChoosesWhatWasCopiedAndNotItsNeighbour() {
+        choose("Scene");
+        tree.setSelectionRow(2);
+        press("Duplicate");
+        model.undo();
+        assertThat(tree.getSelectionPath().getLastPathComponent().toString()).isEqualTo(Sphere.DEFAULT.description());
+        press("Remove");
+        assertThat(model.studio().scene()).extracting(SceneObject::description).containsExactly("pair");
+    }
+
+    @Test
+    void theCopyOfAHiddenObjectHasANameOfItsOwn() {
+        model.set(model.studio().withScene(List.of(new Hidden(Sphere.DEFAULT))));
+        choose("Scene");
+        tree.setSelectionRow(2);
+        press("Duplicate");
+        assertThat(model.studio().scene())
+                .extracting(SceneObject::description)
+                .containsExactly(Sphere.DEFAULT.description(), Sphere.DEFAULT.description() + " 2");
+    }
 }

@@ -262,4 +262,15 @@ class PlayPanelTest {
                     .containsExactly("red");
         });
     }
+
+    @Test
+    void whatPlaysMoves() {
+        onEventThread(() -> {
+            choose(SPEED);
+            play.setPlaying(true);
+        });
+        double first =
+                WindowDriver.onEventThread(() -> model.studio().velocity().speed());
+        WindowDriver.await("a faster camera", () -> model.studio().velocity().speed() > first + 0.01);
+    }
 }

@@ -1,0 +1,56 @@
+package tompkins.ui.widget;
+
+import java.awt.AWTEvent;
+import java.awt.Component;
+import java.awt.Toolkit;
+import java.awt.Window;
+import java.awt.event.AWTEventListener;
+import java.awt.event.FocusEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import javax.swing.JComponent;
+import javax.swing.JViewport;
+import javax.swing.SwingUtilities;
+
+/** Scrolls to what the Tab key reaches, in a window and those that it owns. */
+public final class FocusFollower {
+
+    private FocusFollower() {}
+
+    /** Follows the focus until the window is closed. */
+    public static void install(Window window) {
+        AWTEventListener follower = event -> {
+            if (event instanceof FocusEvent focus
+                    && focus.getID() == FocusEvent.FOCUS_GAINED
+                    && isTraversal(focus.getCause())
+                    && belongsTo(window, focus.getComponent())) {
+                show(focus.getComponent());
+            }
+        };
+        Toolkit toolkit = Toolkit.getDefaultToolkit();
+        toolkit.addAWTEventListener(follower, AWTEvent.FOCUS_EVENT_MASK);
+        window.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosed(WindowEvent event) {
+                toolkit.removeAWTEventListener(follower);
+            }
+        });
+    }
+
+    /** What the mouse presses must not move away under it. */
+    private static boolean isTraversal(FocusEvent.Cause cause) {
+        return cause == FocusEvent.Cause.TRAVERSAL_FORWARD || cause == FocusEvent.Cause.TRAVERSAL_BACKWARD;
+    }
+
+    private static boolean belongsTo(Window window, Component component) {
+        Window own = SwingUtilities.getWindowAncestor(component);
+        return own == window || own != null && own.getOwner() == window;
+    }
+
+    private static void show(Component component) {
+        // a text field keeps such a wish to itself, and what a scroll pane shows is as large as all of it
+        if (component.getParent() instanceof JComponent parent && !(parent instanceof JViewport)) {
+            parent.scrollRectToVisible(component.getBounds());
+        }
+    }
+}
