@@ -65,7 +65,6 @@ final class ScenePixels {
     double[] light(SamplePattern pattern, int samples, BooleanSupplier cancelled) {
         double[] light = new double[3 * count()];
         SampleTracer tracer = plan.tracer(new RayCounts());
-        tracer.shareBetween(samples);
         for (int row = 0; row < rows; row++) {
             Stopwatch.stopIf(cancelled);
             addRow(row, pattern, tracer, samples, light);
@@ -74,6 +73,7 @@ final class ScenePixels {
     }
 
     private void addRow(int row, SamplePattern pattern, SampleTracer tracer, int samples, double[] light) {
+        tracer.shareBetween(samples);
         int y = Math.min(row * stride + stride / 2, plan.height() - 1);
         for (int column = 0; column < columns; column++) {
             int x = Math.min(column * stride + stride / 2, plan.width() - 1);
