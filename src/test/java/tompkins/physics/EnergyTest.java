@@ -96,7 +96,9 @@ class EnergyTest {
             Photograph photograph = glowing(solids, Velocity.REST, 12);
             for (int i = 0; i < photograph.image().rgb().length; i++) {
                 double most = i % 3 == 0 ? GLOW.red() : i % 3 == 1 ? GLOW.green() : GLOW.blue();
-                assertThat((double) photograph.image().rgb()[i]).isBetween(0.0, most * (1 + 1e-6));
+                assertThat((double) photograph.image().rgb()[i])
+                        .as("seed %d: %s", seed, surface)
+                        .isBetween(0.0, most * (1 + 1e-6));
             }
         }
     }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.joml.Vector2i;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -44,14 +45,7 @@ class ImagePointGridTest {
     @ParameterizedTest
     @MethodSource("shuttersAndFocuses")
     void ballsAreSeenInTheirPixels(Shutter shutter, double focus) {
-        SceneObject ball = new Sphere("ball", new Vector3d(), 0.025, ColouredSurface.DEFAULT);
-        ImagePointGrid grid = new ImagePointGrid(
-                "grid",
-                ball,
-                new Vector3d(-4, -4, 10),
-                new Vector3d(8, 0, 0),
-                new Vector3d(0, 8, 0),
-                new Vector2i(3, 3));
+        ImagePointGrid grid = grid(3);
         SceneObject plane = new Plane(
                 "focus", new Vector3d(0, 0, focus), new Vector3d(0.2, 0, 1).normalize(), ColouredSurface.DEFAULT);
         ThinLensCamera camera = new ThinLensCamera(
@@ -64,5 +58,26 @@ class ImagePointGridTest {
                 assertThat(ray.hits()).as("column %d, row %d", column, row).hasSize(inGrid ? 1 : 0);
             }
         }
+    }
+
+    @Test
+    void aSinglePointIsTheMiddle() {
+        ThinLensCamera camera = Photograph.pinhole(new Vector3d(0, 0, 1), 90, 0);
+        Photograph photograph = Photograph.of(List.of(grid(1)), camera, Velocity.of(0.3, -0.4, 0.6), 5, 5);
+        for (int pixel = 0; pixel < 25; pixel++) {
+            assertThat(photograph.trace(pixel % 5 + 0.5, pixel / 5 + 0.5).hits())
+                    .as("pixel %d", pixel)
+                    .hasSize(pixel == 12 ? 1 : 0);
+        }
+    }
+
+    private static ImagePointGrid grid(int points) {
+        return new ImagePointGrid(
+                "grid",
+                new Sphere("ball", new Vector3d(), 0.025, ColouredSurface.DEFAULT),
+                new Vector3d(-4, -4, 10),
+                new Vector3d(8, 0, 0),
+                new Vector3d(0, 8, 0),
+                new Vector2i(points, points));
     }
 }

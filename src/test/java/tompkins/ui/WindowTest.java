@@ -187,6 +187,26 @@ class WindowTest {
                         .contains("Pixel 160, 120"));
     }
 
+    @Test
+    void theKeysReadPixelsAndPinOne() {
+        driver.completePicture();
+        PictureCanvas canvas = driver.find(PictureCanvas.class, "picture");
+        JLabel what = driver.find(JLabel.class, "status.what");
+        WindowDriver.onEventThread(canvas::requestFocusInWindow);
+        WindowDriver.await("the focus", canvas::isFocusOwner);
+        driver.key(KeyEvent.VK_RIGHT);
+        WindowDriver.await("the pixel beside the middle", () -> what.getText().startsWith("Pixel 161, 120"));
+        driver.key(KeyEvent.VK_RIGHT, KeyEvent.VK_SHIFT);
+        driver.key(KeyEvent.VK_UP);
+        WindowDriver.await("the pixel up and to the right", () -> what.getText().startsWith("Pixel 171, 119"));
+        driver.key(KeyEvent.VK_ENTER);
+        WindowDriver.await(
+                "the pinned ray",
+                () -> Components.find(driver.window().frame(), JTextArea.class, "ray.story")
+                        .getText()
+                        .contains("Pixel 171, 119"));
+    }
+
     /** A place in the picture means nothing in that of another scene. */
     @Test
     void whatIsPinnedStaysPinnedInItsSceneAlone() {

@@ -11,6 +11,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.util.Map;
+import java.util.Objects;
 import javax.swing.Icon;
 import javax.swing.UIManager;
 import tompkins.shutter.AperturePlaneShutter;
@@ -50,11 +51,13 @@ final class ShutterIcon implements Icon {
                     g -> g.draw(new Arc2D.Double(FOCUS - 13, 2, 16, HEIGHT - 4, -75, 150, Arc2D.OPEN)));
 
     private final Class<?> shutter;
+    private final Drawing drawing;
     private final Color ink;
 
     /** A drawing for a shutter model, all in one ink, or in the colours of the look if that is null. */
     ShutterIcon(Class<?> shutter, Color ink) {
         this.shutter = shutter;
+        drawing = Objects.requireNonNull(DRAWINGS.get(shutter), () -> "no drawing for " + shutter);
         this.ink = ink;
     }
 
@@ -79,12 +82,9 @@ final class ShutterIcon implements Icon {
         paintLens(g);
         g.setStroke(new BasicStroke(1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 10, new float[] {2, 2}, 0));
         g.draw(line(FOCUS, FOCUS));
-        Drawing drawing = DRAWINGS.get(shutter);
-        if (drawing != null) {
-            g.setColor(colour("Component.accentColor"));
-            g.setStroke(new BasicStroke(3, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-            drawing.draw(g);
-        }
+        g.setColor(colour("Component.accentColor"));
+        g.setStroke(new BasicStroke(3, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        drawing.draw(g);
         g.dispose();
     }
 

@@ -1,6 +1,5 @@
 package tompkins.ui.picture;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Cursor;
 import java.awt.Dimension;
@@ -15,8 +14,6 @@ import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
-import java.awt.geom.AffineTransform;
-import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.function.Consumer;
@@ -53,8 +50,10 @@ public final class PictureCanvas extends JPanel {
     private Point2D pin;
     private boolean picking;
 
-    /** Where the mouse is, or null if it is elsewhere. */
+    /** Where the mouse is, or what the keys point at; null if that is elsewhere. */
     private Point mouseAt;
+
+    private final KeyPointer keyPointer;
 
     private Mouse mouse;
 
@@ -76,6 +75,7 @@ public final class PictureCanvas extends JPanel {
         MouseAdapter adapter = new CanvasMouse();
         addMouseListener(adapter);
         addMouseMotionListener(adapter);
+        keyPointer = new KeyPointer(this);
     }
 
     /** Tells a listener what the mouse does on the picture. */
@@ -102,6 +102,23 @@ public final class PictureCanvas extends JPanel {
     private void tellMouse() {
         if (mouseAt != null) {
             mouse.over(pictureAt(mouseAt), shownAt(mouseAt));
+        }
+    }
+
+    /** Reads what is at a point of this component; nothing if it is null. */
+    void pointAt(Point point) {
+        mouseAt = point;
+        if (point == null) {
+            mouse.over(null, null);
+        }
+        tellMouse();
+    }
+
+    /** Clicks at a point of this component, if there is a picture. */
+    void click(Point point) {
+        Point2D place = pictureAt(point);
+        if (place != null) {
+            mouse.clicked(place, shownAt(point));
         }
     }
 
@@ -249,6 +266,7 @@ public final class PictureCanvas extends JPanel {
         if (pin != null) {
             paintPin(g, bounds);
         }
+        keyPointer.paint(g);
     }
 
     private void paintBeside(Graphics2D g, Rectangle bounds) {
@@ -297,19 +315,8 @@ public final class PictureCanvas extends JPanel {
     }
 
     private void paintPin(Graphics2D g, Rectangle bounds) {
-        AffineTransform before = g.getTransform();
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         double scale = (double) bounds.width / shown.now().image().width();
-        g.translate(bounds.x + pin.getX() * scale, bounds.y + pin.getY() * scale);
-        for (Color colour : new Color[] {Color.BLACK, Color.WHITE}) {
-            g.setColor(colour);
-            g.setStroke(new BasicStroke(colour == Color.BLACK ? 3.5f : 1.5f));
-            for (int quarter = 0; quarter < 4; quarter++) {
-                g.draw(new Line2D.Double(5, 0, 14, 0));
-                g.rotate(Math.PI / 2);
-            }
-        }
-        g.setTransform(before);
+        PinMark.paint(g, bounds.x + pin.getX() * scale, bounds.y + pin.getY() * scale);
     }
 
     private boolean isOverOther(Point point) {
@@ -370,21 +377,19 @@ public final class PictureCanvas extends JPanel {
                 setCursor(Cursor.getPredefinedCursor(
                         nearDivider(event) ? Cursor.E_RESIZE_CURSOR : Cursor.DEFAULT_CURSOR));
             }
-            mouseAt = event.getPoint();
-            tellMouse();
+            keyPointer.forget();
+            pointAt(event.getPoint());
         }
 
         @Override
         public void mouseExited(MouseEvent event) {
-            mouseAt = null;
-            mouse.over(null, null);
+            pointAt(null);
         }
 
         @Override
         public void mouseReleased(MouseEvent event) {
-            Point2D place = pictureAt(event.getPoint());
-            if (!draggingDivider && place != null && event.getButton() == MouseEvent.BUTTON1) {
-                mouse.clicked(place, shownAt(event.getPoint()));
+            if (!draggingDivider && event.getButton() == MouseEvent.BUTTON1) {
+                click(event.getPoint());
             }
             draggingDivider = false;
         }

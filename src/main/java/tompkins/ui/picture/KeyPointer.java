@@ -1,0 +1,110 @@
+package tompkins.ui.picture;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.awt.event.KeyEvent;
+import java.awt.geom.Ellipse2D;
+import javax.swing.KeyStroke;
+import tompkins.ui.widget.Keys;
+
+/**
+ * What the mouse can do on a picture, with the keys: the arrows move a ring, pixel by pixel or with Shift by ten, and Enter
+ * clicks in it.
+ */
+final class KeyPointer {
+
+    private static final int FAR = 10;
+    private static final double RADIUS = 7;
+
+    private final PictureCanvas canvas;
+
+    /** Column and row of the pixel in the ring, or null if there is none. */
+    private Point pixel;
+
+    /** A pointer that appears when the Tab key reaches the picture, or with the first arrow. */
+    KeyPointer(PictureCanvas canvas) {
+        this.canvas = canvas;
+        bind("LEFT", -1, 0);
+        bind("RIGHT", 1, 0);
+        bind("UP", 0, -1);
+        bind("DOWN", 0, 1);
+        Keys.bindFocused(canvas, KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), this::click);
+        canvas.addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusGained(FocusEvent event) {
+                if (event.getCause() == FocusEvent.Cause.TRAVERSAL_FORWARD
+                        || event.getCause() == FocusEvent.Cause.TRAVERSAL_BACKWARD) {
+                    move(0, 0);
+                }
+            }
+
+            @Override
+            public void focusLost(FocusEvent event) {
+                if (pixel != null && !event.isTemporary()) {
+                    forget();
+                    canvas.pointAt(null);
+                }
+            }
+        });
+    }
+
+    private void bind(String key, int right, int down) {
+        Keys.bindFocused(canvas, KeyStroke.getKeyStroke(key), () -> move(right, down));
+        Keys.bindFocused(canvas, KeyStroke.getKeyStroke("shift " + key), () -> move(FAR * right, FAR * down));
+    }
+
+    private void move(int right, int down) {
+        Picture picture = canvas.shown().now();
+        if (picture == null) {
+            return;
+        }
+        Point from = pixel != null && picture.holds(pixel)
+                ? pixel
+                : new Point(picture.image().width() / 2, picture.image().height() / 2);
+        Point next = new Point(from.x + right, from.y + down);
+        pixel = picture.holds(next) ? next : from;
+        canvas.pointAt(onCanvas());
+        canvas.repaint();
+    }
+
+    /** The middle of the pixel on the screen. */
+    private Point onCanvas() {
+        Rectangle bounds = canvas.pictureBounds();
+        double scale = (double) bounds.width / canvas.shown().now().image().width();
+        return new Point((int) (bounds.x + (pixel.x + 0.5) * scale), (int) (bounds.y + (pixel.y + 0.5) * scale));
+    }
+
+    private void click() {
+        if (pixel != null) {
+            canvas.click(onCanvas());
+        }
+    }
+
+    /** The mouse points now. */
+    void forget() {
+        if (pixel != null) {
+            pixel = null;
+            canvas.repaint();
+        }
+    }
+
+    /** Paints the ring, if there is one. */
+    void paint(Graphics2D g) {
+        if (pixel == null || !canvas.shown().now().holds(pixel)) {
+            return;
+        }
+        Point place = onCanvas();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        for (Color colour : new Color[] {Color.BLACK, Color.WHITE}) {
+            g.setColor(colour);
+            g.setStroke(new BasicStroke(colour == Color.BLACK ? 3.5f : 1.5f));
+            g.draw(new Ellipse2D.Double(place.x + 0.5 - RADIUS, place.y + 0.5 - RADIUS, 2 * RADIUS, 2 * RADIUS));
+        }
+    }
+}
