@@ -128,6 +128,17 @@ public final class Velocity {
     }
 
     /**
+     * The same speed along another direction of any length, which stays as it is given. Components become a number on a scale;
+     * on that of gamma where they are so near the speed of light that the scale may have no digits left.
+     *
+     * @throws InvalidPropertyException if there is no direction
+     */
+    public Velocity along(Vector3dc newDirection, SpeedScale scaleForComponents) {
+        SpeedScale newScale = scale != null ? scale : speed() < 1 ? scaleForComponents : SpeedScale.GAMMA;
+        return of(newScale, newScale.valueOf(this), newDirection);
+    }
+
+    /**
      * The velocity of a description, if it is given and pictures show more than rounding errors at it.
      *
      * @throws InvalidPropertyException if it is missing, or beyond {@link #LARGEST_GAMMA}

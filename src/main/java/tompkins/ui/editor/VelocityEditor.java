@@ -35,10 +35,12 @@ final class VelocityEditor implements ValueEditor {
                 note,
                 text -> commit.accept(SpeedText.parse(text, SpeedScale.BETA, velocity.givenDirection())));
         direction = new VectorFields(
-                "direction", NumberKind.DOUBLE, VectorFields.AXES, Texts.get("direction.tip"), note, vector -> {
-                    SpeedScale scale = velocity.scale() == null ? SpeedScale.BETA : velocity.scale();
-                    commit.accept(Velocity.of(scale, scale.valueOf(velocity), vector));
-                });
+                "direction",
+                NumberKind.DOUBLE,
+                VectorFields.AXES,
+                Texts.get("direction.tip"),
+                note,
+                vector -> commit.accept(velocity.along(vector, SpeedScale.BETA)));
         panel.add(new JLabel(Texts.get("speed.name")), "span");
         panel.add(speed.field(), "span, growx, wmin 0");
         panel.add(new JLabel(Wording.label("direction")), "span");

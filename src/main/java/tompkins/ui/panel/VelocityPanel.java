@@ -58,10 +58,12 @@ public final class VelocityPanel {
                 new JTextField(7), Texts.get("speed.name"), Texts.get("speed.tip"), note, this::enterSpeed);
         sphere = new DirectionSphere(this::turn, model::endGesture);
         direction = new VectorFields(
-                "direction", NumberKind.DOUBLE, VectorFields.AXES, Texts.get("direction.tip"), note, vector -> {
-                    Velocity now = velocity();
-                    take(Velocity.of(scaleOf(now), scaleOf(now).valueOf(now), vector));
-                });
+                "direction",
+                NumberKind.DOUBLE,
+                VectorFields.AXES,
+                Texts.get("direction.tip"),
+                note,
+                vector -> take(velocity().along(vector, scale)));
         JPanel speedRow = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 6", "[grow,fill][pref!]"));
         speedRow.setOpaque(false);
         speedRow.add(slider.slider(), "wmin 40");
@@ -156,21 +158,12 @@ public final class VelocityPanel {
     }
 
     private void turn(Vector3dc to, Object gesture) {
-        Velocity now = velocity();
-        SpeedScale given = scaleOf(now);
-        // components can be so fast that no number on the scale tells the speed
-        Velocity turned =
-                now.scale() == null && !now.isRest() ? now.along(to) : Velocity.of(given, given.valueOf(now), to);
-        Studio next = FrontWindow.withVelocity(model.studio(), turned);
+        Studio next = FrontWindow.withVelocity(model.studio(), velocity().along(to, scale));
         if (gesture == null) {
             model.set(next);
         } else {
             model.adjust(next, gesture);
         }
-    }
-
-    private SpeedScale scaleOf(Velocity velocity) {
-        return velocity.scale() == null ? scale : velocity.scale();
     }
 
     private void take(Velocity velocity) {

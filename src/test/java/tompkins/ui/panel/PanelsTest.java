@@ -232,6 +232,10 @@ class PanelsTest {
         Components.find(panel, JButton.class, "Forwards").doClick();
         assertThat(velocity().gamma()).isEqualTo(fast.gamma());
         assertThat(velocity().direction()).isEqualTo(new Vector3d(0, 0, 1));
+        model.set(model.studio().withVelocity(fast));
+        Components.enter(panel, "Direction z", "-1");
+        assertThat(velocity().gamma()).isEqualTo(fast.gamma());
+        assertThat(velocity().direction().z()).isNegative();
     }
 
     private static List<String> direction(Container panel) {
