@@ -300,11 +300,7 @@ class WindowQuestionsTest {
     @Test
     void whatTheTabKeyReachesComesIntoView() {
         JScrollPane panel = driver.find(JScrollPane.class, "panel");
-        WindowDriver.onEventThread(() -> {
-            driver.window().frame().setSize(900, 500);
-            driver.window().frame().validate();
-            return null;
-        });
+        makeLow();
         JTextField exposure = driver.find(JTextField.class, "Exposure");
         assertThat(isInView(panel, exposure)).isFalse();
         driver.click(driver.find(JTextField.class, "Speed"));
@@ -318,11 +314,7 @@ class WindowQuestionsTest {
     @Test
     void whatIsUnfoldedComesIntoViewAndTheRemarksOfAnotherSceneToo() {
         JScrollPane panel = driver.find(JScrollPane.class, "panel");
-        WindowDriver.onEventThread(() -> {
-            driver.window().frame().setSize(900, 500);
-            driver.window().frame().validate();
-            return null;
-        });
+        makeLow();
         JButton chart = driver.find(JButton.class, "Chart this picture");
         assertThat(isInView(panel, chart)).isFalse();
         WindowDriver.later(driver.find(JToggleButton.class, "Speed and accuracy")::doClick);
@@ -332,6 +324,15 @@ class WindowQuestionsTest {
             return null;
         });
         WindowDriver.await("the remarks", () -> panel.getVerticalScrollBar().getValue() == 0);
+    }
+
+    /** Too low for all of the panel. */
+    private void makeLow() {
+        WindowDriver.onEventThread(() -> {
+            driver.window().frame().setSize(900, 500);
+            driver.window().frame().validate();
+            return null;
+        });
     }
 
     private static boolean isInView(JScrollPane pane, JComponent part) {

@@ -1,16 +1,13 @@
 package tompkins.ui.picture;
 
-import java.awt.BasicStroke;
-import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.RenderingHints;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
-import java.awt.geom.Ellipse2D;
 import javax.swing.KeyStroke;
+import tompkins.ui.widget.FocusFollower;
 import tompkins.ui.widget.Keys;
 
 /**
@@ -20,7 +17,6 @@ import tompkins.ui.widget.Keys;
 final class KeyPointer {
 
     private static final int FAR = 10;
-    private static final double RADIUS = 7;
 
     private final PictureCanvas canvas;
 
@@ -38,8 +34,7 @@ final class KeyPointer {
         canvas.addFocusListener(new FocusAdapter() {
             @Override
             public void focusGained(FocusEvent event) {
-                if (event.getCause() == FocusEvent.Cause.TRAVERSAL_FORWARD
-                        || event.getCause() == FocusEvent.Cause.TRAVERSAL_BACKWARD) {
+                if (FocusFollower.isTraversal(event)) {
                     move(0, 0);
                 }
             }
@@ -100,11 +95,6 @@ final class KeyPointer {
             return;
         }
         Point place = onCanvas();
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        for (Color colour : new Color[] {Color.BLACK, Color.WHITE}) {
-            g.setColor(colour);
-            g.setStroke(new BasicStroke(colour == Color.BLACK ? 3.5f : 1.5f));
-            g.draw(new Ellipse2D.Double(place.x + 0.5 - RADIUS, place.y + 0.5 - RADIUS, 2 * RADIUS, 2 * RADIUS));
-        }
+        Mark.paintRing(g, place.x + 0.5, place.y + 0.5);
     }
 }

@@ -316,7 +316,7 @@ public final class PictureCanvas extends JPanel {
 
     private void paintPin(Graphics2D g, Rectangle bounds) {
         double scale = (double) bounds.width / shown.now().image().width();
-        PinMark.paint(g, bounds.x + pin.getX() * scale, bounds.y + pin.getY() * scale);
+        Mark.paintPin(g, bounds.x + pin.getX() * scale, bounds.y + pin.getY() * scale);
     }
 
     private boolean isOverOther(Point point) {

@@ -22,7 +22,7 @@ public final class FocusFollower {
         AWTEventListener follower = event -> {
             if (event instanceof FocusEvent focus
                     && focus.getID() == FocusEvent.FOCUS_GAINED
-                    && isTraversal(focus.getCause())
+                    && isTraversal(focus)
                     && belongsTo(window, focus.getComponent())) {
                 show(focus.getComponent());
             }
@@ -37,9 +37,10 @@ public final class FocusFollower {
         });
     }
 
-    /** What the mouse presses must not move away under it. */
-    private static boolean isTraversal(FocusEvent.Cause cause) {
-        return cause == FocusEvent.Cause.TRAVERSAL_FORWARD || cause == FocusEvent.Cause.TRAVERSAL_BACKWARD;
+    /** Whether the Tab key brought the focus; what the mouse presses must not move away under it. */
+    public static boolean isTraversal(FocusEvent event) {
+        return event.getCause() == FocusEvent.Cause.TRAVERSAL_FORWARD
+                || event.getCause() == FocusEvent.Cause.TRAVERSAL_BACKWARD;
     }
 
     private static boolean belongsTo(Window window, Component component) {

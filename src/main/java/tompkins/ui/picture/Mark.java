@@ -1,0 +1,45 @@
+package tompkins.ui.picture;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.Shape;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+
+/** Marks of places on a picture, white within black, so that they are seen on any colour. */
+final class Mark {
+
+    private static final double RADIUS = 7;
+    private static final double INNER = 5;
+    private static final double OUTER = 14;
+
+    private Mark() {}
+
+    /** Four lines around a pinned place. */
+    static void paintPin(Graphics2D g, double x, double y) {
+        Path2D lines = new Path2D.Double();
+        for (int side = -1; side <= 1; side += 2) {
+            lines.append(new Line2D.Double(x + INNER * side, y, x + OUTER * side, y), false);
+            lines.append(new Line2D.Double(x, y + INNER * side, x, y + OUTER * side), false);
+        }
+        paint(g, lines);
+    }
+
+    /** A ring around a place that the keys point at. */
+    static void paintRing(Graphics2D g, double x, double y) {
+        paint(g, new Ellipse2D.Double(x - RADIUS, y - RADIUS, 2 * RADIUS, 2 * RADIUS));
+    }
+
+    private static void paint(Graphics2D g, Shape shape) {
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setColor(Color.BLACK);
+        g.setStroke(new BasicStroke(3.5f));
+        g.draw(shape);
+        g.setColor(Color.WHITE);
+        g.setStroke(new BasicStroke(1.5f));
+        g.draw(shape);
+    }
+}
