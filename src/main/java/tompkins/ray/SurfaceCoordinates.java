@@ -9,46 +9,52 @@ package tompkins.ray;
  */
 public record SurfaceCoordinates(double u, double v, double uX, double uY, double uZ, double vX, double vY, double vZ) {
 
-    /** How u changes from the middle of the spot that the ray lights on the surface to its far end, along the ray's trace. */
+    /** Half the change of u over the spot that the ray lights on the surface (a box of the spot's size). */
+    public double spreadU(Ray ray, Hit hit) {
+        return spread(ray, hit, uX, uY, uZ);
+    }
+
+    /** Half the change of v over the spot that the ray lights on the surface. */
+    public double spreadV(Ray ray, Hit hit) {
+        return spread(ray, hit, vX, vY, vZ);
+    }
+
+    /**
+     * The spot is an ellipse: its short axis is the width of the ray, across the plane of incidence; its long axis is that
+     * divided by the cosine, along the ray's trace on the surface.
+     */
+    private static double spread(Ray ray, Hit hit, double gradientX, double gradientY, double gradientZ) {
+        double cosine = hit.cosine(ray);
+        double gradientAlongNormal = gradientX * hit.normalX + gradientY * hit.normalY + gradientZ * hit.normalZ;
+        double squaredGradient = gradientX * gradientX
+                + gradientY * gradientY
+                + gradientZ * gradientZ
+                - gradientAlongNormal * gradientAlongNormal;
+        double gradientAlongRay =
+                gradientX * ray.dx + gradientY * ray.dy + gradientZ * ray.dz - cosine * gradientAlongNormal;
+        // unit trace t = (d - cosine n) / sine; (gradient . t)^2 (1/cosine^2 - 1) + gradient^2, and sine^2 cancels
+        double stretched = gradientAlongRay / cosine;
+        double half = ray.widthAt(hit.distance) / 2;
+        return half * Math.sqrt(Math.max(0, squaredGradient) + stretched * stretched);
+    }
+
+    /** The part of {@link #spreadU} that lies along the ray's trace on the surface, with the sign of the change that way. */
     public double alongU(Ray ray, Hit hit) {
         return along(ray, hit, uX, uY, uZ);
     }
 
-    /** How v changes from the middle of that spot to its far end. */
+    /** The part of {@link #spreadV} along that trace. */
     public double alongV(Ray ray, Hit hit) {
         return along(ray, hit, vX, vY, vZ);
     }
 
-    /** How much u changes from the middle of that spot to its side, across the ray's trace; 0 or above. */
-    public double acrossU(Ray ray, Hit hit) {
-        return across(ray, hit, uX, uY, uZ);
-    }
-
-    /** How much v changes from the middle of that spot to its side; 0 or above. */
-    public double acrossV(Ray ray, Hit hit) {
-        return across(ray, hit, vX, vY, vZ);
-    }
-
-    /** The spot is as wide as the ray across the plane of incidence, and in it longer by the cosine of incidence. */
     private static double along(Ray ray, Hit hit, double gradientX, double gradientY, double gradientZ) {
         double cosine = hit.cosine(ray);
-        double trace = trace(ray, hit, cosine, gradientX, gradientY, gradientZ);
-        return ray.widthAt(hit.distance) / 2 * trace / Math.abs(cosine);
-    }
-
-    private static double across(Ray ray, Hit hit, double gradientX, double gradientY, double gradientZ) {
-        double trace = trace(ray, hit, hit.cosine(ray), gradientX, gradientY, gradientZ);
-        double normal = gradientX * hit.normalX + gradientY * hit.normalY + gradientZ * hit.normalZ;
-        double squared = gradientX * gradientX + gradientY * gradientY + gradientZ * gradientZ;
-        return ray.widthAt(hit.distance) / 2 * Math.sqrt(Math.max(0, squared - normal * normal - trace * trace));
-    }
-
-    /** The part of a gradient along the trace of the ray on the surface, a unit vector; 0 if the ray has none. */
-    private static double trace(Ray ray, Hit hit, double cosine, double gradientX, double gradientY, double gradientZ) {
         double x = ray.dx - cosine * hit.normalX;
         double y = ray.dy - cosine * hit.normalY;
         double z = ray.dz - cosine * hit.normalZ;
         double sine = Math.sqrt(x * x + y * y + z * z);
-        return sine == 0 ? 0 : (gradientX * x + gradientY * y + gradientZ * z) / sine;
+        double trace = sine == 0 ? 0 : (gradientX * x + gradientY * y + gradientZ * z) / sine;
+        return ray.widthAt(hit.distance) / 2 * trace / Math.abs(cosine);
     }
 }

@@ -78,30 +78,35 @@ public record Tiling(
         if (!filtered) {
             return isOdd(Math.floor(u) + Math.floor(v)) ? 1 : 0;
         }
-        double alongU = at.alongU(ray, hit) / width;
-        double alongV = at.alongV(ray, hit) / height;
-        double acrossU = at.acrossU(ray, hit) / width;
-        double acrossV = at.acrossV(ray, hit) / height;
-        double waves = waves(u, v, alongU, alongV, acrossU, acrossV);
-        // a spot that lies obliquely over the tiles fills little of the box around it, but most of the boxes around its
-        // parts
+        double spreadU = at.spreadU(ray, hit) / width;
+        double spreadV = at.spreadV(ray, hit) / height;
+        double waves = SquareWave.mean(u, spreadU) * SquareWave.mean(v, spreadV);
         int parts = (int) Math.min(MOST_PARTS, Math.ceil(1 / Math.abs(hit.cosine(ray))));
         if (Math.abs(waves) < 1 && parts > 1) {
-            waves = 0;
-            for (int part = 0; part < parts; part++) {
-                double place = (2.0 * part + 1) / parts - 1;
-                waves +=
-                        waves(u + place * alongU, v + place * alongV, alongU / parts, alongV / parts, acrossU, acrossV);
-            }
-            waves /= parts;
+            waves = wavesOfParts(
+                    u, v, spreadU, spreadV, at.alongU(ray, hit) / width, at.alongV(ray, hit) / height, parts);
         }
         return (1 - waves) / 2;
     }
 
-    /** The mean of the chequerboard, +1 and -1, over the box around a spot. */
-    private static double waves(double u, double v, double alongU, double alongV, double acrossU, double acrossV) {
-        return SquareWave.mean(u, Math.sqrt(alongU * alongU + acrossU * acrossU))
-                * SquareWave.mean(v, Math.sqrt(alongV * alongV + acrossV * acrossV));
+    /** A spot that lies obliquely over the tiles fills little of the box around it, but most of the boxes around its parts. */
+    private static double wavesOfParts(
+            double u, double v, double spreadU, double spreadV, double alongU, double alongV, int parts) {
+        double partU = partSpread(spreadU, alongU, parts);
+        double partV = partSpread(spreadV, alongV, parts);
+        double waves = 0;
+        for (int part = 0; part < parts; part++) {
+            double place = (2.0 * part + 1) / parts - 1;
+            waves += SquareWave.mean(u + place * alongU, partU) * SquareWave.mean(v + place * alongV, partV);
+        }
+        return waves / parts;
+    }
+
+    /** The spread of a part: all of what lies across the long axis of the spot, and its share of what lies along. */
+    private static double partSpread(double spread, double along, int parts) {
+        double across = Math.max(0, (spread - Math.abs(along)) * (spread + Math.abs(along)));
+        double share = along / parts;
+        return Math.sqrt(across + share * share);
     }
 
     /** Parity by halves, which are exact: a whole number that no int can hold is still odd or even. */
