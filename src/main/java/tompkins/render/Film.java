@@ -2,7 +2,6 @@ package tompkins.render;
 
 import java.util.Arrays;
 import tompkins.image.LinearImage;
-import tompkins.ray.Colour;
 
 /**
  * The light that was collected so far. Each pixel is written by one thread at a time, in the order of its samples, so that
@@ -42,19 +41,29 @@ final class Film {
         return height;
     }
 
-    void add(int column, int row, Colour colour) {
-        int pixel = row * width + column;
+    /** The number of a pixel: row by row, from 0. */
+    int pixel(int column, int row) {
+        return row * width + column;
+    }
+
+    /** Whether that many samples are the first half of those to come: what a pixel gets next must be added by itself. */
+    static boolean isNewHalf(int samples) {
+        return Integer.bitCount(samples) == 1;
+    }
+
+    /** Adds the sum of one or more samples of a pixel. They do not go beyond a {@link #isNewHalf new half}. */
+    void add(int pixel, double red, double green, double blue, int added) {
         int count = samples[pixel];
         if (count == REPLACED) {
             Arrays.fill(sums, 3 * pixel, 3 * pixel + 3, 0);
             samples[pixel] = 0;
-        } else if (halfSums != null && count > 0 && (count & (count - 1)) == 0) {
+        } else if (halfSums != null && isNewHalf(count)) {
             System.arraycopy(sums, 3 * pixel, halfSums, 3 * pixel, 3);
         }
-        sums[3 * pixel] += (float) colour.red();
-        sums[3 * pixel + 1] += (float) colour.green();
-        sums[3 * pixel + 2] += (float) colour.blue();
-        samples[pixel]++;
+        sums[3 * pixel] = (float) (sums[3 * pixel] + red);
+        sums[3 * pixel + 1] = (float) (sums[3 * pixel + 1] + green);
+        sums[3 * pixel + 2] = (float) (sums[3 * pixel + 2] + blue);
+        samples[pixel] += added;
     }
 
     /** Whether {@link #halvesVariance} can be asked. */

@@ -21,10 +21,11 @@ record Pass(int stride, int coarserStride, int firstSample, int samples, int inA
 
     private static final int COARSEST = 8;
 
-    private static final int MOST_SAMPLES = 64;
+    /** Later passes are at most so long, or as long as an eighth of what is done: the picture is seen to get better. */
+    private static final int LONG = 64;
 
     /**
-     * The passes that take the given number of samples: 1, 1, 2, 4, ... for each pixel, at most 64 at a time.
+     * The passes that take the given number of samples of each pixel: 1, 1, 2, 4, ... 64, 64, ..., in the end an eighth of those before.
      *
      * @param inAll samples that pixels may come to have, by passes after these
      * @param coarseFirst whether the first one is taken coarse to fine
@@ -39,7 +40,7 @@ record Pass(int stride, int coarserStride, int firstSample, int samples, int inA
         }
         int done = 1;
         while (done < samples) {
-            int next = Math.min(Math.min(done, MOST_SAMPLES), samples - done);
+            int next = Math.min(Math.min(done, Math.max(LONG, done / 8)), samples - done);
             passes.add(new Pass(1, 0, done, next, inAll, null, 1));
             done += next;
         }

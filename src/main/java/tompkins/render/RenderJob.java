@@ -10,11 +10,9 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Consumer;
 import tompkins.image.LinearImage;
-import tompkins.ray.Colour;
 import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
 import tompkins.trace.RenderPlan;
-import tompkins.trace.SampleTaker;
 import tompkins.trace.SampleTracer;
 
 /**
@@ -83,11 +81,12 @@ public final class RenderJob {
     }
 
     private void renderTiles(SampleTracer tracer, RayCounts mine) {
+        BlockSums sums = new BlockSums(film, () -> cancelled);
         int index = nextTile.getAndIncrement();
         for (Pass pass = passOf(index); pass != null; pass = passOf(index)) {
             Tile tile = tiles.get(index % tiles.size());
             long before = mine.samples;
-            renderTile(pass, tile, tracer);
+            renderTile(pass, tile, tracer, sums);
             samples.add(mine.samples - before);
             if (!isStopped()) {
                 tileDone(tile);
@@ -96,23 +95,7 @@ public final class RenderJob {
         }
     }
 
-    private void renderTile(Pass pass, Tile tile, SampleTracer tracer) {
-        SampleTaker taker = new SampleTaker() {
-            @Override
-            public boolean wants(int column, int row) {
-                return pass.takes(column, row, row * film.width() + column);
-            }
-
-            @Override
-            public boolean isStopped() {
-                return cancelled;
-            }
-
-            @Override
-            public void take(int column, int row, Colour colour) {
-                film.add(column, row, colour);
-            }
-        };
+    private void renderTile(Pass pass, Tile tile, SampleTracer tracer, BlockSums sums) {
         tracer.shareBetween(pass.inAll());
         int side = RayBlock.SIDE * pass.stride();
         int end = pass.firstSample() + pass.samples();
@@ -123,16 +106,21 @@ public final class RenderJob {
                 if (schedule.isOver() || !isWanted(pass, tile.column() + column, tile.row() + row, width, height)) {
                     continue;
                 }
+                sums.begin(pass, tile.column() + column, tile.row() + row);
                 for (int sample = pass.firstSample(); sample < end && !isStopped(); sample++) {
                     try {
                         tracer.sampleBlock(
-                                tile.column() + column, tile.row() + row, width, height, pass.stride(), sample, taker);
+                                tile.column() + column, tile.row() + row, width, height, pass.stride(), sample, sums);
                     } catch (RuntimeException | Error error) {
                         failure.compareAndSet(
                                 null,
                                 new RenderFailedException(tracer.column(), tracer.row(), Math.max(0, sample), error));
                     }
+                    if (Film.isNewHalf(sample + 1)) {
+                        sums.addToFilm();
+                    }
                 }
+                sums.addToFilm();
             }
         }
     }

@@ -119,7 +119,8 @@ class AdaptiveRenderTest {
                 boolean wanted = pixel % 16 % pass.stride() == 0 && pixel / 16 % pass.stride() == 0;
                 if (wanted && pass.takes(pixel % 16, pixel / 16, pixel)) {
                     for (int sample = 0; sample < pass.samples(); sample++) {
-                        film.add(pixel % 16, pixel / 16, random.nextBoolean() ? Colour.WHITE : Colour.BLACK);
+                        double light = random.nextBoolean() ? 1 : 0;
+                        film.add(pixel, light, light, light, 1);
                         clock.incrementAndGet();
                     }
                 }

@@ -12,8 +12,8 @@ class FilmTest {
     @Test
     void aPixelIsTheMeanOfItsSamplesTimesTheExposure() {
         Film film = new Film(3, 2, true);
-        film.add(1, 1, new Colour(0.25, 0.5, 1));
-        film.add(1, 1, new Colour(0.75, 0, 3));
+        add(film, 1, 1, new Colour(0.25, 0.5, 1));
+        add(film, 1, 1, new Colour(0.75, 0, 3));
 
         LinearImage image = film.image(4);
 
@@ -29,7 +29,7 @@ class FilmTest {
         Colour bright = Colour.grey(1e30);
         assertThat(bright.isFinite()).isTrue();
         for (int sample = 0; sample < 1 << 20; sample++) {
-            film.add(0, 0, bright);
+            add(film, 0, 0, bright);
         }
         assertThat(film.image(1).value(0, 0, 0)).isCloseTo(1e30f, withinPercentage(1));
     }
@@ -38,7 +38,7 @@ class FilmTest {
     @Test
     void exposureDoesNotMakeLightInfinite() {
         Film film = new Film(1, 1, true);
-        film.add(0, 0, Colour.grey(Math.scalb(1.0, 104)));
+        add(film, 0, 0, Colour.grey(Math.scalb(1.0, 104)));
         assertThat(film.image(Math.scalb(1.0, 100)).value(0, 0, 0)).isEqualTo(Float.MAX_VALUE);
     }
 
@@ -53,11 +53,11 @@ class FilmTest {
     @Test
     void aPixelWithoutSampleIsInterpolatedBetweenCoarseOnes() {
         Film film = new Film(12, 12, false);
-        film.add(0, 0, Colour.grey(1));
-        film.add(8, 0, Colour.grey(2));
-        film.add(0, 8, Colour.grey(4));
-        film.add(8, 8, Colour.grey(9));
-        film.add(4, 4, Colour.grey(7));
+        add(film, 0, 0, Colour.grey(1));
+        add(film, 8, 0, Colour.grey(2));
+        add(film, 0, 8, Colour.grey(4));
+        add(film, 8, 8, Colour.grey(9));
+        add(film, 4, 4, Colour.grey(7));
 
         LinearImage image = film.image(1);
 
@@ -71,12 +71,16 @@ class FilmTest {
     @Test
     void aRestartedPixelKeepsItsSampleUntilTheNextOne() {
         Film film = new Film(1, 1, false);
-        film.add(0, 0, Colour.grey(1));
+        add(film, 0, 0, Colour.grey(1));
         film.restart(0);
         assertThat(film.image(1).value(0, 0, 0)).isEqualTo(1f);
-        film.add(0, 0, Colour.grey(3));
-        film.add(0, 0, Colour.grey(5));
+        add(film, 0, 0, Colour.grey(3));
+        add(film, 0, 0, Colour.grey(5));
         assertThat(film.image(1).value(0, 0, 0)).isEqualTo(4f);
         assertThat(film.samples(0)).isEqualTo(2);
+    }
+
+    private static void add(Film film, int column, int row, Colour colour) {
+        film.add(film.pixel(column, row), colour.red(), colour.green(), colour.blue(), 1);
     }
 }

@@ -40,8 +40,14 @@ class PassTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"1,'1'", "2,'1,1'", "5,'1,1,2,1'", "200,'1,1,2,4,8,16,32,64,64,8'"})
-    void passesDoubleTheSamplesUpTo64(int samples, String expected) {
+    @CsvSource({
+        "1,'1'",
+        "2,'1,1'",
+        "5,'1,1,2,1'",
+        "200,'1,1,2,4,8,16,32,64,64,8'",
+        "700,'1,1,2,4,8,16,32,64,64,64,64,64,64,64,64,72,52'"
+    })
+    void passesDoubleTheSamplesAndThenGrowByAnEighth(int samples, String expected) {
         List<String> sizes = Pass.of(samples, samples, false).stream()
                 .map(pass -> Integer.toString(pass.samples()))
                 .toList();

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -19,6 +20,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.image.LinearImage;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.PaperStudios;
@@ -230,6 +232,20 @@ class RendererTest {
         assertThat(job.report().notFinite()).isEqualTo(told);
         assertThat(job.image().value(3, 2, 1)).isEqualTo(told == 0 ? (float) light : 0);
         assertThat(job.report().warnings()).hasSize(told == 0 ? 0 : 1);
+    }
+
+    /** Floats end after seven digits: a quarter of a million of them, added one by one, would be wrong in the third. */
+    @Test
+    void manySamplesOfTheSameLightHaveItAsTheirMean() throws InterruptedException {
+        Colour grey = new Colour(0.7, 0.1, 1.0 / 3);
+        RenderPlan plan = RenderPlan.of(size(PaperStudios.fig1a(), 1, 1, 1 << 18)
+                .withScene(List.of(new Sphere("sky", new Vector3d(0, 0, 0), 1000, new LuminousSurface(grey, false)))));
+
+        LinearImage image = render(plan, 1).image();
+
+        assertThat(image.value(0, 0, 0)).isCloseTo(0.7f, within(1e-6f));
+        assertThat(image.value(0, 0, 1)).isCloseTo(0.1f, within(1e-6f));
+        assertThat(image.value(0, 0, 2)).isCloseTo(1 / 3f, within(1e-6f));
     }
 
     @Test
