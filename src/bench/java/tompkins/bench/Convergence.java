@@ -52,7 +52,7 @@ final class Convergence {
         double needed = mean(pixel -> randomVariance(otherSeed, pixel)) / (error * error);
         String what = String.format(
                 Locale.ROOT,
-                "fig3a, %d x %d, --error %.3f: %.0f samples a pixel, true error %.5f; random ones needed %.0f",
+                "fig3a, %d x %d, --error %.3f: %.0f samples per pixel, true error %.5f; random ones needed %.0f",
                 image.width(),
                 image.height(),
                 PROMISED,

@@ -136,7 +136,7 @@ final class ArgumentMistake {
         return Stream.of(words)
                 .filter(word -> word.startsWith("-") && new File(word).exists())
                 .findFirst()
-                .map(word -> word + ": what begins with - is read as an option; the file of this name is ."
+                .map(word -> word + ": what begins with - is read as an option; to name the file, write ."
                         + File.separator + word);
     }
 

@@ -43,7 +43,8 @@ final class CheckCommand implements Callable<Integer> {
             } catch (PictureException damaged) {
                 spec.commandLine()
                         .getErr()
-                        .println(damaged.getMessage() + "; its scene has no mistakes: render takes the picture again");
+                        .println(damaged.getMessage()
+                                + "; its scene has no mistakes: render can take the picture again");
                 code = Failures.MISTAKE;
             }
         }

@@ -58,7 +58,7 @@ final class ExplainCommand implements Callable<Integer> {
         try (Renderer renderer = new Renderer()) {
             return CostForecast.of(plan, quality, renderer)
                     .map(forecast -> cost(plan, quality, forecast))
-                    .orElse("On this machine it will take too long to foretell:"
+                    .orElse("On this machine it will take too long to predict:"
                             + " after several seconds not one sample was complete.");
         }
     }
@@ -67,7 +67,7 @@ final class ExplainCommand implements Callable<Integer> {
         double samples = forecast.samplesPerPixel() * plan.width() * plan.height();
         return String.format(
                 Locale.ROOT,
-                "On this machine it will take about %s s with %s samples, %s for each pixel.",
+                "On this machine it will take about %s s with %s samples, %s per pixel.",
                 NumberText.plain(forecast.seconds(), 2),
                 samples < MILLION
                         ? NumberText.plain(samples, quality instanceof Quality.Samples ? 6 : 3)

@@ -101,8 +101,8 @@ final class Photographer {
         report(target, job.report());
         List<String> named = StudioWriter.filesOnlyNamed(studio);
         if (!named.isEmpty()) {
-            err.println("note: the photograph names " + String.join(", ", named)
-                    + ", too large to travel inside; to take it again, keep that beside it");
+            err.println("note: keep " + String.join(", ", named)
+                    + " in the same folder to take the photograph again: too large to store in it");
         }
     }
 
@@ -158,7 +158,7 @@ final class Photographer {
         String samples = NumberText.plain(report.samplesPerPixel(), 3);
         out.println(String.format(
                 Locale.ROOT,
-                "%s  (%.2f s, %.2f million rays/s, %s a pixel%s)",
+                "%s  (%.2f s, %.2f million rays/s, %s per pixel%s)",
                 target.toRealPath(LinkOption.NOFOLLOW_LINKS),
                 seconds,
                 (report.rays() + report.shadowRays()) / seconds / 1e6,

@@ -12,7 +12,7 @@ final class QualityOptions {
     /** The wishes, of which one at most may be given. */
     private static final class Wish {
 
-        @Option(names = "--samples", paramLabel = "N", description = "takes N samples for each pixel, 1 or more")
+        @Option(names = "--samples", paramLabel = "N", description = "takes N samples per pixel, 1 or more")
         private Integer samples;
 
         @Option(
@@ -35,7 +35,7 @@ final class QualityOptions {
     @ArgGroup
     private Wish wish = new Wish();
 
-    @Option(names = "--seed", paramLabel = "N", description = "seed of the places of the samples")
+    @Option(names = "--seed", paramLabel = "N", description = "seed for the positions of the samples")
     private Long seed;
 
     /** The studio with the samples, the error and the seed that were given. */

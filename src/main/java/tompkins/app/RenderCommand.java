@@ -39,16 +39,15 @@ final class RenderCommand implements Callable<Integer> {
     @Option(
             names = {"-o", "--output"},
             paramLabel = "FILE",
-            description =
-                    "the picture (.png, .tif, .tiff, .hdr or .pic), or a folder that exists; without it SCENE.png in"
-                            + " the current folder, for a photograph SCENE-again.png")
+            description = "the picture (.png, .tif, .tiff, .hdr or .pic), or an existing folder; default: SCENE.png in"
+                    + " the current folder, or SCENE-again.png for a photograph")
     private Path output;
 
     @Option(
             names = "--format",
             paramLabel = "FORMAT",
             completionCandidates = OptionWords.Formats.class,
-            description = "${COMPLETION-CANDIDATES}; without it that of a photograph that is taken again, or else the"
+            description = "${COMPLETION-CANDIDATES}; default: that of a photograph that is taken again, or else the"
                     + " usual one for the file's ending: png, tiff (16 bit) or hdr")
     private PictureFormat format;
 
@@ -62,7 +61,7 @@ final class RenderCommand implements Callable<Integer> {
     @Mixin
     private QualityOptions quality;
 
-    @Option(names = "--threads", paramLabel = "N", description = "number of threads; without it one for each core")
+    @Option(names = "--threads", paramLabel = "N", description = "number of threads; default: one per core")
     private Integer threads;
 
     @Option(names = "--force", description = "replace files that are already there")
@@ -77,7 +76,8 @@ final class RenderCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         if (scenes.size() > 1 && output != null && !Files.isDirectory(output)) {
-            throw new MistakeException("-o must name a folder that exists for more than one scene, was " + output);
+            throw new MistakeException(
+                    "-o must name an existing folder if there is more than one scene, was " + output);
         }
         if (threads != null) {
             MistakeException.inOption("--threads", () -> Require.within("threads", threads, 1, MOST_THREADS));

@@ -32,7 +32,7 @@ import tompkins.study.StudySetup;
         versionProvider = ProgramVersion.class,
         description =
                 "Charts speed against accuracy: measures methods against each other and writes charts, figures and"
-                        + " what they show. A study that was stopped with Ctrl-C goes on where it was when it is started again.")
+                        + " what they show. A study that was stopped with Ctrl-C continues where it stopped when it is started again.")
 final class StudyCommand implements Callable<Integer> {
 
     private static final String ALL = "all";
@@ -56,9 +56,8 @@ final class StudyCommand implements Callable<Integer> {
     @Option(
             names = {"-o", "--output"},
             paramLabel = "FOLDER",
-            description =
-                    "a folder that exists, where the page goes, and beside it a folder with charts and figures; without it"
-                            + " the current one")
+            description = "an existing folder for the page, and for a folder of charts and figures beside it; default:"
+                    + " the current folder")
     private Path output = Path.of("");
 
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "seed of everything that is random")
@@ -73,7 +72,7 @@ final class StudyCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         List<StudyKind> kinds = kinds();
         if (!Files.isDirectory(output)) {
-            throw new MistakeException("-o must name a folder that exists, was " + output);
+            throw new MistakeException("-o must name an existing folder, was " + output);
         }
         Studio own = scene == null ? null : StudioReader.read(scene);
         if (own != null) {

@@ -46,7 +46,7 @@ final class TraceCommand implements Callable<Integer> {
             names = "--pupil",
             defaultValue = "0,0",
             paramLabel = "X,Y",
-            description = "point of the lens in units of its radius, to the right and up; without it the centre")
+            description = "point of the lens in units of its radius, to the right and up; default: its centre")
     private String pupil;
 
     @Option(names = "--json", description = "print JSON with 17 significant digits")

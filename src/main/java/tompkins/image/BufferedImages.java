@@ -22,7 +22,7 @@ public final class BufferedImages {
 
     private BufferedImages() {}
 
-    /** The photograph for the screen: 8 bits a channel, type {@link BufferedImage#TYPE_INT_RGB}. */
+    /** The photograph for the screen: 8 bits per channel, type {@link BufferedImage#TYPE_INT_RGB}. */
     public static BufferedImage toBufferedImage(LinearImage image, ToneCurve curve) {
         LevelTable levels = switch (curve) {
             case LINEAR -> LINEAR_LEVELS;
@@ -45,7 +45,7 @@ public final class BufferedImages {
         return result;
     }
 
-    /** The photograph with 16 bits a channel. */
+    /** The photograph with 16 bits per channel. */
     static BufferedImage sixteenBit(LinearImage image, ToneCurve curve) {
         float[] rgb = image.rgb();
         short[] levels = new short[rgb.length];

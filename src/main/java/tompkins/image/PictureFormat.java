@@ -7,13 +7,13 @@ import java.util.stream.Stream;
 /** The formats in which photographs are saved. Of those that share an ending, the first is the usual one. */
 public enum PictureFormat {
 
-    /** PNG, 8 bits a channel. */
+    /** PNG, 8 bits per channel. */
     PNG("an 8-bit PNG picture", List.of(".png")),
 
-    /** PNG, 16 bits a channel. */
+    /** PNG, 16 bits per channel. */
     PNG16("a 16-bit PNG picture", List.of(".png")),
 
-    /** TIFF, 16 bits a channel. */
+    /** TIFF, 16 bits per channel. */
     TIFF("a 16-bit TIFF picture", List.of(".tif", ".tiff")),
 
     /** TIFF, 32-bit floating point: the light itself, exactly, with no tone curve. */

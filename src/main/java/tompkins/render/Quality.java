@@ -25,7 +25,7 @@ public sealed interface Quality {
     }
 
     /**
-     * The same number of samples for each pixel.
+     * The same number of samples per pixel.
      *
      * @param samples 1 is taken in the centre of the pixel and of the lens
      */
@@ -39,11 +39,11 @@ public sealed interface Quality {
         @Override
         public String sentence(RenderPlan plan) {
             if (samples > 1) {
-                return samples + " samples for each pixel, " + spread(plan) + ".";
+                return samples + " samples per pixel, " + spread(plan) + ".";
             }
             return plan.studio().camera().hasWideAperture()
-                    ? "One sample for each pixel, in its centre and through the centre of the lens: blur needs more samples."
-                    : "One sample for each pixel, in its centre.";
+                    ? "One sample per pixel, in its centre and through the centre of the lens: blur needs more samples."
+                    : "One sample per pixel, in its centre.";
         }
     }
 

@@ -17,7 +17,7 @@ public enum SpeedScale {
     @Meaning("The rapidity artanh(beta), which adds up when velocities along one line are composed")
     RAPIDITY("rapidity", "from 0 to 19.1"),
     /** What the speed lacks to that of light, 1 - beta, for speeds that a decimal fraction cannot hold. */
-    @Meaning("What the speed lacks to that of light, 1 - beta")
+    @Meaning("How far the speed is below that of light, 1 - beta")
     ONE_MINUS_BETA("oneMinusBeta", "above 0 and at most 1");
 
     private static final int LONGEST_SHOWN = 40;

@@ -20,7 +20,7 @@ public record RenderSettings(
                                 + " they are needed, 0.000001 to 1; 0 for the same number of samples everywhere")
         double targetError,
 
-        @Meaning("Seed of the places of the samples; the same seed gives the same picture")
+        @Meaning("Seed for the positions of the samples; the same seed gives the same picture")
         long seed,
 
         @Meaning("How many surfaces may send a ray on, 0 to 1000000, before the ray is given up")
@@ -32,7 +32,7 @@ public record RenderSettings(
         ToneCurve toneCurve) {
 
     /**
-     * 640 x 480 with one sample for each pixel: the cheapest picture, and of all with one sample the best, because it is taken
+     * 640 x 480 with one sample per pixel: the cheapest picture, and of all with one sample the best, because it is taken
      * in the centre (see the charts of antialiasing in docs/speed-and-accuracy.md).
      */
     public static final RenderSettings DEFAULT = new RenderSettings(640, 480, 1, 0, 1, 1000, ToneCurve.LINEAR);
@@ -43,7 +43,7 @@ public record RenderSettings(
     /** Largest number of pixels of a picture. */
     public static final long MOST_PIXELS = 100_000_000;
 
-    /** Largest number of samples for each pixel. */
+    /** Largest number of samples per pixel. */
     public static final int MOST_SAMPLES = 1 << 20;
 
     /** Smallest error that can be wanted: below it, rounding of the light itself comes in. */

@@ -41,7 +41,7 @@ final class AntialiasingStudy implements Study {
      * @param compared pinhole photographs on which methods are compared
      * @param promised photographs on which the promised error is compared with the true one
      * @param width width of the compared photographs in pixels; the promised ones have a third of it
-     * @param referenceSamples samples for each pixel of the references of the compared photographs; those of the promised
+     * @param referenceSamples samples per pixel of the references of the compared photographs; those of the promised
      *     ones begin with a quarter and have as many as it takes
      */
     AntialiasingStudy(

@@ -36,7 +36,7 @@ final class ApertureStudy implements Study {
      * The study.
      *
      * @param studios photographs to be measured beside the problems with an exact answer, by name
-     * @param mostSamples the largest number of samples for each pixel; a power of 4
+     * @param mostSamples the largest number of samples per pixel; a power of 4
      * @param repeats runs of each trial with an exact answer
      * @param methods the methods, by name
      * @param program the name of the program's own method

@@ -31,7 +31,7 @@ final class Honesty {
      * The question for some photographs.
      *
      * @param width of the photographs in pixels
-     * @param referenceSamples least number of samples for each pixel of the references
+     * @param referenceSamples least number of samples per pixel of the references
      */
     Honesty(Map<String, Studio> studios, long seed, int width, int referenceSamples) {
         this.seed = seed;

@@ -7,7 +7,7 @@ import java.util.List;
  *
  * @param problem what was worked out
  * @param method how
- * @param setting the number that was varied: samples for each pixel, gamma, objects; the study says which
+ * @param setting the number that was varied: samples per pixel, gamma, objects; the study says which
  * @param rays rays that were followed, or evaluations of the integrand
  * @param seconds time of one thread
  * @param error root mean square of the error

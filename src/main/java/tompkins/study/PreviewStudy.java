@@ -24,7 +24,7 @@ final class PreviewStudy implements Study {
 
     private final Map<String, Studio> studios = new LinkedHashMap<>();
 
-    /** The study of some photographs, taken with one sample for each pixel. */
+    /** The study of some photographs, taken with one sample per pixel. */
     PreviewStudy(Map<String, Studio> studios) {
         studios.forEach((name, studio) ->
                 this.studios.put(name, studio.withSettings(studio.settings().withSamples(1))));
@@ -38,12 +38,12 @@ final class PreviewStudy implements Study {
     @Override
     public String question() {
         return "While a picture is on its way, the window shows it coarse to fine. How soon is it how good, compared with the"
-                + " picture of one sample for each pixel, and is it worth the time to interpolate what is missing?";
+                + " picture of one sample per pixel, and is it worth the time to interpolate what is missing?";
     }
 
     @Override
     public String settings() {
-        return "one sample for each pixel, " + REPEATS + " runs, scenes " + StudySetup.settings(studios);
+        return "one sample per pixel, " + REPEATS + " runs, scenes " + StudySetup.settings(studios);
     }
 
     @Override

@@ -76,7 +76,7 @@ enum SamplingMethod {
         /**
          * A pattern for one thread.
          *
-         * @param samples samples for each pixel
+         * @param samples samples per pixel
          * @param pixelToo whether the place in the pixel varies too, or stays in its centre
          */
         SamplePattern pattern(long seed, int samples, boolean pixelToo);

@@ -30,7 +30,7 @@ final class ScenePixels {
      * Some pixels of a picture.
      *
      * @param pixels about how many
-     * @param referenceSamples samples for each pixel of the reference
+     * @param referenceSamples samples per pixel of the reference
      */
     ScenePixels(Studio studio, int pixels, int referenceSamples) {
         this(studio, pixels, referenceSamples, Double.POSITIVE_INFINITY);
@@ -49,7 +49,7 @@ final class ScenePixels {
     /**
      * All pixels of a picture.
      *
-     * @param referenceSamples least number of samples for each pixel of the reference
+     * @param referenceSamples least number of samples per pixel of the reference
      * @param wantedError the number is doubled until the reference errs by no more than this
      */
     static ScenePixels all(Studio studio, int referenceSamples, double wantedError) {

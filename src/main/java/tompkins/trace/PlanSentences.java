@@ -97,8 +97,8 @@ final class PlanSentences {
 
     private String shutter() {
         if (atRest) {
-            return "Nothing in the scene changes with time: all shutter models give this picture, as far as its rays"
-                    + " cross the shutter.";
+            return "Nothing in the scene changes with time: every shutter model gives this picture, except where a ray"
+                    + " never crosses the shutter.";
         }
         if (studio.camera().shutter() instanceof AperturePlaneShutter shutter) {
             boolean atOrigin = shutter.openingTime() == 0
@@ -106,9 +106,9 @@ final class PlanSentences {
                     && !studio.camera().hasWideAperture()
                     && studio.camera().position().length() == 0;
             return atOrigin
-                    ? "All light crosses the pinhole at time 0, where the origins of both frames meet: of the geometry only"
-                            + " directions change (aberration), the point of view does not."
-                    : "All light crosses the lens at one time, which is a constant.";
+                    ? "All light crosses the pinhole at time 0, where the origins of both frames meet: only directions"
+                            + " change (aberration), not the point of view."
+                    : "All light crosses the lens at the same time.";
         }
         return "The time at the lens is worked out for each ray: different pixels may see the scene from different places.";
     }
@@ -118,8 +118,8 @@ final class PlanSentences {
         return count == 0
                 ? "Nothing moves with the camera: only the scene is searched."
                 : format(
-                        "%d primitive%s with the camera and %s searched first: nothing of the scene is in front.",
-                        count, count == 1 ? " moves" : "s move", count == 1 ? "is" : "are");
+                        "%d primitive%s with the camera and %s searched first: nothing in the scene can hide %s.",
+                        count, count == 1 ? " moves" : "s move", count == 1 ? "is" : "are", count == 1 ? "it" : "them");
     }
 
     private String search() {
@@ -138,7 +138,7 @@ final class PlanSentences {
                 || cameraFrame.primitives().stream().map(Primitive::surface).anyMatch(Surface::continuesRays);
         return continues
                 ? format(
-                        "Some surfaces send rays on: at most %d times, and only as long as these bring 1/%.0f of the light.",
+                        "Some surfaces send rays on: at most %d times, and only while these carry at least 1/%.0f of the light.",
                         studio.settings().maximumDepth(), 1 / Ray.FAINTEST)
                 : "No mirrors, glass, windows or filters: each ray ends where it hits.";
     }

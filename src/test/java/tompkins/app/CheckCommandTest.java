@@ -30,7 +30,7 @@ class CheckCommandTest {
         assertThat(run.err().strip())
                 .isEqualTo(
                         cut + ": the picture is damaged: the file ends too early or contradicts itself; its scene has"
-                                + " no mistakes: render takes the picture again");
+                                + " no mistakes: render can take the picture again");
         Path again = folder.resolve("again.png");
         ProgramRun.of("render", cut, "-o", again);
         assertThat(Files.readAllBytes(again)).isEqualTo(bytes);

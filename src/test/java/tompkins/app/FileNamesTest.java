@@ -50,7 +50,7 @@ class FileNamesTest {
 
             assertThat(run.code()).isEqualTo(Failures.MISTAKE);
             assertThat(run.err().lines().findFirst().orElseThrow())
-                    .endsWith(": -strange.json: what begins with - is read as an option; the file of this name is "
+                    .endsWith(": -strange.json: what begins with - is read as an option; to name the file, write "
                             + Path.of(".").resolve(strange));
             assertThat(ProgramRun.of("check", "./-strange.json").code()).isZero();
         } finally {

@@ -30,7 +30,7 @@ class RenderCommandTest {
             ProgramRun run = ProgramRun.of(
                     "render", FIG1B, "-o", first, "--size", "64x48", "--samples", 3, "--beta", "0,0.3,0.5");
             assertThat(run.code()).as(run.err()).isZero();
-            assertThat(run.out()).contains(first.toString(), ", 3 samples a pixel");
+            assertThat(run.out()).contains(first.toString(), ", 3 samples per pixel");
 
             assertThat(ProgramRun.of("render", first, "-o", second).code()).isZero();
 
@@ -48,7 +48,7 @@ class RenderCommandTest {
         assertThat(Files.readAllBytes(second)).isEqualTo(Files.readAllBytes(first));
         Path third = folder.resolve("third.png");
         assertThat(ProgramRun.of("render", first, "-o", third, "--samples", 2).out())
-                .contains(", 2 samples a pixel");
+                .contains(", 2 samples per pixel");
     }
 
     @ParameterizedTest
@@ -64,7 +64,7 @@ class RenderCommandTest {
             String format, String first, String again, String expected) throws IOException {
         Path before = folder.resolve(first);
         ProgramRun one = ProgramRun.of("render", FIG1B, "-o", before, "--size", "32x24", "--format", format);
-        assertThat(one.out()).contains(", 1 sample a pixel");
+        assertThat(one.out()).contains(", 1 sample per pixel");
 
         ProgramRun run = ProgramRun.of("render", before, "-o", folder.resolve(again));
 
@@ -106,7 +106,7 @@ class RenderCommandTest {
 
             assertThat(run.code()).as(run.err()).isZero();
             assertThat(run.err().lines()).hasSize(size > 1 << 20 ? 1 : 0);
-            assertThat(run.err().isEmpty() || run.err().startsWith("note: the photograph names mesh.obj,"))
+            assertThat(run.err().isEmpty() || run.err().startsWith("note: keep mesh.obj in the same folder"))
                     .isTrue();
         }
     }

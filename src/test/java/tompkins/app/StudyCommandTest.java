@@ -85,7 +85,7 @@ class StudyCommandTest {
     void aFolderThatDoesNotExistIsAMistake() throws IOException {
         Path file = Files.writeString(folder.resolve("mine.txt"), "mine");
         for (Path none : List.of(file, file.resolve("x"), folder.resolve("none"))) {
-            assertThat(refusal(none, Failures.MISTAKE)).isEqualTo("-o must name a folder that exists, was " + none);
+            assertThat(refusal(none, Failures.MISTAKE)).isEqualTo("-o must name an existing folder, was " + none);
         }
         assertThat(folder).isDirectoryContaining(file::equals).isDirectoryNotContaining(path -> !path.equals(file));
         assertThat(Files.readString(file)).isEqualTo("mine");

@@ -43,7 +43,7 @@ final class Photograph {
         plan = RenderPlan.of(studio);
     }
 
-    /** Objects before a black sky, a camera with the given velocity, one sample a pixel. */
+    /** Objects before a black sky, a camera with the given velocity, one sample per pixel. */
     static Photograph of(List<SceneObject> scene, Camera camera, Velocity velocity, int width, int height) {
         return new Photograph(new Studio(
                 "",

@@ -56,7 +56,7 @@ public final class PaperStudios {
         return fig1a().withVelocity(VELOCITY);
     }
 
-    /** Fig. 3(a): through a wide aperture, with the shutter in the detector plane; one sample for each pixel. */
+    /** Fig. 3(a): through a wide aperture, with the shutter in the detector plane; one sample per pixel. */
     public static Studio fig3a() {
         return fig1b().withScene(List.of(WHITE_SPHERES, FLOOR, CylinderLattice.DEFAULT))
                 .withCamera(camera(0.05, new DetectorPlaneShutter(1.12, 1)));

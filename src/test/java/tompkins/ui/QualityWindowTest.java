@@ -69,8 +69,8 @@ class QualityWindowTest {
         assertThat(driver.studio().settings().samples()).isEqualTo(1);
 
         WindowDriver.await(
-                "all points", () -> state().startsWith("Click on a point") && entity("where needed", 5) != null);
-        choose("the same", 0, "4 samples a pixel");
+                "all points", () -> state().startsWith("Click a point") && entity("where needed", 5) != null);
+        choose("the same", 0, "4 samples per pixel");
         assertThat(driver.studio().settings().samples()).isEqualTo(4);
 
         JTextField samples = driver.find(JTextField.class, "Samples");
@@ -81,7 +81,7 @@ class QualityWindowTest {
         });
         assertThat(WindowDriver.onEventThread(QualityWindowTest::state))
                 .as("when the scene has another number")
-                .startsWith("Click on a point");
+                .startsWith("Click a point");
 
         choose("where needed", 5, "Samples where they are needed, error 0.001");
         WindowDriver.await(
@@ -116,7 +116,7 @@ class QualityWindowTest {
             // no event tells of a mouse that is there already
             driver.move(new Point(place.x, place.y + 1));
             driver.move(place);
-            awaitState("A click takes: " + chosen);
+            awaitState("Click to use: " + chosen);
             driver.click(place);
             awaitState(CHOSEN + chosen);
         }

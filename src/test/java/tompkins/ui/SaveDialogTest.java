@@ -22,7 +22,7 @@ import tompkins.ui.widget.Texts;
 @Timeout(600)
 class SaveDialogTest {
 
-    /** Where a PNG file says how many bits a channel has. */
+    /** Where a PNG file says how many bits per channel has. */
     private static final int PNG_DEPTH = 24;
 
     @TempDir
@@ -76,7 +76,7 @@ class SaveDialogTest {
     @Test
     void ofFormatsWithTheSameEndingTheChosenOneIsMeant() throws IOException {
         driver.menu("menu.savePhotograph");
-        chooseFormat("PNG, 16 bits a channel");
+        chooseFormat("PNG, 16 bits per channel");
         Path png = folder.resolve("typed.png");
         driver.choose(png);
         awaitSaved(png);

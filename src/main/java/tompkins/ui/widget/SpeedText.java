@@ -94,6 +94,7 @@ public final class SpeedText {
     }
 
     private static InvalidPropertyException wrong(String text) {
-        return Numbers.noNumber("speed", "a number, or like \"97%\", \"gamma 10\", \"1-1e-9\", \"rapidity 2\"", text);
+        return Numbers.noNumber(
+                "speed", "a number, or for example \"97%\", \"gamma 10\", \"1-1e-9\", \"rapidity 2\"", text);
     }
 }

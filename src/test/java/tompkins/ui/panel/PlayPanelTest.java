@@ -46,7 +46,7 @@ class PlayPanelTest {
     private final List<Animation> exported = new ArrayList<>();
     private final PlayPanel play = new PlayPanel(model, (studio, animation) -> exported.add(animation));
     private final Container panel = (Container) play.component();
-    private final JComboBox<?> numbers = Components.find(panel, JComboBox.class, "Number to run");
+    private final JComboBox<?> numbers = Components.find(panel, JComboBox.class, "Value to animate");
 
     @BeforeAll
     static void look() {
@@ -121,7 +121,7 @@ class PlayPanelTest {
     @CsvSource({"FORWARDS, 250", "BACKWARDS, 750", "THERE_AND_BACK, 125"})
     void theScrubberStandsAtTheNumberOfTheScene(Animation.Course course, int place) {
         choose(SPEED);
-        Components.find(panel, JComboBox.class, "Course").setSelectedItem(course);
+        Components.find(panel, JComboBox.class, "Direction").setSelectedItem(course);
         Components.enter(panel, "to", "0.8");
         model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.2)));
         assertThat(place()).isEqualTo(place);
@@ -135,7 +135,7 @@ class PlayPanelTest {
     @Test
     void theScrubberStaysWhereItWasDraggedOnTheWayBack() {
         choose(SPEED);
-        Components.find(panel, JComboBox.class, "Course").setSelectedItem(Animation.Course.THERE_AND_BACK);
+        Components.find(panel, JComboBox.class, "Direction").setSelectedItem(Animation.Course.THERE_AND_BACK);
         scrub(800);
         assertThat(place()).isEqualTo(800);
         model.set(model.studio().withCamera(PanoramicCamera.DEFAULT));
