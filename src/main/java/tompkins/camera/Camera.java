@@ -19,6 +19,14 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
     /** Direction of the middle of the picture, of any length. */
     Vector3dc viewDirection();
 
+    /** Direction that points up in the picture, of any length, as far as the view direction allows. */
+    Vector3dc topDirection();
+
+    /** Direction that points to the right in the middle of the picture; a unit vector. */
+    default Vector3dc rightDirection() {
+        return CameraAxes.of(viewDirection(), topDirection()).right();
+    }
+
     /**
      * The distance of what is in focus in the middle of the picture: above 0 in front of the camera, below 0 behind it, not
      * finite if nothing is.

@@ -11,6 +11,7 @@ import javax.swing.JToggleButton;
 import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.camera.Camera;
 import tompkins.property.NumberText;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
@@ -35,7 +36,7 @@ import tompkins.ui.widget.Wording;
 /** How fast the camera moves, and where to. */
 public final class VelocityPanel {
 
-    /** The speed at the right end of the slider, as a rapidity: gamma 200. */
+    /** The speeds of the slider, as rapidities: from rest to gamma 202. */
     private static final Range RAPIDITIES = Range.even(0, 6);
 
     private final StudioModel model;
@@ -123,9 +124,9 @@ public final class VelocityPanel {
         row.setOpaque(false);
         row.add(button(
                 "rest", () -> take(Velocity.of(SpeedScale.BETA, 0, velocity().givenDirection()))));
-        row.add(button("forwards", () -> turn(new Vector3d(0, 0, 1), null)));
-        row.add(button("backwards", () -> turn(new Vector3d(0, 0, -1), null)));
-        row.add(button("sideways", () -> turn(new Vector3d(1, 0, 0), null)));
+        row.add(button("forwards", () -> turn(camera().viewDirection(), null)));
+        row.add(button("backwards", () -> turn(new Vector3d().sub(camera().viewDirection()), null)));
+        row.add(button("sideways", () -> turn(camera().rightDirection(), null)));
         return row;
     }
 
@@ -134,6 +135,10 @@ public final class VelocityPanel {
         Naming.name(button, button.getText(), Texts.get("velocity." + key + ".tip"));
         button.addActionListener((ActionEvent event) -> action.run());
         return button;
+    }
+
+    private Camera camera() {
+        return model.studio().camera();
     }
 
     private Velocity velocity() {

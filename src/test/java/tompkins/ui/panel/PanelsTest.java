@@ -138,7 +138,7 @@ class PanelsTest {
         assertThat(Components.notes(panel)).containsExactly("\u03b2 = (0, 0, 0.6)");
         model.set(model.studio().withTransformation(TransformationLaw.NONE));
         assertThat(Components.notes(panel))
-                .containsExactly("\u03b2 = (0, 0, 0.6), ignored: the transformation is none");
+                .containsExactly("\u03b2 = (0, 0, 0.6), ignored: the transformation is \u201cNone\u201d");
     }
 
     @Test
@@ -236,6 +236,18 @@ class PanelsTest {
         Components.enter(panel, "Direction z", "-1");
         assertThat(velocity().gamma()).isEqualTo(fast.gamma());
         assertThat(velocity().direction().z()).isNegative();
+    }
+
+    /** Turned by 90 degrees to the right, what was ahead is x, and what was to the right is -z. */
+    @ParameterizedTest
+    @CsvSource({"Forwards, 1, 0", "Backwards, -1, 0", "Sideways, 0, -1"})
+    void theCameraMovesAsItLooks(String button, double x, double z) {
+        Studio studio = model.studio().withVelocity(Velocity.of(0, 0, 0.5));
+        model.set(studio.withCamera(Records.with(studio.camera(), "viewDirection", new Vector3d(2, 0, 0))));
+        Container panel = (Container) new VelocityPanel(model).component();
+        Components.find(panel, JButton.class, button).doClick();
+        assertThat(velocity().direction()).isEqualTo(new Vector3d(x, 0, z));
+        assertThat(velocity().speed()).isCloseTo(0.5, within(1e-15));
     }
 
     private static List<String> direction(Container panel) {
@@ -433,7 +445,7 @@ class PanelsTest {
         assertThat(FrontWindow.of(model.studio())).containsInstanceOf(GalileoWindow.class);
         JButton match = Components.find(panel, JButton.class, "Match the camera");
         assertThat(match.isEnabled()).as("it matches from the beginning").isFalse();
-        String follows = "The window follows the velocity of the camera, until it is given another one below.";
+        String follows = "The window follows the velocity of the camera until you give it another one below.";
         assertThat(Components.notes(panel)).contains(follows);
         Components.enter(panel, "Transmission", "1");
         Components.enter(panel, "Speed", "0.5");
@@ -546,7 +558,7 @@ class PanelsTest {
     @Test
     void aWantedErrorGoesIntoTheScene() {
         Container panel = (Container) new QualityPanel(model).component();
-        assertThat(Components.notes(panel)).containsExactly("One sample a pixel");
+        assertThat(Components.notes(panel)).containsExactly("One sample per pixel");
         Components.enter(panel, "Target error", "0.005");
         assertThat(Quality.of(model.studio())).isEqualTo(new Quality.TargetError(0.005));
         assertThat(Components.notes(panel)).containsExactly("Samples where they are needed, error 0.005");
@@ -566,6 +578,6 @@ class PanelsTest {
         assertThat(model.studio().settings().targetError()).isEqualTo(0.005);
         Components.enter(lens, "Samples", "16");
         assertThat(Quality.of(model.studio())).isEqualTo(new Quality.Samples(16));
-        assertThat(Components.notes(quality)).containsExactly("16 samples a pixel");
+        assertThat(Components.notes(quality)).containsExactly("16 samples per pixel");
     }
 }
