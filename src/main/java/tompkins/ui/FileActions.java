@@ -37,7 +37,7 @@ import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
 
-/** Opens and saves scenes, saves and copies photographs. What reads or writes files does so away from the event thread. */
+/** Opens and saves scenes, saves and copies photographs. Scenes and pictures are read and written away from the event thread. */
 final class FileActions implements FileContentEditor.Choosers {
 
     private final JFrame frame;

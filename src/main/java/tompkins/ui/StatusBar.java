@@ -78,7 +78,7 @@ final class StatusBar {
     /** A line that is too long for the window is read in its tip. */
     private void setWhat(String text) {
         what.setText(text);
-        what.setToolTipText(Tips.html(text));
+        what.setToolTipText(Tips.wrapped(text));
     }
 
     /** Says why there is no picture of the scene, until there is one. */
@@ -161,7 +161,7 @@ final class StatusBar {
                         milliseconds < 1000 ? milliseconds + " ms" : Numbers.brief(milliseconds / 1000.0, 3) + " s",
                         Double.isNaN(shown.error()) ? "?" : Numbers.brief(shown.error(), 2))
                 + (shown.plan().isTooFaint() ? Texts.get("status.tooFaint") : ""));
-        picture.setToolTipText(Tips.html(Texts.get("status.errorTip")));
+        picture.setToolTipText(Tips.wrapped(Texts.get("status.errorTip")));
     }
 
     /** Shows one line of text, until there is something else to read under the mouse. */

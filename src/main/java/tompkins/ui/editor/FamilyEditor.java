@@ -89,7 +89,7 @@ final class FamilyEditor implements ValueEditor {
         if (value.getClass() != shownType) {
             shownType = value.getClass();
             updating.during(() -> types.setSelectedItem(shownType));
-            types.setToolTipText(Tips.html(Wording.meaning(shownType)));
+            types.setToolTipText(Tips.wrapped(Wording.meaning(shownType)));
             replaceForm();
         }
         form.show(value);

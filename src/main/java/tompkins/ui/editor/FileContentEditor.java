@@ -56,7 +56,7 @@ public final class FileContentEditor implements ValueEditor {
             String name, String tip, Note note, Consumer<Object> commit, Reader reader, Function<Object, String> text) {
         this.text = text;
         button.setName(name);
-        button.setToolTipText(Tips.html(tip));
+        button.setToolTipText(Tips.wrapped(tip));
         button.addActionListener(event -> {
             JFileChooser chooser = choosers().map(Choosers::chooser).orElseGet(JFileChooser::new);
             if (chooser.showOpenDialog(button) == JFileChooser.APPROVE_OPTION) {

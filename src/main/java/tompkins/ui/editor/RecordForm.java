@@ -47,7 +47,7 @@ public final class RecordForm {
                 ValueEditors.of(component, note, part -> commit.accept(Records.with(value, component.getName(), part)));
         editors.put(component, editor);
         JLabel label = new JLabel(Wording.label(component.getName()));
-        label.setToolTipText(Tips.html(Wording.meaning(component)));
+        label.setToolTipText(Tips.wrapped(Wording.meaning(component)));
         label.setLabelFor(editor.component());
         panel.add(label, editor.isTall() ? "aligny top, gaptop 3" : "");
         panel.add(editor.component(), "growx, wmin 0");

@@ -219,7 +219,7 @@ public final class SceneEditor {
                 : Descriptions.elementType(line.type()).orElseThrow();
         for (Class<?> type : Descriptions.members(family)) {
             JMenuItem item = new JMenuItem(Wording.label(type));
-            item.setToolTipText(Tips.html(Wording.meaning(type)));
+            item.setToolTipText(Tips.wrapped(Wording.meaning(type)));
             item.addActionListener(event -> addElement(type));
             menu.add(item);
         }

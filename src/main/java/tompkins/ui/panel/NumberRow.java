@@ -39,7 +39,7 @@ final class NumberRow {
             DoubleFunction<Studio> change) {
         String title = Wording.label(property);
         label = new JLabel(title);
-        label.setToolTipText(Tips.html(tip));
+        label.setToolTipText(Tips.wrapped(tip));
         slider = new ValueSlider(
                 Texts.get("slider.name", title),
                 tip,

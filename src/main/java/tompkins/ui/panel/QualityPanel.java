@@ -70,7 +70,7 @@ public final class QualityPanel {
         error = new NumberField(
                 NumberKind.DOUBLE, "targetError", title, meaning, refused, value -> want(value.doubleValue()));
         JLabel label = new JLabel(title);
-        label.setToolTipText(Tips.html(meaning));
+        label.setToolTipText(Tips.wrapped(meaning));
         label.setLabelFor(error.field());
         JButton measure = new JButton(Texts.get("quality.measure"));
         Naming.name(measure, Texts.get("quality.measure"), Texts.get("quality.measureTip"));

@@ -7,7 +7,7 @@ import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
 import javax.swing.MenuSelectionManager;
 
-/** Keys that mean the same everywhere. */
+/** Binds keys to what they do. */
 public final class Keys {
 
     /** Leaves or stops what is going on. */

@@ -15,7 +15,7 @@ public final class Naming {
     /** Gives a component a name and a tooltip, which may be empty. */
     public static void name(JComponent component, String name, String tip) {
         component.setName(name);
-        component.setToolTipText(tip.isEmpty() ? null : Tips.html(tip));
+        component.setToolTipText(tip.isEmpty() ? null : Tips.wrapped(tip));
         AccessibleContext accessible = component.getAccessibleContext();
         accessible.setAccessibleName(name);
         accessible.setAccessibleDescription(tip);

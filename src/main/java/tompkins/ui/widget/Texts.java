@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.MissingResourceException;
 import java.util.ResourceBundle;
 
-/** All texts of the window, from one resource bundle in the language of the user. */
+/** All texts of the window, from one resource bundle. */
 public final class Texts {
 
     private static final String BUNDLE = "tompkins.ui.Labels";

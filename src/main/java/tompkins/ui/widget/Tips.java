@@ -7,8 +7,8 @@ public final class Tips {
 
     private Tips() {}
 
-    /** A tooltip of one or more lines. */
-    public static String html(String text) {
+    /** A tooltip, as HTML if it takes more than one line. */
+    public static String wrapped(String text) {
         if (text.length() <= LONGEST_LINE) {
             return text;
         }
