@@ -1,8 +1,11 @@
 package tompkins.trace;
 
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Hit;
@@ -12,63 +15,72 @@ import tompkins.surface.Refractive;
 
 /**
  * The medium around the lens: a camera may stand in glass or under water that moves with it. What it stands in is told by how often
- * a line through the lens enters and leaves it. What encloses nothing does not count, but for infinite planes with the lens on
- * their inner side.
+ * a line through the lens leaves it. Open surfaces do not count, except infinite planes. Those of one medium are judged together:
+ * two of them may be the faces of a plate.
  */
 final class LensMedium {
 
     /** Any direction does in which lines meet no edges and along which nobody lays a plane. */
     private static final Vector3dc LINE = new Vector3d(0.4871, 0.6113, 0.6237).normalize();
 
-    /** Relative error of a product of indices. */
-    private static final double ROUNDING = 1e-9;
-
-    /** What a line through the lens crosses of one body, in front and behind. */
-    private static final class Crossings {
-        private double ahead = 1;
-        private double behind = 1;
-    }
-
     private LensMedium() {}
 
     /** The slowness of light at a place among the primitives of the camera frame: the index of what is there, 1 in vacuum. */
     static double slowness(List<Primitive> primitives, Vector3dc place) {
+        // a body may have many primitives, as a mesh has
+        Map<List<Object>, List<Primitive>> bodies = primitives.stream()
+                .filter(primitive -> primitive.surface() instanceof Refractive)
+                .collect(Collectors.groupingBy(
+                        primitive -> primitive.bounds() == null
+                                ? List.of(primitive.surface())
+                                : List.of(primitive.surface(), primitive.description()),
+                        LinkedHashMap::new,
+                        Collectors.toList()));
         double slowness = 1;
-        Map<List<Object>, Crossings> bodies = new LinkedHashMap<>();
-        for (Primitive primitive : primitives) {
-            if (primitive.surface() instanceof Refractive medium) {
-                double index = medium.indexRatio();
-                double ahead = growth(primitive, index, place, LINE);
-                double behind = growth(primitive, index, place, LINE.negate(new Vector3d()));
-                if (primitive.bounds() == null) {
-                    slowness *= ahead * behind == 1 / index ? index : 1;
-                } else {
-                    // a body may have many primitives, as a mesh has
-                    Crossings body = bodies.computeIfAbsent(
-                            List.of(primitive.description(), medium), description -> new Crossings());
-                    body.ahead *= ahead;
-                    body.behind *= behind;
-                }
-            }
-        }
-        for (Crossings body : bodies.values()) {
-            boolean closed = Math.abs(body.ahead - body.behind) <= ROUNDING * body.ahead;
-            slowness /= closed ? body.ahead : 1;
+        for (List<Primitive> body : bodies.values()) {
+            Primitive first = body.get(0);
+            double index = ((Refractive) first.surface()).indexRatio();
+            Collection<Integer> ahead = crossings(body, place, LINE);
+            Collection<Integer> behind = crossings(body, place, LINE.negate(new Vector3d()));
+            int depth = first.bounds() == null
+                    ? Math.max(mostLeft(ahead), mostLeft(behind))
+                    : left(ahead) == left(behind) ? left(ahead) : 0;
+            slowness *= Math.pow(index, depth);
         }
         return slowness;
     }
 
-    /** The factor by which the slowness grows along a line that starts at a place, because of one primitive. */
-    private static double growth(Primitive primitive, double index, Vector3dc from, Vector3dc line) {
-        Ray ray = Ray.fromCamera(from.x(), from.y(), from.z(), line.x(), line.y(), line.z(), 0);
-        double growth = 1;
-        double distance = primitive.distance(ray, Primitive.NO_HIT);
-        for (int meeting = 0; meeting < Primitive.MOST_MEETINGS && distance < Primitive.NO_HIT; meeting++) {
-            Hit hit = primitive.hit(ray, distance);
-            growth *= hit.cosine(ray) < 0 ? index : 1 / index;
-            ray = ray.straightOn(hit, 1);
-            distance = primitive.distance(ray, Primitive.NO_HIT);
+    /** What a line crosses from a place on, the nearest first: 1 where it leaves the body, -1 where it enters it. */
+    private static Collection<Integer> crossings(List<Primitive> body, Vector3dc from, Vector3dc line) {
+        TreeMap<Double, Integer> crossings = new TreeMap<>();
+        for (Primitive primitive : body) {
+            Ray ray = Ray.fromCamera(from.x(), from.y(), from.z(), line.x(), line.y(), line.z(), 0);
+            double before = 0;
+            double distance = primitive.distance(ray, Primitive.NO_HIT);
+            for (int meeting = 0; meeting < Primitive.MOST_MEETINGS && distance < Primitive.NO_HIT; meeting++) {
+                Hit hit = primitive.hit(ray, distance);
+                before += distance;
+                crossings.merge(before, hit.cosine(ray) < 0 ? -1 : 1, Integer::sum);
+                ray = ray.straightOn(hit, 1);
+                distance = primitive.distance(ray, Primitive.NO_HIT);
+            }
         }
-        return growth;
+        return crossings.values();
+    }
+
+    /** How often the line leaves more than it has entered, in the end. */
+    private static int left(Collection<Integer> crossings) {
+        return crossings.stream().mapToInt(Integer::intValue).sum();
+    }
+
+    /** The same where that is most, and not less than 0: it has left no plate that it had not entered, or started in. */
+    private static int mostLeft(Collection<Integer> crossings) {
+        int most = 0;
+        int left = 0;
+        for (int crossing : crossings) {
+            left += crossing;
+            most = Math.max(most, left);
+        }
+        return most;
     }
 }

@@ -34,9 +34,13 @@ class GlassTimeTest {
             new Plane("wall", new Vector3d(0, 0, 30), new Vector3d(0, 0, -1), ColouredSurface.DEFAULT);
 
     private static RayLife life(Velocity velocity, double x) {
+        return life(List.of(SLAB), velocity, x);
+    }
+
+    private static RayLife life(List<SceneObject> glass, Velocity velocity, double x) {
         Studio studio = Studio.DEFAULT
                 .withScene(List.of(WALL))
-                .withCameraFrame(List.of(SLAB))
+                .withCameraFrame(glass)
                 .withCamera(ThinLensCamera.DEFAULT)
                 .withVelocity(velocity)
                 .withSettings(Studio.DEFAULT.settings().withSize(100, 100));
@@ -61,6 +65,37 @@ class GlassTimeTest {
         assertThat(life.hits())
                 .filteredOn(hit -> hit.object().equals("wall"))
                 .anySatisfy(hit -> assertThat(hit.event().time()).isCloseTo(-33, within(1e-12)));
+    }
+
+    private static Plane face(double z, double normal) {
+        return new Plane("face", new Vector3d(0, 0, z), new Vector3d(0, 0, normal), new Refractive(1.5));
+    }
+
+    /** Two planes with their fronts outwards are the faces of a plate, in whatever order they are listed. */
+    @Test
+    void aPlateOfTwoPlanesIsASlabWithoutAnEdge() {
+        Plane front = face(2, -1);
+        Plane back = face(4, 1);
+        for (List<SceneObject> plate : List.of(List.<SceneObject>of(front, back), List.<SceneObject>of(back, front))) {
+            assertThat(leavesTheGlass(life(plate, Velocity.of(0, 0, 0.8), 50)).time())
+                    .isCloseTo(-5, within(1e-12));
+        }
+    }
+
+    /** Light that starts in n plates of glass needs 1.5^n times as long to z = 4 as in vacuum. */
+    @Test
+    void aLensMayStandBetweenOrInPlates() {
+        List<SceneObject> inPlate = List.of(face(-1, -1), face(4, 1));
+        List<SceneObject> beforePlate = List.of(face(-5, -1), face(-4, 1), face(-1, -1), face(4, 1));
+        List<SceneObject> inTwo = List.of(face(4, 1), face(-4, -1), face(5, 1), face(-5, -1));
+        List<SceneObject> between = List.of(face(-5, -1), face(-4, 1), face(4, -1), face(5, 1));
+        List<SceneObject> underWater = List.of(face(4, 1), face(9, -1));
+        Velocity rest = Velocity.REST;
+        assertThat(leavesTheGlass(life(inPlate, rest, 50)).time()).isCloseTo(-4 * 1.5, within(1e-12));
+        assertThat(leavesTheGlass(life(beforePlate, rest, 50)).time()).isCloseTo(-4 * 1.5, within(1e-12));
+        assertThat(leavesTheGlass(life(inTwo, rest, 50)).time()).isCloseTo(-4 * 1.5 * 1.5, within(1e-12));
+        assertThat(leavesTheGlass(life(between, rest, 50)).time()).isCloseTo(-4, within(1e-12));
+        assertThat(leavesTheGlass(life(underWater, rest, 50)).time()).isCloseTo(-4 * 1.5, within(1e-12));
     }
 
     /** Most of the light goes straight on, not back with the 4 % that the front reflects. */
