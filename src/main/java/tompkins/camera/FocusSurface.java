@@ -3,6 +3,7 @@ package tompkins.camera;
 import java.util.List;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
+import tompkins.sceneobject.Placement;
 import tompkins.sceneobject.Primitive;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
@@ -12,8 +13,15 @@ final class FocusSurface {
 
     private final List<Primitive> primitives;
 
+    /**
+     * The surface of an object.
+     *
+     * @throws tompkins.property.InvalidPropertyException if it is too large or too small to work with
+     */
     FocusSurface(SceneObject object) {
-        primitives = PrimitiveCollector.primitivesOf(object);
+        PrimitiveCollector collector = new PrimitiveCollector(point -> point);
+        collector.add("focus", object, Placement.NONE);
+        primitives = collector.primitives();
     }
 
     /**

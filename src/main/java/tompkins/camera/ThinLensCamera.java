@@ -61,7 +61,7 @@ public record ThinLensCamera(
             0,
             AperturePlaneShutter.DEFAULT);
 
-    /** Checks all values; a plane in focus must not pass through the lens centre. */
+    /** Checks all values; a plane in focus must not pass through the lens centre, and no surface may be of an unusable size. */
     public ThinLensCamera {
         position = Require.place("position", position);
         viewDirection = Require.direction("viewDirection", viewDirection);
@@ -83,6 +83,8 @@ public record ThinLensCamera(
                     "a surface of at most " + NumberText.of(SceneObject.MOST_PRIMITIVES) + " primitives",
                     NumberText.of(focus.primitiveCount()));
         }
+        // refuses what cannot be worked with
+        new FocusSurface(focus);
         Require.within("exposureStops", exposureStops, -100.0, 100.0);
         Require.present("shutter", shutter);
     }

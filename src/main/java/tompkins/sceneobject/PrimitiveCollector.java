@@ -2,9 +2,13 @@ package tompkins.sceneobject;
 
 import java.util.ArrayList;
 import java.util.List;
+import tompkins.property.InvalidPropertyException;
 
 /** Collects the primitives of one frame for one picture, and numbers them in the order of the scene file. */
 public final class PrimitiveCollector {
+
+    /** The sizes that always work: their fourth powers are far from the limits of a double. Others may work, too. */
+    private static final String ALLOWED = "of a size that can be worked with (lengths from 1e-50 to 1e50 always can)";
 
     private final List<Primitive> primitives = new ArrayList<>();
     private final ImagePoints imagePoints;
@@ -25,7 +29,32 @@ public final class PrimitiveCollector {
         return collector.primitives();
     }
 
-    /** Adds one primitive behind those that are there. */
+    /** The refusal of something that is so large, small or far away that what is worked out from it is no number. */
+    public static InvalidPropertyException refusal(String property, String value) {
+        return new InvalidPropertyException(property, ALLOWED, value);
+    }
+
+    /**
+     * Adds the primitives of an object.
+     *
+     * @param property what scene files call the place of the object
+     * @throws InvalidPropertyException if the object is too large or too small to work with
+     */
+    public void add(String property, SceneObject object, Placement placement) {
+        try {
+            object.addTo(this, placement);
+        } catch (ArithmeticException | InvalidPropertyException beyondNumbers) {
+            InvalidPropertyException refusal = refusal(property, '"' + object.description() + '"');
+            refusal.initCause(beyondNumbers);
+            throw refusal;
+        }
+    }
+
+    /**
+     * Adds one primitive behind those that are there.
+     *
+     * @throws ArithmeticException if its size is no number
+     */
     public void add(Primitive primitive) {
         primitive.setOrder(primitives.size());
         primitives.add(primitive);
@@ -34,11 +63,6 @@ public final class PrimitiveCollector {
     /** Where points in front of the camera are photographed. */
     public ImagePoints imagePoints() {
         return imagePoints;
-    }
-
-    /** How many primitives there are so far. */
-    public int size() {
-        return primitives.size();
     }
 
     /** All primitives so far. */

@@ -20,11 +20,11 @@ import tompkins.studio.Studio;
  */
 final class PreparedScene {
 
-    private final List<SceneObject> described;
-    private final List<LightSource> describedLights;
     /** The lamps that get a grid, which takes milliseconds to make; with more of them the tree does for the rest. */
     private static final int MOST_GRIDS = 16;
 
+    private final List<SceneObject> described;
+    private final List<LightSource> describedLights;
     private final Vector3dc origin;
     private final boolean followsCamera;
     private final ObjectTree objects;
@@ -65,7 +65,7 @@ final class PreparedScene {
                     .filter(Objects::nonNull)
                     .toArray(LightGrid[]::new);
         } catch (ArithmeticException beyondNumbers) {
-            throw ObjectPreparation.refusal("scene");
+            throw PrimitiveCollector.refusal("scene", "larger");
         }
     }
 

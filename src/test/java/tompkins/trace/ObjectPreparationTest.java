@@ -69,6 +69,9 @@ class ObjectPreparationTest {
         assertThatExceptionOfType(InvalidPropertyException.class)
                 .isThrownBy(() -> RenderPlan.of(withCamera))
                 .withMessageStartingWith("cameraFrame[0] ");
+        assertThatExceptionOfType(InvalidPropertyException.class)
+                .isThrownBy(() -> focusedOn(object))
+                .withMessageStartingWith("focus must be of a size that can be worked with");
     }
 
     @Test
@@ -97,19 +100,23 @@ class ObjectPreparationTest {
 
     @Test
     void aFocusHasNoMorePrimitivesThanAScene() {
-        ThinLensCamera camera = ThinLensCamera.DEFAULT;
         assertThatExceptionOfType(InvalidPropertyException.class)
-                .isThrownBy(() -> new ThinLensCamera(
-                        camera.position(),
-                        camera.viewDirection(),
-                        camera.topDirection(),
-                        camera.horizontalAngleDegrees(),
-                        camera.verticalAngleDegrees(),
-                        camera.apertureRadius(),
-                        millionOf(new Group("", Collections.nCopies(11, BALL))),
-                        camera.exposureStops(),
-                        camera.shutter()))
+                .isThrownBy(() -> focusedOn(millionOf(new Group("", Collections.nCopies(11, BALL)))))
                 .withMessage("focus must be a surface of at most 10000000 primitives, was 11000000");
+    }
+
+    private static ThinLensCamera focusedOn(SceneObject focus) {
+        ThinLensCamera camera = ThinLensCamera.DEFAULT;
+        return new ThinLensCamera(
+                camera.position(),
+                camera.viewDirection(),
+                camera.topDirection(),
+                camera.horizontalAngleDegrees(),
+                camera.verticalAngleDegrees(),
+                camera.apertureRadius(),
+                focus,
+                camera.exposureStops(),
+                camera.shutter());
     }
 
     private static SceneObject millionOf(SceneObject object) {
@@ -129,6 +136,7 @@ class ObjectPreparationTest {
         RayLife life = RayLife.of(RenderPlan.of(Studio.DEFAULT.withScene(List.of(object))), 320.5, 239.5, 0, 0);
         assertThat(life.hits()).hasSize(1);
         assertThat(life.hits().get(0).event().position().isFinite()).isTrue();
+        assertThat(1 / focusedOn(object).focusDistance()).isFinite().isNotZero();
     }
 
     @Test
