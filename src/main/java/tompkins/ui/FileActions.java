@@ -252,9 +252,11 @@ final class FileActions implements FileContentEditor.Choosers {
 
     private void saveScene(Path file, Runnable next) {
         Studio studio = model.studio();
+        Studio opened = model.opened();
         BackgroundTask.start(frame, Texts.get("file.saving", file), task -> StudioWriter.save(studio, file), () -> {
-            if (model.studio().equals(studio)) {
-                model.saved(file);
+            // another scene may have been opened meanwhile
+            if (model.opened() == opened) {
+                model.saved(studio, file);
             }
             held.put(file, studio);
             saved(file);

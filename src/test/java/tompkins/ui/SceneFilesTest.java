@@ -24,6 +24,7 @@ import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.sceneobject.Box;
 import tompkins.studio.Studio;
+import tompkins.ui.model.StudioModel;
 
 /** Scene files that other programs write, too: nothing in them is lost without a question. */
 @Timeout(600)
@@ -102,6 +103,24 @@ class SceneFilesTest {
         awaitSaved();
         assertThat(StudioReader.read(file)).isEqualTo(BOX);
         assertThat(StudioReader.read(other)).isEqualTo(mine);
+    }
+
+    @Test
+    void aSceneThatIsPlayedIsSavedAsItIsAtThatMoment() {
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().open(BOX, null);
+            return null;
+        });
+        driver.menu("menu.playSpeed");
+        save();
+        Path other = folder.resolve("played.json");
+        driver.choose(other);
+        StudioModel model = driver.window().model();
+        WindowDriver.await("the file of the scene", () -> other.equals(model.file()));
+        Studio written = WindowDriver.onEventThread(model::opened);
+        assertThat(StudioReader.read(other)).isEqualTo(written);
+        WindowDriver.await("a later moment", () -> !model.studio().equals(written));
+        assertThat(WindowDriver.onEventThread(model::isModified)).isTrue();
     }
 
     @Test

@@ -4,8 +4,10 @@ import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import java.util.function.UnaryOperator;
 import tompkins.studio.Studio;
 
@@ -40,7 +42,9 @@ public final class StudioModel {
     private final Deque<Step> past = new ArrayDeque<>();
     private final Deque<Step> future = new ArrayDeque<>();
     private Step current;
-    private Object gesture;
+
+    /** Those that go on: an animation may run while a slider is dragged. */
+    private final Set<Object> gestures = new HashSet<>();
 
     /** A model of a studio; the file may be null. */
     public StudioModel(Studio studio, Path file) {
@@ -78,8 +82,8 @@ public final class StudioModel {
     }
 
     /**
-     * Takes another studio while a slider is dragged or an animation runs: all changes of one gesture that follow each other
-     * are undone in one step.
+     * Takes another studio while a slider is dragged or an animation runs: all changes of one gesture are undone in one step,
+     * with those of other gestures between them, up to a change that belongs to none.
      */
     public void adjust(Studio studio, Object duringGesture) {
         change(current.with(studio), duringGesture);
@@ -87,7 +91,7 @@ public final class StudioModel {
 
     /** The next change begins a step of its own. */
     public void endGesture() {
-        gesture = null;
+        gestures.clear();
     }
 
     /** Takes a studio that was read from a file, as a step that can be undone. */
@@ -95,11 +99,13 @@ public final class StudioModel {
         change(new Step(studio, file, studio), null);
     }
 
-    /** The studio was saved to a file as it is. The steps that led here, and those taken back, belong to that file from now on. */
-    public void saved(Path file) {
+    /**
+     * A studio was saved to a file: the present one, or one that it was a little while before. All steps since the scene was
+     * opened, and those taken back, belong to that file from now on.
+     */
+    public void saved(Studio written, Path file) {
         Step before = current;
-        UnaryOperator<Step> save =
-                step -> step.isOfSameFile(before) ? new Step(step.studio(), file, before.studio()) : step;
+        UnaryOperator<Step> save = step -> step.isOfSameFile(before) ? new Step(step.studio(), file, written) : step;
         replaceAll(past, save);
         replaceAll(future, save);
         current = save.apply(current);
@@ -143,19 +149,19 @@ public final class StudioModel {
         }
         to.push(current);
         current = from.pop();
-        gesture = null;
+        gestures.clear();
         tellListeners();
     }
 
-    private void change(Step next, Object duringGesture) {
-        boolean continues = duringGesture != null && Objects.equals(duringGesture, gesture);
+    /** Takes a step during a gesture, or during none if it is null. */
+    private void change(Step next, Object gesture) {
         if (next.equals(current)) {
-            // a slider that is pressed tells the value that it has: the gesture begins with its first change
-            gesture = continues ? gesture : null;
             return;
         }
-        gesture = duringGesture;
-        if (!continues) {
+        if (gesture == null) {
+            gestures.clear();
+        }
+        if (gesture == null || gestures.add(gesture)) {
             past.push(current);
             if (past.size() > LONGEST_HISTORY) {
                 past.removeLast();

@@ -65,6 +65,46 @@ class StudioModelTest {
         assertThat(model.studio()).isEqualTo(speed(0.1));
     }
 
+    /** Such as an animation that runs while a slider is dragged. */
+    @Test
+    void twoGesturesAtATimeAreTwoSteps() {
+        Object animation = new Object();
+        Object drag = new Object();
+        model.adjust(speed(0.1), animation);
+        for (int i = 0; i < 1500; i++) {
+            model.adjust(speed(0.2 + i * 1e-4), i % 2 == 0 ? drag : animation);
+        }
+        model.undo();
+        assertThat(model.studio()).isEqualTo(speed(0.1));
+        model.undo();
+        assertThat(model.studio()).isEqualTo(speed(0));
+    }
+
+    @Test
+    void aChangeOfItsOwnEndsAllGestures() {
+        Object drag = new Object();
+        model.adjust(speed(0.1), drag);
+        model.set(speed(0.2));
+        model.adjust(speed(0.3), drag);
+        model.undo();
+        assertThat(model.studio()).isEqualTo(speed(0.2));
+    }
+
+    /** The scene may go on changing while the file is written. */
+    @Test
+    void whatWasSavedALittleWhileAgoHasItsFileToo() {
+        Object animation = new Object();
+        model.adjust(speed(0.1), animation);
+        Studio written = model.studio();
+        model.adjust(speed(0.2), animation);
+        model.saved(written, Path.of("a.json"));
+        assertThat(model.file()).isEqualTo(Path.of("a.json"));
+        assertThat(model.isModified()).isTrue();
+        model.reset();
+        assertThat(model.studio()).isEqualTo(speed(0.1));
+        assertThat(model.isModified()).isFalse();
+    }
+
     @Test
     void aNewStepForgetsWhatWasTakenBack() {
         model.set(speed(0.1));
@@ -97,7 +137,7 @@ class StudioModelTest {
 
     @Test
     void undoOfOpeningGoesBackToTheFileBefore() {
-        model.saved(Path.of("first.json"));
+        model.saved(model.studio(), Path.of("first.json"));
         model.open(speed(0.5), Path.of("second.json"));
         model.undo();
         assertThat(model.file()).isEqualTo(Path.of("first.json"));
@@ -118,7 +158,7 @@ class StudioModelTest {
     void whatIsUndoneAfterSavingElsewhereBelongsToTheNewFile() {
         model.open(speed(0.5), Path.of("a.json"));
         model.set(speed(0.6));
-        model.saved(Path.of("b.json"));
+        model.saved(model.studio(), Path.of("b.json"));
         model.undo();
         assertThat(model.file()).isEqualTo(Path.of("b.json"));
         assertThat(model.studio()).isEqualTo(speed(0.5));
