@@ -11,7 +11,6 @@ import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JSlider;
 import javax.swing.JToggleButton;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
@@ -27,12 +26,12 @@ import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.Range;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Updating;
+import tompkins.ui.widget.ValueSlider;
 import tompkins.ui.widget.Wording;
 
 /** Runs a number of the studio between two values, with a scrubber. */
 public final class PlayPanel {
 
-    private static final int STEPS = 1000;
     private static final int TICK_MILLISECONDS = 33;
     private static final double LONGEST_SECONDS = 600;
 
@@ -44,7 +43,12 @@ public final class PlayPanel {
     private final JComboBox<Animation.Course> courses = new JComboBox<>(Animation.Course.values());
     private final JToggleButton play = new JToggleButton(Texts.get("play.play"));
     private final JCheckBox loop = new JCheckBox(Texts.get("play.loop"), true);
-    private final JSlider scrubber = new JSlider(0, STEPS, 0);
+    private final ValueSlider scrubber = new ValueSlider(
+            Texts.get("play.scrubber"),
+            Texts.get("play.scrubberTip"),
+            Range.even(0, 1),
+            (share, drag) -> moveTo(share),
+            () -> {});
     private final JLabel value = new JLabel();
     private final Note note = new Note("");
     private final NumberField fromField;
@@ -78,8 +82,6 @@ public final class PlayPanel {
         name(play, "play.play");
         play.addActionListener(event -> setPlaying(play.isSelected()));
         name(loop, "play.loop");
-        name(scrubber, "play.scrubber");
-        scrubber.addChangeListener(event -> updating.unless(() -> moveTo((double) scrubber.getValue() / STEPS)));
         JButton exportButton = new JButton(Texts.get("play.export"));
         name(exportButton, "play.export");
         exportButton.addActionListener(event -> {
@@ -90,7 +92,7 @@ public final class PlayPanel {
         panel.add(numberRow(), "span, growx, wrap, wmin 0");
         panel.add(valuesRow(), "span, growx, wrap, wmin 0");
         panel.add(play, "wmin pref");
-        panel.add(scrubber, "wmin 60");
+        panel.add(scrubber.slider(), "wmin 60");
         panel.add(value, "wmin 80");
         panel.add(exportButton, "wmin pref, wrap");
         panel.add(note.component(), "span, growx, wmin 0");
@@ -177,7 +179,7 @@ public final class PlayPanel {
 
     private void showTime() {
         value.setText(property().text().apply(model.studio()));
-        updating.during(() -> scrubber.setValue((int) Math.round(time * STEPS)));
+        scrubber.show(time);
     }
 
     /** Offers the numbers that the studio has; the chosen one stays if it is still there, otherwise nothing runs. */

@@ -13,6 +13,9 @@ public final class ValueSlider {
     private final Updating updating = new Updating();
     private Range range;
 
+    /** Where the knob was when it was shown or told last: a slider tells of a hand that only touches it, too. */
+    private int position;
+
     /**
      * A slider.
      *
@@ -23,7 +26,10 @@ public final class ValueSlider {
         this.range = range;
         Naming.name(slider, name, tip);
         slider.addChangeListener(event -> updating.unless(() -> {
-            moved.accept(this.range.value((double) slider.getValue() / STEPS), gesture);
+            if (slider.getValue() != position) {
+                position = slider.getValue();
+                moved.accept(this.range.value((double) position / STEPS), gesture);
+            }
             if (!slider.getValueIsAdjusting()) {
                 released.run();
             }
@@ -45,7 +51,8 @@ public final class ValueSlider {
     /** Shows a value, without telling anybody. */
     public void show(double value) {
         if (!slider.getValueIsAdjusting()) {
-            updating.during(() -> slider.setValue((int) Math.round(range.place(value) * STEPS)));
+            position = (int) Math.round(range.place(value) * STEPS);
+            updating.during(() -> slider.setValue(position));
         }
     }
 }

@@ -98,6 +98,21 @@ class PanelsTest {
                 .isEqualTo(new Vector3d(0.1, 0, 0.99));
     }
 
+    /** A hand that only touches the knob changes nothing, though the slider cannot show all digits. */
+    @Test
+    void pressingAKnobChangesNothing() {
+        model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.9876543)));
+        Studio before = model.studio();
+        Container panel = (Container) new VelocityPanel(model).component();
+        JSlider slider = Components.find(panel, JSlider.class, "Speed, slider");
+        slider.setValueIsAdjusting(true);
+        slider.setValueIsAdjusting(false);
+        assertThat(model.studio()).isSameAs(before);
+        slider.setValueIsAdjusting(true);
+        slider.setValue(slider.getValue() + 1);
+        assertThat(velocity().speed()).isGreaterThan(0.9876543);
+    }
+
     /** A ball stays as round as it is: the tangents of half the angles keep their ratio. */
     @Test
     void aWiderFieldOfViewKeepsTheProportions() {
