@@ -5,11 +5,13 @@ import java.util.function.Consumer;
 import javax.swing.AbstractAction;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
+import tompkins.property.InvalidPropertyException;
 
 /** A field for a number; the up and down keys change it by a step, with Shift by ten of them. */
 public final class NumberField {
 
     private final NumberKind kind;
+    private final String property;
     private final JTextField field = new JTextField(6);
     private final EntryField entry;
     private Number value = 0;
@@ -18,6 +20,7 @@ public final class NumberField {
     public NumberField(
             NumberKind kind, String property, String name, String tip, Note note, Consumer<? super Number> commit) {
         this.kind = kind;
+        this.property = property;
         entry = new EntryField(field, name, tip, note, text -> commit.accept(kind.parse(property, text)));
         step("UP", 1);
         step("DOWN", -1);
@@ -30,10 +33,19 @@ public final class NumberField {
         field.getActionMap().put(key, new AbstractAction() {
             @Override
             public void actionPerformed(ActionEvent event) {
-                field.setText(kind.stepped(value, steps));
+                try {
+                    field.setText(kind.stepped(present(), steps));
+                } catch (InvalidPropertyException noNumber) {
+                    // which is said when it is to be taken
+                }
                 entry.commit();
             }
         });
+    }
+
+    /** The number in the field: what was typed there last, though it may not have been taken. */
+    private Number present() {
+        return entry.isPending() ? kind.parse(property, field.getText()) : value;
     }
 
     /** The field itself, to be put into a panel. */

@@ -70,6 +70,23 @@ class NumberFieldTest {
     }
 
     @Test
+    void keysGoOnFromWhatWasTyped() {
+        JTextField samples = shown("Samples");
+        samples.setText("50");
+        Components.press(samples, "UP");
+        assertThat(settings.samples()).isEqualTo(51);
+        samples.setText("1");
+        Components.press(samples, "DOWN");
+        assertThat(Components.isMarked(samples)).isTrue();
+        Components.press(samples, "UP");
+        assertThat(settings.samples()).isEqualTo(1);
+        samples.setText("many");
+        Components.press(samples, "UP");
+        assertThat(samples.getText()).isEqualTo("many");
+        assertThat(Components.isMarked(samples)).isTrue();
+    }
+
+    @Test
     void wholeNumbersKeepAllTheirDigits() {
         settings = settings.withSeed(123_456_789);
         JTextField seed = shown("Seed");
