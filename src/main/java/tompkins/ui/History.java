@@ -14,16 +14,19 @@ final class History {
 
     private final StudioModel model;
     private final Window window;
+    private final Runnable pause;
     private final Runnable otherScene;
 
     /**
      * The history.
      *
+     * @param pause ends an animation, which would go on from what was taken back, and forget what can be taken again
      * @param otherScene told that a step led to a scene that was open before, or after
      */
-    History(StudioModel model, Window window, Runnable otherScene) {
+    History(StudioModel model, Window window, Runnable pause, Runnable otherScene) {
         this.model = model;
         this.window = window;
+        this.pause = pause;
         this.otherScene = otherScene;
     }
 
@@ -39,29 +42,41 @@ final class History {
         return model.isModified() || !pending().isEmpty();
     }
 
-    /** Takes back what was not taken; if there is nothing of that, the last step. */
+    /** Takes back what was typed last: what is right becomes a step first, so that it can be taken again. */
     void undo() {
-        List<EntryField> entries = pending();
-        if (entries.isEmpty()) {
+        boolean typed = !pending().isEmpty();
+        Studio before = model.studio();
+        takeEntries();
+        List<EntryField> refused = pending();
+        boolean nothingTaken = typed && model.studio() == before;
+        if (refused.isEmpty() && !nothingTaken) {
             step(model::undo);
         }
-        entries.forEach(EntryField::revert);
+        refused.forEach(EntryField::revert);
     }
 
     void redo() {
+        takeEntries();
         step(model::redo);
+    }
+
+    private void takeEntries() {
+        pause.run();
+        EntryField.takeAll(window);
     }
 
     private void step(Runnable move) {
         Studio opened = model.opened();
         move.run();
         if (model.opened() != opened) {
+            pending().forEach(EntryField::revert);
             otherScene.run();
         }
     }
 
-    /** Takes back what was not taken, and all that was since the studio was opened or saved. */
+    /** Takes back all that was done since the studio was opened or saved. */
     void reset() {
+        takeEntries();
         pending().forEach(EntryField::revert);
         model.reset();
     }

@@ -68,7 +68,8 @@ public final class TompkinsWindow {
         files = new FileActions(frame, model, view, status, settings, commandLine, this::pause);
         play = new PlayPanel(model, new AnimationExport(frame, files)::ask);
         frame.setContentPane(content());
-        menus = new Menus(files, new History(model, frame, this::sayOtherScene), settings, new WindowCommands());
+        menus = new Menus(
+                files, new History(model, frame, this::pause, this::sayOtherScene), settings, new WindowCommands());
         frame.setJMenuBar(menus.bar());
         frame.getRootPane().setTransferHandler(files.drop());
         bindPeekKey();

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.studio.Studio;
+import tompkins.ui.widget.ProseArea;
 
 /** What undo and reset do to values that were typed and not taken. */
 @Timeout(600)
@@ -36,6 +37,10 @@ class HistoryTest {
 
     private void undo() {
         driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+    }
+
+    private void redo() {
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
     }
 
     @Test
@@ -63,6 +68,62 @@ class HistoryTest {
         undo();
         assertThat(field("Speed").getText()).isEqualTo("0.5");
         assertThat(driver.studio()).isSameAs(fast);
+    }
+
+    @Test
+    void whatWasTypedAndTakenBackCanBeTakenAgain() {
+        driver.typeWithoutEnter(field("Speed"), "0.5");
+        undo();
+        assertThat(driver.studio()).isEqualTo(Studios.sphere());
+        redo();
+        assertThat(driver.studio().velocity().speed()).isEqualTo(0.5);
+        assertThat(field("Speed").getText()).isEqualTo("0.5");
+    }
+
+    /** What is no part of the scene is no step, either. */
+    @Test
+    void undoingInTheAnimationLeavesTheSceneAlone() {
+        driver.type(field("Speed"), "0.5");
+        driver.menu("menu.playPanel");
+        JTextField to = field("to");
+        WindowDriver.await("the panel", to::isShowing);
+        driver.typeWithoutEnter(to, "0.7");
+        undo();
+        assertThat(driver.studio().velocity().speed()).isEqualTo(0.5);
+    }
+
+    @Test
+    void remarksThatWereTypedAreTakenBackAndTakenAgain() {
+        driver.menu("menu.editScene");
+        WindowDriver.await(
+                "the editor",
+                () -> Components.showing(driver.window().frame(), ProseArea.class)
+                        .findAny()
+                        .isPresent());
+        ProseArea remarks = driver.find(ProseArea.class, "Remarks");
+        driver.typeWithoutEnter(remarks, "1");
+        driver.key(KeyEvent.VK_ENTER);
+        driver.key(KeyEvent.VK_2);
+        undo();
+        assertThat(remarks.getText()).isEmpty();
+        redo();
+        assertThat(remarks.getText()).isEqualTo("1\n2");
+        assertThat(driver.studio().remarks()).isEqualTo("1\n2");
+    }
+
+    /** Each tick of the animation would begin a new step otherwise. */
+    @Test
+    void undoingWhilePlayingPausesAndGoesBackToWhereItBegan() {
+        driver.menu("menu.playSpeed");
+        WindowDriver.await(
+                "another speed", () -> !driver.window().model().studio().equals(Studios.sphere()));
+        undo();
+        assertThat(driver.studio()).isEqualTo(Studios.sphere());
+        redo();
+        Studio later = driver.studio();
+        assertThat(later).isNotEqualTo(Studios.sphere());
+        undo();
+        assertThat(driver.studio()).isEqualTo(Studios.sphere());
     }
 
     /** What is folded away is neither lost nor in the way for ever. */
@@ -101,7 +162,7 @@ class HistoryTest {
         String title = Studios.sphere().title();
         assertThat(driver.studio().title()).isEqualTo(title);
         assertThat(said()).endsWith("this is \"" + title + "\" again.");
-        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
+        redo();
         assertThat(said()).endsWith("this is \"" + begun.title() + "\" again.");
     }
 

@@ -125,6 +125,19 @@ class WindowTest {
     }
 
     @Test
+    void whatIsTypedStaysWhileSomethingPlays() {
+        driver.menu("menu.playSpeed");
+        JTextField opens = driver.find(JTextField.class, "Opens at");
+        driver.typeWithoutEnter(opens, "-2");
+        Studio before = driver.studio();
+        WindowDriver.await(
+                "another speed", () -> !driver.window().model().studio().equals(before));
+        assertThat(opens.getText()).isEqualTo("-2");
+        driver.key(KeyEvent.VK_ENTER);
+        assertThat(driver.studio().camera().shutter().openingTime()).isEqualTo(-2);
+    }
+
+    @Test
     void aWrongValueIsMarkedAndTheLastPictureStays() {
         Picture before = driver.completePicture();
         JTextField speed = driver.find(JTextField.class, "Speed");

@@ -16,7 +16,8 @@ import tompkins.property.InvalidPropertyException;
 
 /**
  * A field for a value that is written as text. It is taken when Enter is pressed (with Ctrl where Enter begins another line) or
- * the focus leaves. A wrong value is marked with what is allowed, and stays until it is put right or the value changes elsewhere.
+ * the focus leaves. A wrong value is marked with what is allowed. Wrong or unfinished, what was typed stays until it is put right,
+ * taken back, or the value that the field shows changes elsewhere.
  */
 public final class EntryField {
 
@@ -54,10 +55,15 @@ public final class EntryField {
         });
         if (field instanceof JTextField line) {
             line.addActionListener(event -> commit());
+            bindRevert(line);
         }
         Keys.bindFocused(field, Keys.CONTROL_ENTER, this::commit);
-        field.getInputMap().put(Keys.ESCAPE, "revert");
-        field.getActionMap().put("revert", new AbstractAction() {
+    }
+
+    /** Only where there is one line: that many are gone at one key is more than anybody means. */
+    private void bindRevert(JTextField line) {
+        line.getInputMap().put(Keys.ESCAPE, "revert");
+        line.getActionMap().put("revert", new AbstractAction() {
             @Override
             public void actionPerformed(ActionEvent event) {
                 revert();
@@ -98,9 +104,9 @@ public final class EntryField {
         return component instanceof Container container ? in(container) : Stream.of();
     }
 
-    /** Shows the text of a value; keeps a wrong entry as long as the value has not changed. */
+    /** Shows the text of a value; keeps what was typed and not taken as long as that text has not changed. */
     public void show(String text) {
-        if (!text.equals(shown) || !isWrong()) {
+        if (!text.equals(shown) || !isPending()) {
             shown = text;
             revert();
         }
@@ -124,8 +130,8 @@ public final class EntryField {
         }
         try {
             commit.accept(text);
-            clear();
-            displayed = field.getText();
+            // as it is shown, however it was typed
+            revert();
         } catch (InvalidPropertyException wrong) {
             field.putClientProperty("JComponent.outline", "error");
             String message = Wording.message(wrong);
