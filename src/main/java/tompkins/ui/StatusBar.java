@@ -85,7 +85,7 @@ final class StatusBar {
     void fail(String message) {
         failure = message;
         showIdle();
-        if (!picture.getText().isEmpty()) {
+        if (!picture.getText().isBlank()) {
             picture.setText(Texts.get("status.before"));
         }
     }
