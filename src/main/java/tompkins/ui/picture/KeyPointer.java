@@ -6,6 +6,7 @@ import java.awt.Rectangle;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
+import java.awt.geom.Point2D;
 import javax.swing.KeyStroke;
 import tompkins.ui.widget.FocusFollower;
 import tompkins.ui.widget.Keys;
@@ -43,7 +44,7 @@ final class KeyPointer {
             public void focusLost(FocusEvent event) {
                 if (pixel != null && !event.isTemporary()) {
                     forget();
-                    canvas.pointAt(null);
+                    canvas.tellPointed();
                 }
             }
         });
@@ -64,20 +65,21 @@ final class KeyPointer {
                 : new Point(picture.image().width() / 2, picture.image().height() / 2);
         Point next = new Point(from.x + right, from.y + down);
         pixel = picture.holds(next) ? next : from;
-        canvas.pointAt(onCanvas());
+        canvas.tellPointed();
         canvas.repaint();
     }
 
-    /** The middle of the pixel on the screen. */
-    private Point onCanvas() {
-        Rectangle bounds = canvas.pictureBounds();
-        double scale = (double) bounds.width / canvas.shown().now().image().width();
-        return new Point((int) (bounds.x + (pixel.x + 0.5) * scale), (int) (bounds.y + (pixel.y + 0.5) * scale));
+    /** The middle of the pixel in the ring, as a place of the picture; null if there is none. */
+    Point2D place() {
+        Picture picture = canvas.shown().now();
+        return pixel != null && picture != null && picture.holds(pixel)
+                ? new Point2D.Double(pixel.x + 0.5, pixel.y + 0.5)
+                : null;
     }
 
     private void click() {
-        if (pixel != null) {
-            canvas.click(onCanvas());
+        if (place() != null) {
+            canvas.click();
         }
     }
 
@@ -91,10 +93,11 @@ final class KeyPointer {
 
     /** Paints the ring, if there is one. */
     void paint(Graphics2D g) {
-        if (pixel == null || !canvas.shown().now().holds(pixel)) {
-            return;
+        Point2D place = place();
+        if (place != null) {
+            Rectangle bounds = canvas.pictureBounds();
+            double scale = (double) bounds.width / canvas.shown().now().image().width();
+            Mark.paintRing(g, bounds.x + place.getX() * scale, bounds.y + place.getY() * scale);
         }
-        Point place = onCanvas();
-        Mark.paintRing(g, place.x + 0.5, place.y + 0.5);
     }
 }

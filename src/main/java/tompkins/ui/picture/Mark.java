@@ -9,7 +9,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 
-/** Marks of places on a picture, white within black, so that they are seen on any colour. */
+/** Marks on a picture, white within black, so that they are seen on any colour. */
 final class Mark {
 
     private static final double RADIUS = 7;
@@ -31,6 +31,19 @@ final class Mark {
     /** A ring around a place that the keys point at. */
     static void paintRing(Graphics2D g, double x, double y) {
         paint(g, new Ellipse2D.Double(x - RADIUS, y - RADIUS, 2 * RADIUS, 2 * RADIUS));
+    }
+
+    /** A line from top to bottom with a handle in its middle. */
+    static void paintDivider(Graphics2D g, int x, int y, int height) {
+        g.setColor(Color.BLACK);
+        g.fillRect(x - 2, y, 4, height);
+        g.setColor(Color.WHITE);
+        g.fillRect(x - 1, y, 2, height);
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        int middle = y + height / 2;
+        g.fillRoundRect(x - 5, middle - 18, 10, 36, 10, 10);
+        g.setColor(Color.DARK_GRAY);
+        g.drawRoundRect(x - 5, middle - 18, 10, 36, 10, 10);
     }
 
     private static void paint(Graphics2D g, Shape shape) {

@@ -1,11 +1,11 @@
 package tompkins.ui.picture;
 
-import java.awt.Color;
 import java.awt.Cursor;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.GraphicsConfiguration;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
@@ -50,7 +50,7 @@ public final class PictureCanvas extends JPanel {
     private Point2D pin;
     private boolean picking;
 
-    /** Where the mouse is, or what the keys point at; null if that is elsewhere. */
+    /** Where the mouse is; null if that is elsewhere. */
     private Point mouseAt;
 
     private final KeyPointer keyPointer;
@@ -72,6 +72,8 @@ public final class PictureCanvas extends JPanel {
                 tellSize();
             }
         });
+        // another screen may have other pixels
+        addPropertyChangeListener("graphicsConfiguration", change -> tellSize());
         MouseAdapter adapter = new CanvasMouse();
         addMouseListener(adapter);
         addMouseMotionListener(adapter);
@@ -85,40 +87,43 @@ public final class PictureCanvas extends JPanel {
 
     /** Shows pictures. */
     public void show(ScreenPicture pictures) {
-        Picture before = pictureUnderMouse();
+        Picture before = pointedPicture();
         shown = pictures;
         repaint();
-        Picture now = pictureUnderMouse();
+        Picture now = pointedPicture();
         if (before != null && now != null && before.plan() != now.plan()) {
-            tellMouse();
+            tellPointed();
         }
     }
 
-    private Picture pictureUnderMouse() {
-        return mouseAt == null ? null : shownAt(mouseAt);
+    /** The place of the picture that the keys or else the mouse points at; null if there is none. */
+    private Point2D pointedPlace() {
+        Point2D keys = keyPointer.place();
+        return keys != null || mouseAt == null ? keys : pictureAt(mouseAt);
     }
 
-    /** Tells what is under the mouse, which may change while the mouse rests. */
-    private void tellMouse() {
-        if (mouseAt != null) {
-            mouse.over(pictureAt(mouseAt), shownAt(mouseAt));
+    private Picture pointedPicture() {
+        Point2D keys = keyPointer.place();
+        return keys != null ? seenAt(keys) : mouseAt == null ? null : shownAt(mouseAt);
+    }
+
+    /** Tells what the keys or the mouse points at. */
+    void tellPointed() {
+        mouse.over(pointedPlace(), pointedPicture());
+    }
+
+    /** Tells what is there now, if anything points at the pictures. */
+    private void tellAgain() {
+        if (keyPointer.place() != null || mouseAt != null) {
+            tellPointed();
         }
     }
 
-    /** Reads what is at a point of this component; nothing if it is null. */
-    void pointAt(Point point) {
-        mouseAt = point;
-        if (point == null) {
-            mouse.over(null, null);
-        }
-        tellMouse();
-    }
-
-    /** Clicks at a point of this component, if there is a picture. */
-    void click(Point point) {
-        Point2D place = pictureAt(point);
+    /** Clicks at what the keys or the mouse points at, if there is a picture. */
+    void click() {
+        Point2D place = pointedPlace();
         if (place != null) {
-            mouse.clicked(place, shownAt(point));
+            mouse.clicked(place, pointedPicture());
         }
     }
 
@@ -132,7 +137,7 @@ public final class PictureCanvas extends JPanel {
         comparison = how;
         otherName = nameOfOther;
         tellSize();
-        tellMouse();
+        tellAgain();
         repaint();
     }
 
@@ -140,14 +145,14 @@ public final class PictureCanvas extends JPanel {
     public void setOtherAlone(boolean alone) {
         otherAlone = alone;
         tellSize();
-        tellMouse();
+        tellAgain();
         repaint();
     }
 
     /** Where the divider is, from 0 at the left edge to 1. */
     void setDivider(double place) {
         divider = Math.max(0, Math.min(1, place));
-        tellMouse();
+        tellAgain();
         repaint();
     }
 
@@ -194,22 +199,11 @@ public final class PictureCanvas extends JPanel {
         return isBeside() ? Math.max(1, (getWidth() - GAP) / 2) : getWidth();
     }
 
-    private double screenScale() {
-        return getGraphicsConfiguration() == null
-                ? 1
-                : getGraphicsConfiguration().getDefaultTransform().getScaleX();
-    }
-
     private void tellSize() {
-        double scale = screenScale();
+        GraphicsConfiguration screen = getGraphicsConfiguration();
+        double scale = screen == null ? 1 : screen.getDefaultTransform().getScaleX();
         resized.accept(new Dimension(
                 Math.max(1, (int) Math.round(room() * scale)), Math.max(1, (int) Math.round(getHeight() * scale))));
-    }
-
-    @Override
-    public void addNotify() {
-        super.addNotify();
-        tellSize();
     }
 
     /** Whether two pictures are seen. */
@@ -297,15 +291,7 @@ public final class PictureCanvas extends JPanel {
         g.clip(left);
         label(g, Texts.get("compare.now"), left, false);
         g.setClip(clip);
-        g.setColor(Color.BLACK);
-        g.fillRect(x - 2, bounds.y, 4, bounds.height);
-        g.setColor(Color.WHITE);
-        g.fillRect(x - 1, bounds.y, 2, bounds.height);
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        int middle = bounds.y + bounds.height / 2;
-        g.fillRoundRect(x - 5, middle - 18, 10, 36, 10, 10);
-        g.setColor(Color.DARK_GRAY);
-        g.drawRoundRect(x - 5, middle - 18, 10, 36, 10, 10);
+        Mark.paintDivider(g, x, bounds.y, bounds.height);
     }
 
     private void label(Graphics2D g, String text, Rectangle bounds, boolean atRight) {
@@ -343,15 +329,26 @@ public final class PictureCanvas extends JPanel {
         if (place == null) {
             return null;
         }
+        return isOverOther(point) ? shown.other() : seenAt(place);
+    }
+
+    /** The picture that is seen at a place of the present one. */
+    private Picture seenAt(Point2D place) {
         boolean beyond =
                 splits() && place.getX() > divider * shown.now().image().width();
-        return beyond || isOverOther(point) || showsOtherAlone() ? shown.other() : shown.now();
+        return beyond || showsOtherAlone() ? shown.other() : shown.now();
     }
 
     private final class CanvasMouse extends MouseAdapter {
 
         private boolean nearDivider(MouseEvent event) {
             return splits() && !picking && Math.abs(event.getX() - dividerX()) <= GRIP;
+        }
+
+        /** The mouse points now, and the keys no more. */
+        private void point(MouseEvent event) {
+            keyPointer.forget();
+            mouseAt = event.getPoint();
         }
 
         @Override
@@ -377,19 +374,21 @@ public final class PictureCanvas extends JPanel {
                 setCursor(Cursor.getPredefinedCursor(
                         nearDivider(event) ? Cursor.E_RESIZE_CURSOR : Cursor.DEFAULT_CURSOR));
             }
-            keyPointer.forget();
-            pointAt(event.getPoint());
+            point(event);
+            tellPointed();
         }
 
         @Override
         public void mouseExited(MouseEvent event) {
-            pointAt(null);
+            mouseAt = null;
+            tellPointed();
         }
 
         @Override
         public void mouseReleased(MouseEvent event) {
             if (!draggingDivider && event.getButton() == MouseEvent.BUTTON1) {
-                click(event.getPoint());
+                point(event);
+                click();
             }
             draggingDivider = false;
         }

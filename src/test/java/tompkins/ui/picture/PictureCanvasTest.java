@@ -1,0 +1,117 @@
+package tompkins.ui.picture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.event.ActionEvent;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Point2D;
+import java.beans.PropertyChangeEvent;
+import java.beans.PropertyChangeListener;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import javax.swing.KeyStroke;
+import org.junit.jupiter.api.Test;
+import tompkins.image.LinearImage;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+
+/** The keys and the mouse on a picture that has more pixels than the canvas, without a display. */
+class PictureCanvasTest {
+
+    private static final int WIDTH = 200;
+    private static final int HEIGHT = 150;
+
+    private final List<Dimension> sizes = new ArrayList<>();
+    private final List<Point2D> read = new ArrayList<>();
+    private final List<Point2D> clicked = new ArrayList<>();
+    private final PictureCanvas canvas = canvas();
+
+    private PictureCanvas canvas() {
+        PictureCanvas made = new PictureCanvas(sizes::add);
+        made.setSize(WIDTH / 2, HEIGHT / 2);
+        made.setMouse(new PictureCanvas.Mouse() {
+            @Override
+            public void over(Point2D place, Picture seen) {
+                read.add(place);
+            }
+
+            @Override
+            public void clicked(Point2D place, Picture seen) {
+                clicked.add(place);
+            }
+        });
+        made.show(pictures(Studio.DEFAULT));
+        return made;
+    }
+
+    private static ScreenPicture pictures(Studio studio) {
+        LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
+        Picture picture = new Picture(RenderPlan.of(studio), image, true, Duration.ZERO, 1, 0, List.of());
+        return new ScreenPicture(picture, ScreenPicture.levels(picture), null, null, null);
+    }
+
+    private void press(String key) {
+        Object action = canvas.getInputMap().get(KeyStroke.getKeyStroke(key));
+        canvas.getActionMap().get(action).actionPerformed(new ActionEvent(canvas, ActionEvent.ACTION_PERFORMED, key));
+    }
+
+    private void mouse(int event, Point at) {
+        canvas.dispatchEvent(new MouseEvent(canvas, event, 0, 0, at.x, at.y, 1, false, MouseEvent.BUTTON1));
+    }
+
+    private Point2D lastRead() {
+        return read.get(read.size() - 1);
+    }
+
+    @Test
+    void theKeysReachAllPixels() {
+        int middle = WIDTH / 2;
+        IntStream.range(0, 10).forEach(i -> press("RIGHT"));
+        assertThat(read)
+                .containsExactlyElementsOf(IntStream.rangeClosed(middle + 1, middle + 10)
+                        .mapToObj(column -> (Point2D) new Point2D.Double(column + 0.5, HEIGHT / 2 + 0.5))
+                        .toList());
+        press("shift DOWN");
+        press("UP");
+        Point2D.Double there = new Point2D.Double(middle + 10.5, HEIGHT / 2 + 9.5);
+        assertThat(lastRead()).isEqualTo(there);
+        press("ENTER");
+        assertThat(clicked).containsExactly(there);
+    }
+
+    @Test
+    void whatTheKeysPointAtIsReadAgainInAnotherPicture() {
+        press("LEFT");
+        read.clear();
+        canvas.show(pictures(Studio.DEFAULT));
+        assertThat(read).containsExactly(new Point2D.Double(WIDTH / 2 - 0.5, HEIGHT / 2 + 0.5));
+    }
+
+    @Test
+    void theMouseTakesOverFromTheKeys() {
+        press("LEFT");
+        mouse(MouseEvent.MOUSE_MOVED, new Point(10, 20));
+        // a point of the canvas covers two by two pixels, and its middle lies between them
+        assertThat(lastRead()).isEqualTo(new Point2D.Double(21.5, 41.5));
+        press("ENTER");
+        assertThat(clicked).as("no ring").isEmpty();
+        mouse(MouseEvent.MOUSE_RELEASED, new Point(10, 20));
+        assertThat(clicked).containsExactly(lastRead());
+        mouse(MouseEvent.MOUSE_EXITED, new Point(-1, -1));
+        assertThat(lastRead()).isNull();
+    }
+
+    @Test
+    void aScreenOfOtherPixelsIsToldOf() {
+        sizes.clear();
+        PropertyChangeEvent moved = new PropertyChangeEvent(canvas, "graphicsConfiguration", null, null);
+        for (PropertyChangeListener listener : canvas.getPropertyChangeListeners("graphicsConfiguration")) {
+            listener.propertyChange(moved);
+        }
+        assertThat(sizes).containsExactly(new Dimension(WIDTH / 2, HEIGHT / 2));
+    }
+}
