@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Queue;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
 
 /**
  * Takes samples where they are needed. A pinhole begins with the centre of each pixel, a wide aperture with
@@ -36,7 +37,7 @@ final class AdaptiveSchedule implements Schedule {
     /**
      * A schedule for one picture.
      *
-     * @param targetError root mean square error before exposure, or 0
+     * @param targetError root mean square error of the exposed picture, or 0
      * @param time when to stop at the latest
      */
     AdaptiveSchedule(int pixels, boolean wideAperture, boolean coarseFirst, double targetError, TimeBudget time) {
@@ -50,9 +51,9 @@ final class AdaptiveSchedule implements Schedule {
     }
 
     @Override
-    public Pass next(Film film) {
+    public Pass next(Film film, BooleanSupplier stopped) {
         if (waiting.isEmpty() && !time.isOver()) {
-            plan(film);
+            plan(film, stopped);
         }
         Pass pass = waiting.poll();
         work += pass == null ? 0 : pass.work();
@@ -60,12 +61,12 @@ final class AdaptiveSchedule implements Schedule {
         return pass;
     }
 
-    private void plan(Film film) {
-        Roughness roughness = new Roughness(film);
+    private void plan(Film film, BooleanSupplier stopped) {
+        Roughness roughness = new Roughness(film, stopped);
         if (roughness.rootMeanSquare() <= targetError) {
             return;
         }
-        Allocation allocation = new Allocation(film, roughness, MOST_SAMPLES);
+        Allocation allocation = new Allocation(film, roughness, MOST_SAMPLES, stopped);
         double threshold = targetError > 0
                 ? allocation.thresholdForVariance(roughness.sampled() * AIM * AIM * targetError * targetError)
                 : allocation.thresholdForSamples(work * roughness.sampled() * (1 + time.left() / time.spent()));

@@ -1,5 +1,7 @@
 package tompkins.render;
 
+import java.util.function.BooleanSupplier;
+
 /**
  * Shares samples among pixels so that their number is least for a given variance. With the variance {@code r n^-p} of a
  * pixel of roughness r, one more sample gains {@code r n^-(p + 1)} (times p); the best is to raise all pixels until that
@@ -11,10 +13,14 @@ final class Allocation {
 
     private static final double POWER = Roughness.POWER;
     private static final int STEPS_PER_OCTAVE = 8;
-    private static final int LEAST_EXPONENT = -120;
-    private static final int STEPS = 160 * STEPS_PER_OCTAVE;
+    private static final int OCTAVES = 160;
+    private static final int STEPS = OCTAVES * STEPS_PER_OCTAVE;
 
     private final float[] gains;
+
+    /** The largest gain; the steps lie below it. */
+    private final double largest;
+
     private final double[] variances = new double[STEPS];
     private final double[] samples = new double[STEPS];
     private final double[] wishes = new double[STEPS];
@@ -23,32 +29,42 @@ final class Allocation {
      * The allocation for what a picture has so far.
      *
      * @param mostSamples pixels with this many get no more
+     * @param stopped whether nobody wants it any more
+     * @throws java.util.concurrent.CancellationException if nobody does
      */
-    Allocation(Film film, Roughness roughness, int mostSamples) {
+    Allocation(Film film, Roughness roughness, int mostSamples, BooleanSupplier stopped) {
         gains = new float[film.width() * film.height()];
-        for (int pixel = 0; pixel < gains.length; pixel++) {
-            int count = Math.max(1, film.samples(pixel));
-            double rough = roughness.of(pixel);
-            double variance = roughness.variance(pixel);
-            double gain = count >= mostSamples ? 0 : variance / count;
-            gains[pixel] = (float) gain;
-            int step = step(gain);
-            variances[step] += variance;
-            samples[step] += film.samples(pixel);
-            wishes[step] += gain == 0 ? 0 : Math.pow(rough, 1 / (POWER + 1));
+        double most = 0;
+        for (int row = 0; row < film.height(); row++) {
+            Roughness.stopIf(stopped);
+            for (int pixel = film.pixel(0, row); pixel < film.pixel(0, row + 1); pixel++) {
+                int count = Math.max(1, film.samples(pixel));
+                gains[pixel] = count >= mostSamples ? 0 : (float) (roughness.variance(pixel) / count);
+                most = Math.max(most, gains[pixel]);
+            }
+        }
+        largest = most;
+        for (int row = 0; row < film.height(); row++) {
+            Roughness.stopIf(stopped);
+            for (int pixel = film.pixel(0, row); pixel < film.pixel(0, row + 1); pixel++) {
+                int step = step(gains[pixel]);
+                variances[step] += roughness.variance(pixel);
+                samples[step] += film.samples(pixel);
+                wishes[step] += gains[pixel] == 0 ? 0 : Math.pow(roughness.of(pixel), 1 / (POWER + 1));
+            }
         }
     }
 
-    private static int step(double gain) {
+    private int step(double gain) {
         if (!(gain > 0)) {
             return 0;
         }
-        double octaves = Math.log(gain) / Math.log(2) - LEAST_EXPONENT;
+        double octaves = Math.log(gain / largest) / Math.log(2) + OCTAVES;
         return (int) Math.max(0, Math.min(STEPS - 1, octaves * STEPS_PER_OCTAVE));
     }
 
-    private static double threshold(int step) {
-        return Math.pow(2, LEAST_EXPONENT + (double) step / STEPS_PER_OCTAVE);
+    private double threshold(int step) {
+        return largest * Math.pow(2, (double) step / STEPS_PER_OCTAVE - OCTAVES);
     }
 
     /** What one more sample of a pixel gains. */
@@ -73,14 +89,13 @@ final class Allocation {
         return 0;
     }
 
-    /** The lowest threshold that takes no more than a number of samples, those taken before included. */
+    /** The lowest threshold that takes no more than a number of samples, those taken before included; the highest if none does. */
     double thresholdForSamples(double limit) {
-        for (int step = 1; step < STEPS; step++) {
-            if (samples(threshold(step)) <= limit) {
-                return threshold(step);
-            }
+        int step = 1;
+        while (step < STEPS - 1 && samples(threshold(step)) > limit) {
+            step++;
         }
-        return Double.POSITIVE_INFINITY;
+        return threshold(step);
     }
 
     /** The number of samples at a threshold, those taken before included. */

@@ -14,6 +14,7 @@ final class Film {
 
     private final int width;
     private final int height;
+    private final double exposure;
     private final float[] sums;
     private final int[] samples;
 
@@ -23,11 +24,13 @@ final class Film {
     /**
      * A film.
      *
+     * @param exposure factor of all light that it shows or tells of
      * @param comparesHalves whether it can tell the variance of pixels with several samples, for 28 bytes a pixel instead of 16
      */
-    Film(int width, int height, boolean comparesHalves) {
+    Film(int width, int height, double exposure, boolean comparesHalves) {
         this.width = width;
         this.height = height;
+        this.exposure = exposure;
         sums = new float[Math.multiplyExact(3, width * height)];
         samples = new int[width * height];
         halfSums = comparesHalves ? new float[sums.length] : null;
@@ -92,8 +95,7 @@ final class Film {
             int pixel = row * width + column;
             int count = samples(pixel);
             for (int channel = 0; channel < 3; channel++) {
-                double sum = sums[3 * pixel + channel];
-                into[3 * (column + 1) + channel] = count == 1 ? sum : sum / count;
+                into[3 * (column + 1) + channel] = exposure * sums[3 * pixel + channel] / count;
             }
         }
     }
@@ -111,22 +113,22 @@ final class Film {
             double difference = half / first - (sums[3 * pixel + channel] - half) / (count - first);
             sum += difference * difference;
         }
-        return sum / 3 * first * (count - first) / ((double) count * count);
+        return exposure * exposure * sum / 3 * first * (count - first) / ((double) count * count);
     }
 
     /**
-     * The mean of the samples of each pixel, multiplied by {@code exposure}. Between coarse pixels it is interpolated, which
+     * The mean of the samples of each pixel. Between coarse pixels it is interpolated, which
      * costs little and takes a third of the error away (see the charts of previews in docs/speed-and-accuracy.md).
      */
-    LinearImage image(double exposure) {
+    LinearImage image() {
         float[] rgb = new float[sums.length];
         int stride = completeStride();
         if (stride > 1 && stride < Tile.SIZE) {
-            interpolate(stride, exposure, rgb);
+            interpolate(stride, rgb);
         }
         for (int pixel = 0; pixel < samples.length; pixel++) {
             if (samples[pixel] != 0) {
-                put(pixel, exposure, rgb, 3 * pixel);
+                put(pixel, rgb, 3 * pixel);
             }
         }
         return new LinearImage(width, height, rgb);
@@ -152,10 +154,10 @@ final class Film {
         return true;
     }
 
-    private void interpolate(int stride, double exposure, float[] rgb) {
-        float[] upper = coarseRow(0, stride, exposure);
+    private void interpolate(int stride, float[] rgb) {
+        float[] upper = coarseRow(0, stride);
         for (int top = 0; top < height; top += stride) {
-            float[] lower = top + stride < height ? coarseRow(top + stride, stride, exposure) : upper;
+            float[] lower = top + stride < height ? coarseRow(top + stride, stride) : upper;
             for (int row = top; row < Math.min(height, top + stride); row++) {
                 float down = (float) (row - top) / stride;
                 int start = 3 * row * width;
@@ -168,10 +170,10 @@ final class Film {
     }
 
     /** One row, interpolated between its coarse pixels. */
-    private float[] coarseRow(int row, int stride, double exposure) {
+    private float[] coarseRow(int row, int stride) {
         float[] light = new float[3 * width];
         for (int column = 0; column < width; column += stride) {
-            put(row * width + column, exposure, light, 3 * column);
+            put(row * width + column, light, 3 * column);
         }
         for (int column = 0; column < width; column++) {
             int left = column - column % stride;
@@ -185,7 +187,7 @@ final class Film {
         return light;
     }
 
-    private void put(int pixel, double exposure, float[] light, int place) {
+    private void put(int pixel, float[] light, int place) {
         int count = samples(pixel);
         // most pictures of a window have one: no division where there is nothing to divide
         double scale = count == 1 ? exposure : exposure / count;

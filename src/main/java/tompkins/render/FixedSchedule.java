@@ -2,6 +2,7 @@ package tompkins.render;
 
 import java.util.Iterator;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 
 /** The passes of {@link Quality.Samples}. */
 final class FixedSchedule implements Schedule {
@@ -15,7 +16,7 @@ final class FixedSchedule implements Schedule {
     }
 
     @Override
-    public Pass next(Film film) {
+    public Pass next(Film film, BooleanSupplier stopped) {
         return passes.hasNext() ? passes.next() : null;
     }
 

@@ -3,6 +3,7 @@ package tompkins.render;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -63,7 +64,7 @@ public final class RenderJob {
         this.whenEnded = whenEnded;
         this.tiles = tiles;
         pixels = tiles.stream().mapToLong(Tile::pixels).sum();
-        passes.add(schedule.next(film));
+        passes.add(schedule.next(film, this::isStopped));
     }
 
     /** What one thread does for this job. Whatever goes wrong is kept, so that nobody waits for a thread that has gone. */
@@ -143,9 +144,14 @@ public final class RenderJob {
         if (tilesDone.incrementAndGet() % tiles.size() == 0) {
             // before the others go on, so that nobody adds to the film while the listener looks at it
             listener.passDone(this);
+            long start = System.nanoTime();
+            Pass next;
+            try {
+                next = schedule.next(film, this::isStopped);
+            } catch (CancellationException stopped) {
+                return;
+            }
             synchronized (passLock) {
-                long start = System.nanoTime();
-                Pass next = schedule.next(film);
                 planningTime += System.nanoTime() - start;
                 if (next == null) {
                     complete = true;
@@ -245,9 +251,9 @@ public final class RenderJob {
         return failure.get();
     }
 
-    /** The picture so far, in linear light, with exposure compensation. */
+    /** The picture so far, in linear light, exposed. */
     public LinearImage image() {
-        return film.image(plan.exposure());
+        return film.image();
     }
 
     /** The plan of the picture. */
@@ -255,7 +261,7 @@ public final class RenderJob {
         return plan;
     }
 
-    /** What was done; complete once the job has ended. Works out the error of the picture, which takes a moment. */
+    /** What was done; complete once the job has ended. Works out the error of the picture, if it is still wanted, which takes a moment. */
     public RenderReport report() {
         long until = end.getCount() == 0 ? endTime : System.nanoTime();
         int sampledPixels = film.sampledPixels();
@@ -276,8 +282,13 @@ public final class RenderJob {
         boolean blurUnknown = plan.studio().camera().hasWideAperture() && film.samples(0) == 1;
         boolean varianceUnknown = film.samples(0) > 1 && !film.comparesHalves();
         boolean pixelsMissing = sampledPixels < film.width() * film.height();
-        return blurUnknown || varianceUnknown || pixelsMissing
-                ? Double.NaN
-                : plan.exposure() * new Roughness(film).rootMeanSquare();
+        if (blurUnknown || varianceUnknown || pixelsMissing) {
+            return Double.NaN;
+        }
+        try {
+            return new Roughness(film, this::isCancelled).rootMeanSquare();
+        } catch (CancellationException unwanted) {
+            return Double.NaN;
+        }
     }
 }

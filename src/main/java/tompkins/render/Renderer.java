@@ -58,7 +58,7 @@ public final class Renderer implements AutoCloseable {
 
     /** Starts some tiles of a picture. */
     RenderJob start(RenderPlan plan, Quality quality, boolean coarseFirst, List<Tile> tiles, RenderListener listener) {
-        Film film = new Film(plan.width(), plan.height(), needsHalves(plan, quality));
+        Film film = new Film(plan.width(), plan.height(), plan.exposure(), needsHalves(plan, quality));
         Schedule schedule = schedule(plan, quality, coarseFirst);
         RenderJob job = new RenderJob(plan, schedule, film, tiles, threads, listener, jobs::remove);
         jobs.add(job);
@@ -93,7 +93,7 @@ public final class Renderer implements AutoCloseable {
         if (quality instanceof Quality.TimeLimit limit) {
             return new AdaptiveSchedule(pixels, wideAperture, true, 0, new TimeBudget(limit.seconds()));
         }
-        double error = ((Quality.TargetError) quality).rootMeanSquare() / plan.exposure();
+        double error = ((Quality.TargetError) quality).rootMeanSquare();
         return new AdaptiveSchedule(pixels, wideAperture, coarseFirst, error, new TimeBudget(Double.POSITIVE_INFINITY));
     }
 

@@ -1,6 +1,8 @@
 package tompkins.render;
 
 import java.util.Arrays;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 
 /**
  * How hard each pixel is, and so how wrong it still may be. The variance of a pixel's mean is taken to fall as
@@ -22,14 +24,21 @@ final class Roughness {
     private final int height;
     private final float[] shared;
     private final Film film;
+    private final BooleanSupplier stopped;
     private final int sampled;
     private int lastSamples;
     private double lastExponent;
     private double lastPower;
 
-    /** The roughness of the pixels that have samples. */
-    Roughness(Film film) {
+    /**
+     * The roughness of the pixels that have samples.
+     *
+     * @param stopped whether nobody wants it any more
+     * @throws CancellationException if nobody does
+     */
+    Roughness(Film film, BooleanSupplier stopped) {
         this.film = film;
+        this.stopped = stopped;
         width = film.width();
         height = film.height();
         sampled = film.sampledPixels();
@@ -40,11 +49,12 @@ final class Roughness {
     private float[] own() {
         float[] own = new float[(width + 2) * (height + 2)];
         Arrays.fill(own, Float.NaN);
-        double[] above = darkRow();
-        double[] here = darkRow();
-        double[] below = darkRow();
+        double[] above = unknownRow();
+        double[] here = unknownRow();
+        double[] below = unknownRow();
         film.means(0, here);
         for (int row = 0; row < height; row++) {
+            stopIf(stopped);
             if (row + 1 < height) {
                 film.means(row + 1, below);
             } else {
@@ -54,10 +64,10 @@ final class Roughness {
                 int pixel = row * width + column;
                 int samples = film.samples(pixel);
                 if (samples > 0) {
-                    own[bordered(row, column)] = (float)
-                            (samples > 1
-                                    ? film.halvesVariance(pixel) * power(samples, POWER)
-                                    : secondDifferences(above, here, below, 3 * column) * SHARE_OF_SECOND_DIFFERENCE);
+                    double roughness = samples > 1
+                            ? film.halvesVariance(pixel) * power(samples, POWER)
+                            : secondDifferences(above, here, below, 3 * column) * SHARE_OF_SECOND_DIFFERENCE;
+                    own[bordered(row, column)] = (float) Math.min(Float.MAX_VALUE, roughness);
                 }
             }
             double[] next = above;
@@ -69,7 +79,7 @@ final class Roughness {
     }
 
     /** A row with a border, of which nothing is known. */
-    private double[] darkRow() {
+    private double[] unknownRow() {
         double[] row = new double[3 * (width + 2)];
         Arrays.fill(row, Double.NaN);
         return row;
@@ -112,6 +122,7 @@ final class Roughness {
     private float[] withNeighbours(float[] own) {
         float[] mean = new float[width * height];
         for (int row = 0; row < height; row++) {
+            stopIf(stopped);
             for (int column = 0; column < width; column++) {
                 if (!Float.isNaN(own[bordered(row, column)])) {
                     mean[row * width + column] = meanAround(own, row, column);
@@ -123,7 +134,7 @@ final class Roughness {
 
     /** The mean of a pixel and those of its neighbours that have samples. */
     private float meanAround(float[] own, int row, int column) {
-        float sum = 0;
+        double sum = 0;
         int count = 0;
         for (int y = row - 1; y <= row + 1; y++) {
             int start = bordered(y, column - 1);
@@ -135,7 +146,18 @@ final class Roughness {
                 }
             }
         }
-        return sum / count;
+        return (float) (sum / count);
+    }
+
+    /**
+     * Ends what nobody wants any more: it would hold up whoever cancelled it.
+     *
+     * @throws CancellationException if {@code stopped} says so
+     */
+    static void stopIf(BooleanSupplier stopped) {
+        if (stopped.getAsBoolean()) {
+            throw new CancellationException();
+        }
     }
 
     /** The roughness of a pixel, shared with its neighbours. */
@@ -164,7 +186,7 @@ final class Roughness {
         return sampled;
     }
 
-    /** The root mean square error of the pixels that have samples, before exposure. */
+    /** The root mean square error of the pixels that have samples. */
     double rootMeanSquare() {
         double sum = 0;
         for (int pixel = 0; pixel < shared.length; pixel++) {

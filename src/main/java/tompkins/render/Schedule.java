@@ -1,10 +1,20 @@
 package tompkins.render;
 
-/** Decides which samples are taken. All threads ask it how far the picture is, one at a time, between passes, for the next. */
+import java.util.function.BooleanSupplier;
+
+/**
+ * Decides which samples are taken. The next pass is asked for by one thread at a time, between passes; how far the picture is,
+ * by any thread at any time.
+ */
 interface Schedule {
 
-    /** The next pass, or null if the picture is done. */
-    Pass next(Film film);
+    /**
+     * The next pass, or null if the picture is done.
+     *
+     * @param stopped whether nobody wants it any more
+     * @throws java.util.concurrent.CancellationException if nobody does
+     */
+    Pass next(Film film, BooleanSupplier stopped);
 
     /**
      * How much of the picture is done.

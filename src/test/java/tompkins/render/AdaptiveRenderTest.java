@@ -10,6 +10,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.ThinLensCamera;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Plane;
@@ -108,18 +110,19 @@ class AdaptiveRenderTest {
     }
 
     /** Pixels of noise on a machine that takes a nanosecond for each: all of a million of them, and no more. */
-    @Test
-    void usesUpItsTime() {
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-15, 1, 1e11, 1e30})
+    void usesUpItsTime(double brightness) {
         AtomicLong clock = new AtomicLong();
-        Film film = new Film(16, 16, true);
+        Film film = new Film(16, 16, 1, true);
         AdaptiveSchedule schedule = new AdaptiveSchedule(16 * 16, true, true, 0, new TimeBudget(1e-3, clock::get));
         SplittableRandom random = new SplittableRandom(5);
-        for (Pass pass = schedule.next(film); pass != null; pass = schedule.next(film)) {
+        for (Pass pass = schedule.next(film, () -> false); pass != null; pass = schedule.next(film, () -> false)) {
             for (int pixel = 0; pixel < 16 * 16; pixel++) {
                 boolean wanted = pixel % 16 % pass.stride() == 0 && pixel / 16 % pass.stride() == 0;
                 if (wanted && pass.takes(pixel % 16, pixel / 16, pixel)) {
                     for (int sample = 0; sample < pass.samples(); sample++) {
-                        double light = random.nextBoolean() ? 1 : 0;
+                        double light = random.nextBoolean() ? brightness : 0;
                         film.add(pixel, light, light, light, 1);
                         clock.incrementAndGet();
                     }

@@ -11,11 +11,11 @@ class FilmTest {
 
     @Test
     void aPixelIsTheMeanOfItsSamplesTimesTheExposure() {
-        Film film = new Film(3, 2, true);
+        Film film = new Film(3, 2, 4, true);
         add(film, 1, 1, new Colour(0.25, 0.5, 1));
         add(film, 1, 1, new Colour(0.75, 0, 3));
 
-        LinearImage image = film.image(4);
+        LinearImage image = film.image();
 
         assertThat(image.value(1, 1, 0)).isEqualTo(2f);
         assertThat(image.value(1, 1, 1)).isEqualTo(1f);
@@ -25,26 +25,26 @@ class FilmTest {
     /** A million samples of 10^30: floats end at 3.4 x 10^38. */
     @Test
     void theLargestNumberOfTheBrightestSamplesHasAFiniteMean() {
-        Film film = new Film(1, 1, true);
+        Film film = new Film(1, 1, 1, true);
         Colour bright = Colour.grey(1e30);
         assertThat(bright.isFinite()).isTrue();
         for (int sample = 0; sample < 1 << 20; sample++) {
             add(film, 0, 0, bright);
         }
-        assertThat(film.image(1).value(0, 0, 0)).isCloseTo(1e30f, withinPercentage(1));
+        assertThat(film.image().value(0, 0, 0)).isCloseTo(1e30f, withinPercentage(1));
     }
 
     /** The brightest light that a scene may have, and as many stops as a camera may have. */
     @Test
     void exposureDoesNotMakeLightInfinite() {
-        Film film = new Film(1, 1, true);
+        Film film = new Film(1, 1, Math.scalb(1.0, 100), true);
         add(film, 0, 0, Colour.grey(Math.scalb(1.0, 104)));
-        assertThat(film.image(Math.scalb(1.0, 100)).value(0, 0, 0)).isEqualTo(Float.MAX_VALUE);
+        assertThat(film.image().value(0, 0, 0)).isEqualTo(Float.MAX_VALUE);
     }
 
     @Test
     void withoutSamplesAPixelIsBlack() {
-        LinearImage image = new Film(2, 2, true).image(1);
+        LinearImage image = new Film(2, 2, 1, true).image();
 
         assertThat(image.value(1, 1, 0) + image.value(1, 0, 1) + image.value(0, 1, 2))
                 .isZero();
@@ -52,14 +52,14 @@ class FilmTest {
 
     @Test
     void aPixelWithoutSampleIsInterpolatedBetweenCoarseOnes() {
-        Film film = new Film(12, 12, false);
+        Film film = new Film(12, 12, 1, false);
         add(film, 0, 0, Colour.grey(1));
         add(film, 8, 0, Colour.grey(2));
         add(film, 0, 8, Colour.grey(4));
         add(film, 8, 8, Colour.grey(9));
         add(film, 4, 4, Colour.grey(7));
 
-        LinearImage image = film.image(1);
+        LinearImage image = film.image();
 
         assertThat(image.value(4, 0, 0)).isEqualTo(1.5f);
         assertThat(image.value(0, 2, 0)).isEqualTo(1.75f);
@@ -70,13 +70,13 @@ class FilmTest {
 
     @Test
     void aRestartedPixelKeepsItsSampleUntilTheNextOne() {
-        Film film = new Film(1, 1, false);
+        Film film = new Film(1, 1, 1, false);
         add(film, 0, 0, Colour.grey(1));
         film.restart(0);
-        assertThat(film.image(1).value(0, 0, 0)).isEqualTo(1f);
+        assertThat(film.image().value(0, 0, 0)).isEqualTo(1f);
         add(film, 0, 0, Colour.grey(3));
         add(film, 0, 0, Colour.grey(5));
-        assertThat(film.image(1).value(0, 0, 0)).isEqualTo(4f);
+        assertThat(film.image().value(0, 0, 0)).isEqualTo(4f);
         assertThat(film.samples(0)).isEqualTo(2);
     }
 

@@ -130,6 +130,31 @@ class RendererTest {
         assertThat(end).isLessThan(SOON);
     }
 
+    /** The best of five, as above. To plan a pass of so many pixels takes up to a second. */
+    @Test
+    void aLargePictureEndsSoonWhileItsNextPassIsPlanned() throws InterruptedException {
+        RenderPlan plan = RenderPlan.of(size(PaperStudios.fig1b(), 3840, 2160, 1));
+        Duration end = Duration.ofHours(1);
+        for (int attempt = 0; attempt < 5; attempt++) {
+            CountDownLatch firstPass = new CountDownLatch(1);
+            try (Renderer renderer = new Renderer(2)) {
+                RenderJob job = renderer.start(
+                        plan,
+                        new Quality.TargetError(1e-6),
+                        RenderListener.afterEachPass(rendered -> firstPass.countDown()));
+                firstPass.await();
+
+                end = shorter(end, timeOf(() -> {
+                    job.cancel();
+                    job.await();
+                }));
+
+                assertThat(job.isCancelled()).isTrue();
+            }
+        }
+        assertThat(end).isLessThan(SOON);
+    }
+
     private static boolean anyLight(float[] rgb) {
         for (float value : rgb) {
             if (value > 0) {
