@@ -89,30 +89,19 @@ final class ArgumentMistake {
             return mistake.getMessage();
         }
         if (WHOLE.matcher(mistake.getValue()).matches()) {
-            return name + " must be " + allowed(option, mistake.getValue()) + ", was " + mistake.getValue();
+            return name + " must be a whole number from " + Long.MIN_VALUE + " to " + Long.MAX_VALUE + ", was "
+                    + mistake.getValue();
         }
         String alone = option.arity().min() == 0 ? "; without a number it must come after SCENE" : "";
         return name + " must be " + kind(option) + example(option) + ", was " + mistake.getValue() + alone;
     }
 
-    /** What a number should have been that its type cannot hold: an option that takes all numbers of its type has a long one. */
-    private static String allowed(OptionSpec option, String value) {
-        if (isLong(option)) {
-            return "a whole number from " + Long.MIN_VALUE + " to " + Long.MAX_VALUE;
-        }
-        return value.startsWith("-") ? "larger" : "smaller";
-    }
-
     private static boolean isNumber(OptionSpec option) {
-        return isFraction(option) || isLong(option) || isEither(option, Integer.class, int.class);
+        return isFraction(option) || isEither(option, Long.class, long.class);
     }
 
     private static boolean isFraction(OptionSpec option) {
         return isEither(option, Double.class, double.class);
-    }
-
-    private static boolean isLong(OptionSpec option) {
-        return isEither(option, Long.class, long.class);
     }
 
     private static boolean isEither(OptionSpec option, Class<?> one, Class<?> other) {

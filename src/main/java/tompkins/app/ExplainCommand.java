@@ -44,6 +44,7 @@ final class ExplainCommand implements Callable<Integer> {
         RenderPlan plan = ScenePlan.of(studio, scene);
         // all that may be refused comes before the first word
         Quality wish = quality.of(studio);
+        Photographer.requireMemory(studio.settings(), wish);
         spec.commandLine().getOut().println(OneLine.of(studio.title()));
         studio.remarks().lines().map(OneLine::of).forEach(spec.commandLine().getOut()::println);
         for (String sentence : plan.sentences()) {

@@ -29,9 +29,6 @@ import tompkins.trace.RenderPlan;
 /** Takes photographs and saves them, with the scene inside. */
 final class Photographer {
 
-    /** Film, picture and the levels of the file. */
-    private static final int BYTES_PER_PIXEL = 40;
-
     private final PrintWriter out;
     private final PrintWriter err;
     private final int threads;
@@ -39,12 +36,12 @@ final class Photographer {
     /**
      * A photographer that reports to a command line.
      *
-     * @param threads number of threads, or 0 for one on each core
+     * @param threads number of threads
      */
     Photographer(CommandLine commandLine, int threads) {
         out = commandLine.getOut();
         err = commandLine.getErr();
-        this.threads = threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
+        this.threads = threads;
     }
 
     /**
@@ -54,11 +51,17 @@ final class Photographer {
     void takeDefault(Path file, Path folder) throws IOException, InterruptedException {
         Studio studio = StudioReader.read(file);
         Path target = targetOf(file, folder);
-        String stem = target.toString().replaceFirst("\\.png$", "");
         for (int number = 2; Files.exists(target) && !isPhotographOf(target, studio, file); number++) {
-            target = Path.of(stem + "-" + number + ".png");
+            target = numbered(targetOf(file, folder), number);
         }
         take(file, studio, Quality.of(studio), target, PictureFormat.of(target), Files.exists(target));
+    }
+
+    /** The name of a picture with a number before its ending. */
+    private static Path numbered(Path target, int number) {
+        String name = target.getFileName().toString();
+        int dot = name.lastIndexOf('.');
+        return target.resolveSibling(name.substring(0, dot) + "-" + number + name.substring(dot));
     }
 
     private static boolean isPhotographOf(Path picture, Studio studio, Path scene) {
@@ -83,7 +86,7 @@ final class Photographer {
     /** Takes the picture of a scene file and saves it; says where. */
     void take(Path scene, Studio studio, Quality quality, Path target, PictureFormat format, boolean replace)
             throws IOException, InterruptedException {
-        requirePossible(studio, target, replace);
+        requirePossible(studio, quality, target, replace);
         PhotographInfo info = info(studio, scene);
         RenderPlan plan = ScenePlan.of(studio, scene);
         ProgressLine progress = new ProgressLine(err);
@@ -95,10 +98,13 @@ final class Photographer {
             progress.clear();
         }
         // somebody may have put a file there meanwhile
-        refuseToReplace(target, replace);
-        PhotographFile.write(target, job.image(), format, studio.settings().toneCurve(), info);
+        Path free = target;
+        for (int number = 2; !replace && Files.exists(free); number++) {
+            free = numbered(target, number);
+        }
+        PhotographFile.write(free, job.image(), format, studio.settings().toneCurve(), info);
         plan.warnings().forEach(warning -> err.println("warning: " + warning));
-        report(target, job.report());
+        report(free, job.report());
         List<String> named = StudioWriter.filesOnlyNamed(studio);
         if (!named.isEmpty()) {
             err.println("note: keep " + String.join(", ", named)
@@ -107,9 +113,11 @@ final class Photographer {
     }
 
     /** Refuses a picture that could not be saved or held, before any time is spent on it; leaves everything as it was. */
-    static void requirePossible(Studio studio, Path target, boolean replace) {
-        refuseToReplace(target, replace);
-        requireMemory(studio.settings());
+    static void requirePossible(Studio studio, Quality quality, Path target, boolean replace) {
+        if (!replace && Files.exists(target)) {
+            throw new MistakeException(target + ": there is a file of this name already; --force replaces it");
+        }
+        requireMemory(studio.settings(), quality);
         requireWritable(target);
     }
 
@@ -132,8 +140,8 @@ final class Photographer {
     }
 
     /** Refuses pictures that the memory of this Java machine cannot hold, before any time is spent on them. */
-    private static void requireMemory(RenderSettings settings) {
-        long needed = (long) settings.width() * settings.height() * BYTES_PER_PIXEL;
+    static void requireMemory(RenderSettings settings, Quality quality) {
+        long needed = Renderer.bytesOfMemory(settings, quality);
         long most = Runtime.getRuntime().maxMemory();
         if (needed > most) {
             throw new MistakeException(String.format(
@@ -144,12 +152,6 @@ final class Photographer {
                     settings.height(),
                     needed >> 20,
                     most >> 20));
-        }
-    }
-
-    private static void refuseToReplace(Path target, boolean replace) {
-        if (!replace && Files.exists(target)) {
-            throw new MistakeException(target + ": there is a file of this name already; --force replaces it");
         }
     }
 

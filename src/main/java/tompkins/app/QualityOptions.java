@@ -2,6 +2,7 @@ package tompkins.app;
 
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Option;
+import tompkins.property.Require;
 import tompkins.render.Quality;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
@@ -13,7 +14,7 @@ final class QualityOptions {
     private static final class Wish {
 
         @Option(names = "--samples", paramLabel = "N", description = "takes N samples per pixel, 1 or more")
-        private Integer samples;
+        private Long samples;
 
         @Option(
                 names = "--error",
@@ -43,8 +44,10 @@ final class QualityOptions {
         RenderSettings settings =
                 seed == null ? studio.settings() : studio.settings().withSeed(seed);
         if (wish.samples != null) {
-            return studio.withSettings(
-                    MistakeException.inOption("--samples", () -> settings.withSamples(wish.samples)));
+            return studio.withSettings(MistakeException.inOption(
+                    "--samples",
+                    () -> settings.withSamples(
+                            Require.within("samples", wish.samples, 1, RenderSettings.MOST_SAMPLES))));
         }
         if (wish.error != null) {
             // 0 means something to a scene, but is no error to ask for

@@ -62,7 +62,7 @@ final class RenderCommand implements Callable<Integer> {
     private QualityOptions quality;
 
     @Option(names = "--threads", paramLabel = "N", description = "number of threads; default: one per core")
-    private Integer threads;
+    private Long threads;
 
     @Option(names = "--force", description = "replace files that are already there")
     private boolean force;
@@ -79,10 +79,7 @@ final class RenderCommand implements Callable<Integer> {
             throw new MistakeException(
                     "-o must name an existing folder if there is more than one scene, was " + output);
         }
-        if (threads != null) {
-            MistakeException.inOption("--threads", () -> Require.within("threads", threads, 1, MOST_THREADS));
-        }
-        Photographer photographer = new Photographer(spec.commandLine(), threads == null ? 0 : threads);
+        Photographer photographer = new Photographer(spec.commandLine(), threads());
         if (scenes.size() > 1) {
             requireAllPossible();
         }
@@ -106,7 +103,7 @@ final class RenderCommand implements Callable<Integer> {
                 throw new MistakeException(scene + ": its picture would be " + order.target + ", as that of " + other
                         + "; render one of them alone, with another name after -o");
             }
-            Photographer.requirePossible(order.studio, order.target, force);
+            Photographer.requirePossible(order.studio, order.quality, order.target, force);
             ScenePlan.of(order.studio, scene);
         }
     }
@@ -124,6 +121,12 @@ final class RenderCommand implements Callable<Integer> {
             return Photographer.targetOf(scene, Path.of(""));
         }
         return Files.isDirectory(output) ? Photographer.targetOf(scene, output) : output;
+    }
+
+    private int threads() {
+        return threads == null
+                ? Runtime.getRuntime().availableProcessors()
+                : MistakeException.inOption("--threads", () -> Require.within("threads", threads, 1, MOST_THREADS));
     }
 
     private Studio studio(Path scene) {

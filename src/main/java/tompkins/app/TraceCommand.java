@@ -49,7 +49,9 @@ final class TraceCommand implements Callable<Integer> {
             description = "point of the lens in units of its radius, to the right and up; default: its centre")
     private String pupil;
 
-    @Option(names = "--json", description = "print JSON with 17 significant digits")
+    @Option(
+            names = "--json",
+            description = "print JSON with 17 significant digits; null for a ray that never crosses the shutter")
     private boolean json;
 
     @Mixin
@@ -76,12 +78,8 @@ final class TraceCommand implements Callable<Integer> {
         RayLife life = RayLife.of(ScenePlan.of(studio, scene), place[0] + 0.5, place[1] + 0.5, lens[0], lens[1]);
         PrintWriter out = spec.commandLine().getOut();
         if (life == null) {
-            spec.commandLine()
-                    .getErr()
-                    .println("This ray never crosses the shutter: it brings no light and has no events.");
-            return Failures.FAILURE;
-        }
-        if (json) {
+            out.println(json ? "null" : "This ray never crosses the shutter: it brings no light and has no events.");
+        } else if (json) {
             out.println(RayLifeWriter.json(life, studio));
         } else {
             print(out, life, studio);

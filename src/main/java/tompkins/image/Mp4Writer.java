@@ -22,7 +22,6 @@ final class Mp4Writer extends AnimationWriter {
     private final int framesPerSecond;
     private Process process;
     private OutputStream pixels;
-    private Path complaints;
 
     Mp4Writer(Path target, int framesPerSecond, ToneCurve curve, Path program) throws IOException {
         super(target, PendingFile.file(target), curve);
@@ -67,12 +66,16 @@ final class Mp4Writer extends AnimationWriter {
     }
 
     private void start(int width, int height) throws IOException {
-        complaints = Files.createTempFile("tompkins-ffmpeg", ".log");
         process = new ProcessBuilder(command(width, height))
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-                .redirectError(complaints.toFile())
+                .redirectError(complaints().toFile())
                 .start();
         pixels = new BufferedOutputStream(process.getOutputStream(), 1 << 16);
+    }
+
+    /** What ffmpeg says, beside the pending file, with which it goes. */
+    private Path complaints() {
+        return pending().path().resolveSibling("ffmpeg.log");
     }
 
     private List<String> command(int width, int height) {
@@ -127,7 +130,7 @@ final class Mp4Writer extends AnimationWriter {
     private IOException failure(IOException consequence) throws IOException {
         process.destroy();
         int exitCode = process.onExit().join().exitValue();
-        String said = new String(Files.readAllBytes(complaints), StandardCharsets.UTF_8).strip();
+        String said = new String(Files.readAllBytes(complaints()), StandardCharsets.UTF_8).strip();
         String last = said.substring(said.lastIndexOf('\n') + 1).strip();
         IOException failure =
                 new IOException("ffmpeg failed with exit code " + exitCode + (last.isEmpty() ? "" : ": " + last));
@@ -139,16 +142,10 @@ final class Mp4Writer extends AnimationWriter {
 
     @Override
     void abandon() throws IOException {
-        try {
-            if (process != null) {
-                // Not a wait that can be interrupted: an interruption is a usual way to get here.
-                process.destroyForcibly().onExit().join();
-                process.getOutputStream().close();
-            }
-        } finally {
-            if (complaints != null) {
-                Files.deleteIfExists(complaints);
-            }
+        if (process != null) {
+            // Not a wait that can be interrupted: an interruption is a usual way to get here.
+            process.destroyForcibly().onExit().join();
+            process.getOutputStream().close();
         }
     }
 }

@@ -34,6 +34,7 @@ final class Problems {
     void add(int line, int column, String path, String message) {
         found.add(new Problem(file, line, column, OneLine.shortened(path, LONGEST_PATH), OneLine.of(message)));
         if (found.size() == MOST) {
+            sort();
             found.add(new Problem(file, line, column, "", "after " + MOST + " mistakes the rest is not looked at"));
             throw new SceneFileException(found);
         }
@@ -47,8 +48,12 @@ final class Problems {
 
     /** The exception for all mistakes that were found. */
     SceneFileException exception() {
-        found.sort(Comparator.comparingInt(Problem::line).thenComparingInt(Problem::column));
+        sort();
         return new SceneFileException(found);
+    }
+
+    private void sort() {
+        found.sort(Comparator.comparingInt(Problem::line).thenComparingInt(Problem::column));
     }
 
     /** Whether there is no mistake. */

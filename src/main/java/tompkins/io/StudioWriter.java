@@ -5,6 +5,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -12,6 +14,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Predicate;
 import tompkins.image.PendingFile;
+import tompkins.image.PhotographInfo;
 import tompkins.image.PictureException;
 import tompkins.ray.FileContent;
 import tompkins.studio.Studio;
@@ -28,16 +31,37 @@ public final class StudioWriter {
         return text(studio, picture -> false);
     }
 
-    /** The text of a scene file that holds its pictures and small meshes, and so can be read anywhere; large meshes it names. */
+    /**
+     * The text of a scene file that holds its pictures and small meshes, and so can be read anywhere. It only names large
+     * meshes, and the largest pictures if all together would be too long for a photograph.
+     */
     public static String writeSelfContained(Studio studio) {
-        return text(studio, StudioWriter::isKept);
+        return selfContained(studio).text;
     }
 
-    /** The names of the files that {@link #writeSelfContained} only names, since they are too large to be held; each once. */
+    /** The names of the files that {@link #writeSelfContained} only names; each once. */
     public static List<String> filesOnlyNamed(Studio studio) {
-        Set<String> names = new LinkedHashSet<>();
-        text(studio, notingLarge(names, small -> false));
-        return List.copyOf(names);
+        return List.copyOf(selfContained(studio).named);
+    }
+
+    private record SelfContained(String text, Set<String> named) {}
+
+    private static SelfContained selfContained(Studio studio) {
+        Set<String> named = new LinkedHashSet<>();
+        while (true) {
+            Map<String, Integer> held = new HashMap<>();
+            Predicate<FileContent> fits = content -> {
+                held.merge(content.name(), content.file().length, Integer::sum);
+                return !named.contains(content.name());
+            };
+            String text = text(studio, notingLarge(named, fits));
+            held.keySet().removeAll(named);
+            if (text.length() <= PhotographInfo.LONGEST_SCENE || held.isEmpty()) {
+                return new SelfContained(text, named);
+            }
+            named.add(Collections.max(held.entrySet(), Map.Entry.comparingByValue())
+                    .getKey());
+        }
     }
 
     /** The text that {@link #save} writes to a file. */

@@ -69,11 +69,11 @@ public final class Require {
     }
 
     /** A whole number from {@code minimum} to {@code maximum}, both included. */
-    public static int within(String property, int value, int minimum, int maximum) {
+    public static int within(String property, long value, int minimum, int maximum) {
         if (value < minimum || value > maximum) {
             throw wrong(property, "a whole number from " + minimum + " to " + maximum, value);
         }
-        return value;
+        return (int) value;
     }
 
     /** A vector of three finite numbers; returns a copy that nobody else can change. */

@@ -56,7 +56,7 @@ public record CostForecast(double samplesPerPixel, double seconds) {
         if (costs.isEmpty()) {
             return Optional.empty();
         }
-        double pixels = (double) plan.width() * plan.height();
+        long pixels = plan.studio().settings().pixels();
         if (quality instanceof Quality.TimeLimit limit) {
             return Optional.of(new CostForecast(costs.rate() * limit.seconds() / pixels, limit.seconds()));
         }

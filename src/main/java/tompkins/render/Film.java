@@ -25,7 +25,7 @@ final class Film {
      * A film.
      *
      * @param exposure factor of all light that it shows or tells of
-     * @param comparesHalves whether it can tell the variance of pixels with several samples, for 28 bytes a pixel instead of 16
+     * @param comparesHalves whether it can tell the variance of pixels with several samples, for more memory
      */
     Film(int width, int height, double exposure, boolean comparesHalves) {
         this.width = width;
@@ -34,6 +34,12 @@ final class Film {
         sums = new float[Math.multiplyExact(3, width * height)];
         samples = new int[width * height];
         halfSums = comparesHalves ? new float[sums.length] : null;
+    }
+
+    /** The memory that a film takes. */
+    static int bytesPerPixel(boolean comparesHalves) {
+        int sums = 3 * Float.BYTES;
+        return Integer.BYTES + (comparesHalves ? 2 * sums : sums);
     }
 
     int width() {

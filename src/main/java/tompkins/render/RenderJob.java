@@ -271,7 +271,7 @@ public final class RenderJob {
                     counts,
                     nodes,
                     tests,
-                    (long) plan.width() * plan.height(),
+                    plan.studio().settings().pixels(),
                     sampledPixels,
                     error,
                     Duration.ofNanos(until - startTime));

@@ -8,6 +8,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
+import tompkins.studio.RenderSettings;
 import tompkins.trace.RenderPlan;
 
 /** A pool of threads that renders pictures, one after the other or several at a time. */
@@ -58,7 +59,11 @@ public final class Renderer implements AutoCloseable {
 
     /** Starts some tiles of a picture. */
     RenderJob start(RenderPlan plan, Quality quality, boolean coarseFirst, List<Tile> tiles, RenderListener listener) {
-        Film film = new Film(plan.width(), plan.height(), plan.exposure(), needsHalves(plan, quality));
+        Film film = new Film(
+                plan.width(),
+                plan.height(),
+                plan.exposure(),
+                needsHalves(plan.studio().settings(), quality));
         Schedule schedule = schedule(plan, quality, coarseFirst);
         RenderJob job = new RenderJob(plan, schedule, film, tiles, threads, listener, jobs::remove);
         jobs.add(job);
@@ -79,9 +84,16 @@ public final class Renderer implements AutoCloseable {
      * Whether the film has to compare halves of a pixel's samples: not for a single sample, and not for the error estimate
      * alone where the picture is so large that memory matters more.
      */
-    private static boolean needsHalves(RenderPlan plan, Quality quality) {
+    private static boolean needsHalves(RenderSettings settings, Quality quality) {
         return !(quality instanceof Quality.Samples fixed)
-                || (fixed.samples() > 1 && (long) plan.width() * plan.height() <= MOST_PIXELS_WITH_ESTIMATE);
+                || (fixed.samples() > 1 && settings.pixels() <= MOST_PIXELS_WITH_ESTIMATE);
+    }
+
+    /** The bytes of memory that a picture takes until it is saved: its film, the picture itself, and the levels of its file. */
+    public static long bytesOfMemory(RenderSettings settings, Quality quality) {
+        int picture = 3 * Float.BYTES;
+        int levels = 3 * Short.BYTES;
+        return settings.pixels() * (Film.bytesPerPixel(needsHalves(settings, quality)) + picture + levels);
     }
 
     private static Schedule schedule(RenderPlan plan, Quality quality, boolean coarseFirst) {

@@ -65,6 +65,11 @@ public record RenderSettings(
         Require.present("toneCurve", toneCurve);
     }
 
+    /** Number of pixels of the picture. */
+    public long pixels() {
+        return (long) width * height;
+    }
+
     /** The same settings with another size. */
     public RenderSettings withSize(int newWidth, int newHeight) {
         return new RenderSettings(newWidth, newHeight, samples, targetError, seed, maximumDepth, toneCurve);

@@ -82,8 +82,8 @@ class PictureOptionsTest {
                 "--seconds 0 | --seconds must be from 0.01 to 1000000, was 0",
                 "--samples many | --samples must be a whole number, such as --samples=8, was many",
                 "--samples 1.5 | --samples must be a whole number, such as --samples=8, was 1.5",
-                "--samples 99999999999 | --samples must be smaller, was 99999999999",
-                "--threads -99999999999 | --threads must be larger, was -99999999999",
+                "--samples 99999999999 | --samples must be a whole number from 1 to 1048576, was 99999999999",
+                "--threads -99999999999 | --threads must be a whole number from 1 to 1024, was -99999999999",
                 "--samples --force | --samples needs a whole number, such as --samples=8",
                 "--error scenes/fig1b.json | --error must be a number, such as --error=0.002, was scenes/fig1b.json; "
                         + "without a number it must come after SCENE",

@@ -56,6 +56,30 @@ class PicturePlacesTest {
         return run.err().strip().substring((picture + ": cannot be written: ").length());
     }
 
+    /** Nobody wants to lose what took an hour. */
+    @Test
+    @Timeout(60)
+    void aPictureWhosePlaceIsTakenWhileItIsRenderedGetsANumber() throws Exception {
+        Path target = folder.resolve("mine.png");
+        Thread other = new Thread(() -> {
+            try {
+                Thread.sleep(1000);
+                Files.writeString(target, "from somebody else");
+            } catch (IOException | InterruptedException failure) {
+                throw new IllegalStateException(failure);
+            }
+        });
+        other.start();
+        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", target, "--size", "64x48", "--seconds", 3);
+        other.join();
+
+        Path numbered = folder.resolve("mine-2.png");
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(run.out()).startsWith(numbered.toRealPath().toString());
+        assertThat(StudioReader.read(numbered).title()).isNotEmpty();
+        assertThat(target).hasContent("from somebody else");
+    }
+
     /** What happens without a display. */
     @Test
     void photographOfTheSameSceneIsReplacedAndNothingElse() throws Exception {

@@ -81,4 +81,19 @@ class ProgramProcessTest {
         assertThat(run.out()).isEmpty();
         assertThat(run.code()).isEqualTo(Failures.FAILURE);
     }
+
+    /** 46 bytes a pixel: sums of all samples and of half of them, their number, the picture, and two bytes a level. */
+    @Test
+    void aPictureThatTheMemoryCannotHoldIsRefusedBeforeTheFirstWord() throws IOException, InterruptedException {
+        Files.writeString(folder.resolve("large.json"), "{\"settings\": {\"width\": 2000, \"height\": 1500}}");
+        for (String command : List.of("explain", "render")) {
+            ProgramRun run = shell("tompkins " + command + " large.json --error");
+
+            assertThat(run.code()).isEqualTo(Failures.MISTAKE);
+            assertThat(run.err()).startsWith("a picture of 2000 x 1500 pixels needs about 131 MB of memory");
+            assertThat(run.out()).isEmpty();
+        }
+        assertThat(shell("tompkins explain large.json --size 20x15 --error").code())
+                .isZero();
+    }
 }

@@ -136,8 +136,10 @@ class TraceCommandTest {
 
         ProgramRun run = ProgramRun.of("trace", scene, "--pixel", "0,0");
 
-        assertThat(run.code()).isEqualTo(1);
-        assertThat(run.err()).contains("never crosses the shutter");
+        assertThat(run.code()).isZero();
+        assertThat(run.out()).contains("never crosses the shutter");
+        assertThat(ProgramRun.of("trace", scene, "--pixel", "0,0", "--json").out())
+                .isEqualToIgnoringNewLines("null");
     }
 
     @Test

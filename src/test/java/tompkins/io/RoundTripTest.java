@@ -236,6 +236,37 @@ class RoundTripTest {
                 .hasMessage(nowhere + ": cannot be written: there is no folder " + nowhere.getParent());
     }
 
+    /** Four characters of a photograph's text for three bytes of a picture: two of six million fit into 16 million, three do not. */
+    @Test
+    void photographOnlyNamesTheLargestOfTooManyPictures() {
+        Studio studio = Studio.DEFAULT.withScene(List.of(
+                poster("large.png", 7_000_000), poster("small.png", 1_000_000), poster("medium.png", 6_000_000)));
+
+        String whole = StudioWriter.writeSelfContained(studio);
+
+        assertThat(StudioWriter.filesOnlyNamed(studio)).containsExactly("large.png");
+        assertThat(whole.length()).isBetween(7_000_000 / 3 * 4, PhotographInfo.LONGEST_SCENE);
+        assertThat(whole).contains("\"picture\": \"large.png\"");
+        assertThat(new PhotographInfo("", "", whole).sceneJson()).isEqualTo(whole);
+    }
+
+    /** One picture on three objects travels three times. */
+    @Test
+    void photographNamesAPictureThatIsUsedTooOften() {
+        Sphere poster = poster("poster.png", 5_000_000);
+
+        assertThat(StudioWriter.filesOnlyNamed(Studio.DEFAULT.withScene(List.of(poster, poster))))
+                .isEmpty();
+        Studio thrice = Studio.DEFAULT.withScene(List.of(poster, poster, poster));
+        assertThat(StudioWriter.filesOnlyNamed(thrice)).containsExactly("poster.png");
+        assertThat(StudioWriter.writeSelfContained(thrice)).hasSizeLessThan(1000);
+    }
+
+    private static Sphere poster(String name, int bytes) {
+        PixelPicture picture = new PixelPicture(name, 1, 1, new float[4], new byte[bytes]);
+        return new Sphere(name, new Vector3d(), 1, new PictureSurface(picture, true));
+    }
+
     @Test
     void photographHoldsItsScene() throws IOException {
         Studio studio = Studio.DEFAULT.withScene(
