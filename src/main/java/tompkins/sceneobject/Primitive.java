@@ -179,17 +179,9 @@ public abstract class Primitive implements Boundary {
         return order;
     }
 
-    /**
-     * Gives the primitive its place in the list.
-     *
-     * @throws ArithmeticException if its size is no number
-     */
     final void setOrder(int order) {
         this.order = order;
         Bounds bounds = bounds();
-        if (bounds != null && !Double.isFinite(bounds.halfArea())) {
-            throw new ArithmeticException("no size: " + bounds);
-        }
         slack = bounds == null ? 0 : SLACK * bounds.farthest();
     }
 

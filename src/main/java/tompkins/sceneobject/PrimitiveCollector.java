@@ -41,8 +41,10 @@ public final class PrimitiveCollector {
      * @throws InvalidPropertyException if the object is too large or too small to work with
      */
     public void add(String property, SceneObject object, Placement placement) {
+        int first = primitives.size();
         try {
             object.addTo(this, placement);
+            primitives.subList(first, primitives.size()).forEach(PrimitiveCollector::requireSize);
         } catch (ArithmeticException | InvalidPropertyException beyondNumbers) {
             InvalidPropertyException refusal = refusal(property, '"' + object.description() + '"');
             refusal.initCause(beyondNumbers);
@@ -50,11 +52,15 @@ public final class PrimitiveCollector {
         }
     }
 
-    /**
-     * Adds one primitive behind those that are there.
-     *
-     * @throws ArithmeticException if its size is no number
-     */
+    /** Accepts what has a size that is a number, or none, as planes. */
+    private static void requireSize(Primitive primitive) {
+        Bounds bounds = primitive.bounds();
+        if (bounds != null && !Double.isFinite(bounds.halfArea())) {
+            throw new ArithmeticException("no size: " + bounds);
+        }
+    }
+
+    /** Adds one primitive behind those that are there. */
     public void add(Primitive primitive) {
         primitive.setOrder(primitives.size());
         primitives.add(primitive);
