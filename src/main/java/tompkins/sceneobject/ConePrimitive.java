@@ -11,9 +11,6 @@ final class ConePrimitive extends Primitive {
     /** The radius at the tip, where u changes without end, as a share of that of the base. */
     private static final double SMALLEST = 1e-12;
 
-    /** So many times its size away, a cone is seen from the point of the ray nearest to the tip: squares would lose its form. */
-    private static final double FAR = 16;
-
     private final Vector3d tip;
     private final Vector3d axis;
     private final double height;
@@ -36,18 +33,32 @@ final class ConePrimitive extends Primitive {
                 : null;
     }
 
-    /** The points whose distance from the axis is {@code slope} times their height below the tip: a quadratic equation. */
+    /**
+     * The points whose distance from the axis is {@code slope} times their height below the tip: a quadratic equation. Its
+     * discriminant cancels for slender and for flat cones. With the moment m = w x d, which is the same for all points of the ray,
+     * and the axis a it is {@code (slope |a x m|)^2 - (a.m)^2}.
+     */
     @Override
     public double distance(Ray ray, double limit) {
+        boolean again = ray.boundary == this;
         double wx = ray.x - tip.x;
         double wy = ray.y - tip.y;
         double wz = ray.z - tip.z;
-        double toTip = -(wx * ray.dx + wy * ray.dy + wz * ray.dz);
-        double start = toTip > FAR * (height + baseRadius) ? toTip : 0;
-        if (start > 0) {
-            wx = Math.fma(start, ray.dx, wx);
-            wy = Math.fma(start, ray.dy, wy);
-            wz = Math.fma(start, ray.dz, wz);
+        // seen from the point of the ray nearest to the tip, far cones keep their form
+        double start = again ? 0 : -(wx * ray.dx + wy * ray.dy + wz * ray.dz);
+        wx = Math.fma(start, ray.dx, wx);
+        wy = Math.fma(start, ray.dy, wy);
+        wz = Math.fma(start, ray.dz, wz);
+        double mx = wy * ray.dz - wz * ray.dy;
+        double my = wz * ray.dx - wx * ray.dz;
+        double mz = wx * ray.dy - wy * ray.dx;
+        double nx = axis.y * mz - axis.z * my;
+        double ny = axis.z * mx - axis.x * mz;
+        double nz = axis.x * my - axis.y * mx;
+        double reach = slope * Math.sqrt(nx * nx + ny * ny + nz * nz);
+        double aside = Math.abs(axis.x * mx + axis.y * my + axis.z * mz);
+        if (aside > reach && !again) {
+            return NO_HIT;
         }
         double rayAlong = ray.dx * axis.x + ray.dy * axis.y + ray.dz * axis.z;
         double startAlong = wx * axis.x + wy * axis.y + wz * axis.z;
@@ -58,25 +69,21 @@ final class ConePrimitive extends Primitive {
         double startY = wy - startAlong * axis.y;
         double startZ = wz - startAlong * axis.z;
         double across = Math.sqrt(rayX * rayX + rayY * rayY + rayZ * rayZ);
-        double from = Math.sqrt(startX * startX + startY * startY + startZ * startZ);
         double a = (across - slope * rayAlong) * (across + slope * rayAlong);
         double b = startX * rayX + startY * rayY + startZ * rayZ - slope * slope * startAlong * rayAlong;
-        double c = (from - slope * startAlong) * (from + slope * startAlong);
-        if (ray.boundary == this) {
+        if (again) {
             return a == 0 ? NO_HIT : within(-2 * b / a, 0, startAlong, rayAlong, limit);
         }
-        double discriminant = b * b - a * c;
-        if (discriminant < 0) {
-            return NO_HIT;
-        }
-        double q = -(b + Math.copySign(Math.sqrt(discriminant), b));
+        double from = Math.sqrt(startX * startX + startY * startY + startZ * startZ);
+        double c = (from - slope * startAlong) * (from + slope * startAlong);
+        double q = -(b + Math.copySign(Math.sqrt((reach - aside) * (reach + aside)), b));
         double one = a == 0 ? NO_HIT : q / a;
         double other = q == 0 ? NO_HIT : c / q;
         double near = within(Math.min(one, other), start, startAlong, rayAlong, limit);
         return near < NO_HIT ? near : within(Math.max(one, other), start, startAlong, rayAlong, limit);
     }
 
-    /** A distance on the ray, if there is cone; counted from {@code start} on. */
+    /** {@code start + further}, if that lies in front, between tip and base, and not beyond the limit; else {@link #NO_HIT}. */
     private double within(double further, double start, double startAlong, double rayAlong, double limit) {
         double along = startAlong + further * rayAlong;
         double distance = start + further;

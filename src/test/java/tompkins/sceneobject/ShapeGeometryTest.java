@@ -10,8 +10,8 @@ import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.PixelPicture;
@@ -332,26 +332,34 @@ class ShapeGeometryTest {
         return Ray.fromCamera(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 0);
     }
 
-    /** Seen from far away, a cone keeps its form: the way to a point of it is known to the rounding of the places. */
+    /**
+     * From near and from far a cone keeps its form, and so do a needle and a cone that is nearly a disc: the way to a point is
+     * known to the rounding of the places.
+     */
     @ParameterizedTest
-    @ValueSource(doubles = {1, 1e2, 1e4, 1e6, 1e8})
-    void farConesAreHitWhereTheyAre(double distance) {
+    @CsvSource({"1.5, 1", "1.5, 1e2", "1.5, 1e4", "1.5, 1e6", "1.5, 1e8", "1e-7, 3", "1e-7, 30", "1e7, 1e8", "1e7, 1e12"
+    })
+    void conesAreHitWhereTheyAre(double radius, double distance) {
         Vector3d tip = new Vector3d(0.3, 1, -0.2);
+        double slope = radius / 2;
         Primitive cone = PrimitiveCollector.primitivesOf(
-                        new Cone("", tip, new Vector3d(0.3, -1, -0.2), 1.5, false, ColouredSurface.DEFAULT))
+                        new Cone("", tip, new Vector3d(0.3, -1, -0.2), radius, false, ColouredSurface.DEFAULT))
                 .get(0);
         for (int i = 0; i < 200; i++) {
             double angle = 0.1 * i;
             double below = 0.2 + 0.008 * i;
             Vector3d radial = new Vector3d(Math.cos(angle), 0, Math.sin(angle));
             Vector3d point =
-                    new Vector3d(radial).mul(0.75 * below).add(0, -below, 0).add(tip);
-            Vector3d normal = new Vector3d(radial).add(0, 0.75, 0).normalize();
+                    new Vector3d(radial).mul(slope * below).add(0, -below, 0).add(tip);
+            Vector3d normal = new Vector3d(radial).add(0, slope, 0).normalize();
             Vector3d from = new Vector3d(normal).add(0, 0.3, 0.1).normalize();
             Vector3d origin = new Vector3d(from).mul(distance).add(point);
             double expected = origin.distance(point);
-            double rounding = 1e-14 * (distance + 1) / normal.dot(from);
+            double rounding = 1e-14 * (distance + radius + 1) / normal.dot(from);
             assertThat(cone.distance(ray(origin, point), 10 * distance)).isCloseTo(expected, within(rounding));
+            Vector3d inside = new Vector3d(tip).sub(0, below, 0);
+            assertThat(cone.distance(ray(inside, point), distance + radius))
+                    .isCloseTo(slope * below, within(1e-14 * (radius + 1) / normal.dot(radial)));
         }
     }
 
