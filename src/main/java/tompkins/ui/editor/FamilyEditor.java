@@ -31,7 +31,7 @@ final class FamilyEditor implements ValueEditor {
         this.commit = commit;
         this.note = note;
         Descriptions.members(family).forEach(types::addItem);
-        types.setRenderer(Naming.renderer(type -> Wording.label((Class<?>) type)));
+        Naming.items(types, Wording::label);
         types.setName(name);
         types.getAccessibleContext().setAccessibleName(name);
         types.addActionListener(event -> updating.unless(this::choose));

@@ -141,7 +141,7 @@ final class ValueEditors {
 
     private static ValueEditor choice(Class<?> type, String label, String tip, Note note, Consumer<Object> commit) {
         JComboBox<Object> box = new JComboBox<>(type.getEnumConstants());
-        box.setRenderer(Naming.renderer(value -> Wording.label((Enum<?>) value)));
+        Naming.items(box, value -> Wording.label((Enum<?>) value));
         Naming.name(box, label, tip);
         Updating updating = new Updating();
         box.addActionListener(event -> updating.unless(() -> note.attempt(() -> commit.accept(box.getSelectedItem()))));

@@ -72,10 +72,10 @@ public final class ComparePanel {
             Supplier<Shutter> shutterNow, Runnable changed, Consumer<Boolean> peeking, Supplier<String> keeping) {
         this.shutterNow = shutterNow;
         this.changed = changed;
-        others.setRenderer(Naming.renderer(other -> Wording.label((Other) other)));
+        Naming.items(others, Wording::label);
         name(others, "compare.name");
         Descriptions.members(Shutter.class).forEach(shutters::addItem);
-        shutters.setRenderer(Naming.renderer(shutter -> Wording.label((Class<?>) shutter)));
+        Naming.items(shutters, Wording::label);
         name(shutters, "compare.shutter");
         name(peek, "compare.peek");
         peek.getModel()

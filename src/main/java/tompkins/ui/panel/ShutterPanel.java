@@ -54,6 +54,7 @@ public final class ShutterPanel {
         this.model = model;
         Descriptions.members(Shutter.class).forEach(models::addItem);
         Naming.name(models, Texts.get("shutter.name"), "");
+        Naming.items(models, Wording::label);
         models.setRenderer(new ModelRenderer());
         models.setMaximumRowCount(models.getItemCount());
         models.addActionListener(event -> updating.unless(this::choose));
@@ -178,6 +179,7 @@ public final class ShutterPanel {
             Color ink = marked ? list.getSelectionForeground() : list.getForeground();
             icon.setIcon(new ShutterIcon(model, marked ? ink : null));
             name.setText(model == null ? "" : Wording.label(model));
+            cell.getAccessibleContext().setAccessibleName(name.getText());
             line.setVisible(inList);
             line.setText(
                     inList ? "<html><body style='width: " + Look.pixels(LINE) + "px'>" + Wording.meaning(model) : "");

@@ -48,7 +48,7 @@ public final class WindowPanel {
     /** A panel for the window before the lens in the studio of a model, which follows its changes. */
     public WindowPanel(StudioModel model) {
         this.model = model;
-        kinds.setRenderer(Naming.renderer(kind -> Wording.label((Kind) kind)));
+        Naming.items(kinds, Wording::label);
         Naming.name(kinds, Texts.get("window.name"), Texts.get("window.tip"));
         kinds.addActionListener(event -> updating.unless(() -> choose((Kind) kinds.getSelectedItem())));
         Naming.name(match, Texts.get("window.match"), Texts.get("window.matchTip"));

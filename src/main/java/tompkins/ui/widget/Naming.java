@@ -2,8 +2,10 @@ package tompkins.ui.widget;
 
 import java.awt.Component;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 import javax.accessibility.AccessibleContext;
 import javax.swing.DefaultListCellRenderer;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JList;
 
@@ -21,15 +23,26 @@ public final class Naming {
         accessible.setAccessibleDescription(tip);
     }
 
-    /** Shows the objects of a combo box by their names. */
-    public static DefaultListCellRenderer renderer(Function<Object, String> name) {
-        return PlainText.in(new DefaultListCellRenderer() {
+    /** Shows the items of a combo box by their names; a letter chooses the next one whose name begins with it. */
+    public static <T> void items(JComboBox<T> box, Function<? super T, String> name) {
+        box.setRenderer(PlainText.in(new DefaultListCellRenderer() {
             @Override
+            @SuppressWarnings("unchecked") // the list is that of the box
             public Component getListCellRendererComponent(
-                    JList<?> list, Object value, int index, boolean selected, boolean focused) {
+                    JList<?> list, Object item, int index, boolean selected, boolean focused) {
                 return super.getListCellRendererComponent(
-                        list, value == null ? "" : name.apply(value), index, selected, focused);
+                        list, item == null ? "" : name.apply((T) item), index, selected, focused);
             }
+        }));
+        box.setKeySelectionManager((letter, items) -> {
+            char wanted = Character.toLowerCase(letter);
+            return IntStream.rangeClosed(1, box.getItemCount())
+                    .map(step -> (box.getSelectedIndex() + step) % box.getItemCount())
+                    .filter(index -> Character.toLowerCase(
+                                    name.apply(box.getItemAt(index)).charAt(0))
+                            == wanted)
+                    .findFirst()
+                    .orElse(-1);
         });
     }
 }

@@ -3,6 +3,7 @@ package tompkins.ui.panel;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.awt.Component;
 import java.awt.Container;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -11,6 +12,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
+import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JRadioButton;
 import javax.swing.JSlider;
@@ -111,6 +113,18 @@ class PanelsTest {
         slider.setValueIsAdjusting(true);
         slider.setValue(slider.getValue() + 1);
         assertThat(velocity().speed()).isGreaterThan(0.9876543);
+    }
+
+    @Test
+    void aShutterIsFoundByItsFirstLetterAndSpokenByItsName() {
+        Container panel = (Container) new ShutterPanel(model).component();
+        @SuppressWarnings("unchecked")
+        JComboBox<Class<?>> models = Components.find(panel, JComboBox.class, "Shutter model");
+        models.selectWithKeyChar('d');
+        assertThat(model.studio().camera().shutter()).isInstanceOf(DetectorPlaneShutter.class);
+        Component cell = models.getRenderer()
+                .getListCellRendererComponent(new JList<>(), DetectorPlaneShutter.class, 0, false, false);
+        assertThat(cell.getAccessibleContext().getAccessibleName()).isEqualTo("Detector plane shutter");
     }
 
     /** A ball stays as round as it is: the tangents of half the angles keep their ratio. */

@@ -2,8 +2,12 @@ package tompkins.ui.widget;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
 import javax.accessibility.AccessibleContext;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
 import org.junit.jupiter.api.Test;
 
 class NamingTest {
@@ -19,6 +23,20 @@ class NamingTest {
         assertThat(accessible.getAccessibleName()).isEqualTo("More");
         assertThat(button.getToolTipText()).startsWith("<html>").contains("&lt; and &amp;");
         assertThat(accessible.getAccessibleDescription()).as("without markup").isEqualTo(tip);
+    }
+
+    /** The names begin with other letters than what the items write of themselves. */
+    @Test
+    void aLetterChoosesTheNextItemWithThatName() {
+        JComboBox<Integer> numbers = new JComboBox<>(new Integer[] {1, 2, 3, 10});
+        Map<Integer, String> names = Map.of(1, "One", 2, "Two", 3, "Three", 10, "Ten");
+        Naming.items(numbers, names::get);
+        List<Integer> chosen = new ArrayList<>();
+        for (char letter : new char[] {'t', 'T', 't', 't', 'o', 'x', '3'}) {
+            numbers.selectWithKeyChar(letter);
+            chosen.add((Integer) numbers.getSelectedItem());
+        }
+        assertThat(chosen).containsExactly(2, 3, 10, 2, 1, 1, 1);
     }
 
     @Test
