@@ -63,6 +63,11 @@ final class StudyCommand implements Callable<Integer> {
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "seed of everything that is random")
     private long seed;
 
+    @Option(
+            names = "--force",
+            description = "replace figures of other settings or of another machine, and a page that is there")
+    private boolean force;
+
     @Spec
     private CommandSpec spec;
 
@@ -83,9 +88,13 @@ final class StudyCommand implements Callable<Integer> {
                 ? new StudyPage(output, kinds.get(0).toString(), "# Study: " + kinds.get(0))
                 : new StudyPage(output, PAGE_OF_ALL, StudyPage.introduction(SelfDescription.program()));
         Photographer.requireWritable(page.file());
+        List<Study> studies = kinds.stream().map(kind -> kind.study(setup)).toList();
+        if (!force) {
+            refuseToReplace(studies, page);
+        }
         boolean holds = true;
-        for (StudyKind kind : kinds) {
-            holds &= make(kind.study(setup), page);
+        for (Study study : studies) {
+            holds &= make(study, page);
         }
         spec.commandLine().getOut().println(page.write().toAbsolutePath());
         return holds ? 0 : Failures.FAILURE;
@@ -121,8 +130,28 @@ final class StudyCommand implements Callable<Integer> {
         return fitting;
     }
 
+    /** Refuses to replace anything but what the same studies have made here before. */
+    private static void refuseToReplace(List<Study> studies, StudyPage page) throws IOException {
+        boolean madeBefore = false;
+        for (Study study : studies) {
+            Path file = page.dataOf(study);
+            madeBefore |= Files.exists(file);
+            if (data(study, page).holdsOther()) {
+                throw new MistakeException(
+                        file + ": holds figures of other settings or of another machine;" + " --force replaces them");
+            }
+        }
+        if (Files.exists(page.file()) && !madeBefore) {
+            throw new MistakeException(page.file() + ": there is a file of this name already; --force replaces it");
+        }
+    }
+
+    private static StudyData data(Study study, StudyPage page) {
+        return new StudyData(study, page.dataOf(study), SelfDescription.program());
+    }
+
     private boolean make(Study study, StudyPage page) throws IOException {
-        StudyData data = new StudyData(study, page.dataOf(study), SelfDescription.program());
+        StudyData data = data(study, page);
         List<Measurement> all = data.complete((point, done, count) -> progress(study, point, done, count), () -> false);
         progressEnds();
         page.add(study, all);

@@ -46,8 +46,8 @@ public final class StudyData {
     }
 
     /**
-     * Makes the measurements that the file does not hold yet, and gives all of them in the order of the trials. Figures of
-     * another machine, program or setting do not count.
+     * Makes the measurements that the file does not hold yet, and gives all of them in the order of the trials. What else the
+     * file holds is replaced.
      *
      * @throws CancellationException if {@code cancelled} became true; the file holds what was measured
      */
@@ -70,18 +70,26 @@ public final class StudyData {
         return all;
     }
 
+    /** Whether the file is there and holds something else: figures of another machine, program or setting, or no figures. */
+    public boolean holdsOther() throws IOException {
+        return Files.exists(file) && !isOwn(lines());
+    }
+
+    /** The complete lines: one that was cut off when the program was stopped is measured again. */
+    private List<String> lines() throws IOException {
+        String text = Files.readString(file);
+        return text.substring(0, text.lastIndexOf('\n') + 1).lines().toList();
+    }
+
+    private boolean isOwn(List<String> lines) {
+        return lines.size() >= head.size() && lines.subList(0, head.size()).equals(head);
+    }
+
     private List<Measurement> read() throws IOException {
-        List<String> lines = Files.exists(file) ? Files.readAllLines(file) : List.of();
-        if (lines.size() < head.size() || !lines.subList(0, head.size()).equals(head)) {
-            rewrite(List.of());
-            return List.of();
-        }
-        // a line that was cut off when the program was stopped is measured again
-        List<Measurement> known = lines.stream()
-                .skip(head.size())
-                .filter(line -> line.split(",", -1).length == COLUMNS.split(",", -1).length)
-                .map(this::measurement)
-                .toList();
+        List<String> lines = Files.exists(file) ? lines() : List.of();
+        List<Measurement> known = isOwn(lines)
+                ? lines.stream().skip(head.size()).map(this::measurement).toList()
+                : List.of();
         rewrite(known);
         return known;
     }
@@ -132,12 +140,12 @@ public final class StudyData {
 
     private Measurement measurement(String line) {
         String[] cells = line.split(",", -1);
-        double[] numbers = new double[cells.length];
+        double[] numbers = new double[COLUMNS.split(",").length];
         try {
-            for (int i = 2; i < cells.length; i++) {
+            for (int i = 2; i < numbers.length; i++) {
                 numbers[i] = Double.parseDouble(cells[i]);
             }
-        } catch (NumberFormatException damaged) {
+        } catch (NumberFormatException | ArrayIndexOutOfBoundsException damaged) {
             throw new UncheckedIOException(
                     file + ": no figures of a study: " + line + "; without this line they are measured again",
                     new IOException(damaged));

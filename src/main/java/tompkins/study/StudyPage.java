@@ -47,7 +47,7 @@ public final class StudyPage {
                     java -jar target/tompkins.jar study all -o docs
 
                 The figures were measured with %s (%s). What the csv files hold already
-                is not measured again.
+                is not measured again; figures of another machine are replaced only with `--force`.
 
                 ## What the program does because of these studies
 
@@ -66,7 +66,7 @@ public final class StudyPage {
 
                 Both axes are logarithmic, so that "the error falls as a power of the cost" is a straight line. The number in
                 brackets is this power, the slope of the curve as it is drawn. The slopes in the tables are those over the
-                number of samples, or over gamma where the power law holds, and differ a little. Left and down is better. Rings are what the program
+                number of samples, or over gamma where the power law holds, and differ a little. Lower left is better. Rings are what the program
                 does. The yellow band is the Pareto front: the points that no other beats in both cost and error. Bars reach from
                 the smallest to the largest of several runs. The RMS error is the root of the mean square error over all pixels and
                 channels, in linear light where white is 1. A grey line is the error of the reference itself, found from its two

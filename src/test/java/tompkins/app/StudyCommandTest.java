@@ -103,6 +103,48 @@ class StudyCommandTest {
                 .doesNotContain("\tat ");
     }
 
+    @Test
+    void figuresOfOtherSettingsAreNotReplacedUnasked() throws IOException {
+        assertThat(ProgramRun.of("study", "stability", "-o", folder).code()).isZero();
+        Path figures = folder.resolve("stability/stability.csv");
+        String before = Files.readString(figures);
+
+        ProgramRun other = ProgramRun.of("study", "stability", "-o", folder, "--seed", 2);
+
+        assertThat(other.code()).isEqualTo(Failures.MISTAKE);
+        assertThat(other.err().strip())
+                .isEqualTo(figures + ": holds figures of other settings or of another machine; --force replaces them");
+        assertThat(figures).hasContent(before);
+        assertThat(ProgramRun.of("study", "stability", "-o", folder, "--seed", 2, "--force")
+                        .code())
+                .isZero();
+        assertThat(Files.readString(figures)).contains("# settings: seed 2,");
+    }
+
+    @Test
+    void aPageThatNoStudyHasMadeIsNotReplacedUnasked() throws IOException {
+        Path page = Files.writeString(folder.resolve("stability.md"), "my own notes");
+
+        assertThat(refusal(folder, Failures.MISTAKE))
+                .isEqualTo(page + ": there is a file of this name already; --force replaces it");
+        assertThat(page).hasContent("my own notes");
+        assertThat(folder.resolve("stability")).doesNotExist();
+    }
+
+    /** The last number of a line, 0.0123, may be cut to one that is as good a number, 0.01. */
+    @Test
+    void aLineThatWasCutInItsLastNumberIsMeasuredAgain() throws IOException {
+        assertThat(ProgramRun.of("study", "stability", "-o", folder).code()).isZero();
+        Path figures = folder.resolve("stability/stability.csv");
+        String before = Files.readString(figures).strip();
+        String last = before.substring(before.lastIndexOf('\n') + 1);
+        Files.writeString(figures, before + "99");
+
+        assertThat(ProgramRun.of("study", "stability", "-o", folder).code()).isZero();
+
+        assertThat(Files.readAllLines(figures)).noneMatch((last + "99")::equals);
+    }
+
     /** One ray goes through every 8th pixel of every 8th row for the first preview. */
     @Test
     void figuresOfAnotherSceneOfTheSameNameDoNotCount() throws IOException {
@@ -124,7 +166,7 @@ class StudyCommandTest {
     }
 
     private String previewOf(Path scene) throws IOException {
-        ProgramRun.of("study", "preview", scene, "-o", folder);
+        ProgramRun.of("study", "preview", scene, "-o", folder, "--force");
         return Files.readString(folder.resolve("preview/preview.csv"));
     }
 
