@@ -129,11 +129,16 @@ public final class Ray {
 
     /** The ray that goes on from a hit in a new unit direction, with a share of this ray's light. */
     public Ray bent(Hit hit, double newDx, double newDy, double newDz, double share) {
-        return bent(hit, newDx, newDy, newDz, slowness, share);
+        return bent(hit, newDx, newDy, newDz, slowness, 1, share);
     }
 
-    /** As {@link #bent(Hit, double, double, double, double)}, with another slowness. */
-    public Ray bent(Hit hit, double newDx, double newDy, double newDz, double newSlowness, double share) {
+    /**
+     * As {@link #bent(Hit, double, double, double, double)}, with another slowness.
+     *
+     * @param angleFactor small angles between rays are divided by it
+     */
+    public Ray bent(
+            Hit hit, double newDx, double newDy, double newDz, double newSlowness, double angleFactor, double share) {
         Ray ray = copy();
         ray.startOn(hit);
         ray.dx = newDx;
@@ -141,6 +146,7 @@ public final class Ray {
         ray.dz = newDz;
         ray.slowness = newSlowness;
         ray.width = widthAt(hit.distance);
+        ray.spread /= angleFactor;
         ray.weight *= share;
         ray.generation++;
         return ray;
@@ -151,13 +157,6 @@ public final class Ray {
         Ray dimmed = copy();
         dimmed.weight *= share;
         return dimmed;
-    }
-
-    /** The same ray with its opening angle divided by a factor. */
-    public Ray narrowed(double factor) {
-        Ray narrowed = copy();
-        narrowed.spread /= factor;
-        return narrowed;
     }
 
     private Ray copy() {
@@ -182,7 +181,7 @@ public final class Ray {
 
     /** The same ray beyond a hit, with a share of its light. */
     public Ray straightOn(Hit hit, double share) {
-        return bent(hit, dx, dy, dz, slowness, share);
+        return bent(hit, dx, dy, dz, share);
     }
 
     /** Makes this a ray that starts at a hit in the unit direction (toX, toY, toZ), to ask whether something is in the way. */

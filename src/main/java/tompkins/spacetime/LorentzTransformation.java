@@ -157,6 +157,27 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
         return turned.frequency;
     }
 
+    /**
+     * Turns a direction alone, by the formulas of {@link #transform(Ray)}.
+     *
+     * @param velocity its speed counts
+     * @param along unit vector of the motion
+     * @param direction the unit vector to turn
+     * @return the factor by which the direction grows before it is made of unit length again: small angles are divided by it
+     */
+    public static double turn(Velocity velocity, Vector3dc along, Vector3d direction) {
+        double gamma = velocity.gamma();
+        double properSpeed = velocity.properSpeed();
+        double side = direction.dot(along) > 0 ? 1 : -1;
+        Vector3d w = direction.fma(-side, along);
+        double half = w.lengthSquared() / 2;
+        // |d'| and d'.n at the nearer pole
+        double pole = side > 0 ? velocity.expMinusRapidity() : gamma + properSpeed;
+        double length = pole + side * properSpeed * half;
+        w.fma(side * (pole - gamma * half) - w.dot(along), along).div(length);
+        return length;
+    }
+
     /** {@code t = -(u.x)/(gamma + 1)}: the paper's (1 - gamma)(beta.x)/(gamma beta^2), without its 0/0 at rest. */
     @Override
     public double fixedPointTime(Vector3dc position) {

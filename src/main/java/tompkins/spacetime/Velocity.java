@@ -117,17 +117,6 @@ public final class Velocity {
     }
 
     /**
-     * The same speed, to the last digit, along another direction of any length.
-     *
-     * @throws InvalidPropertyException if there is no direction
-     */
-    public Velocity along(Vector3dc newDirection) {
-        Vector3d unit = Vectors.unit(Require.direction("direction", newDirection));
-        Vector3dc newGiven = scale == null ? new Vector3d(unit).mul(speed()) : newDirection;
-        return new Velocity(scale, value, newGiven, gamma, properSpeed, unit.mul(properSpeed));
-    }
-
-    /**
      * The same speed along another direction of any length, which stays as it is given. Components become a number on a scale;
      * on that of gamma where they are so near the speed of light that the scale may have no digits left.
      *

@@ -9,8 +9,8 @@ import tompkins.ray.Ray;
 import tompkins.spacetime.Velocity;
 
 /**
- * A sheet that changes the direction of light as a Galilean change of frame does: the traced direction n becomes n + beta
- * (Oxburgh et al. 2014). In front of a camera with a Galilean transformation of the same velocity it undoes the aberration.
+ * A sheet that changes the direction of light as a Galilean change of frame does: the traced direction n becomes n + beta,
+ * in a medium n plus the slowness times beta (Oxburgh et al. 2014). In front of a camera with a Galilean transformation of the same velocity it undoes the aberration.
  */
 @Meaning("A sheet that changes the direction of light as a Galilean change of frame does")
 public record GalileoWindow(
@@ -44,8 +44,7 @@ public record GalileoWindow(
         if (length == 0) {
             return Response.ends(Colour.BLACK);
         }
-        Ray next = ray.bent(hit, dx / length, dy / length, dz / length, ray.slowness / length, transmission)
-                .narrowed(length);
+        Ray next = ray.bent(hit, dx / length, dy / length, dz / length, ray.slowness / length, length, transmission);
         return Response.goesOn(next, Colour.grey(transmission));
     }
 

@@ -47,13 +47,9 @@ public record LorentzWindow(
 
     private Ray turned(Ray ray, Hit hit) {
         Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz);
-        double stretch = new LorentzTransformation(inFrame(hit)).inverse().direction(direction, direction);
-        return ray.bent(hit, direction.x, direction.y, direction.z, transmission)
-                .narrowed(stretch);
-    }
-
-    private Velocity inFrame(Hit hit) {
-        return axes == WindowAxes.FRAME ? velocity : velocity.along(axes.inFrame(velocity.direction(), hit));
+        Vector3d back = axes.inFrame(velocity.direction(), hit).negate(new Vector3d());
+        double stretch = LorentzTransformation.turn(velocity, back, direction);
+        return ray.bent(hit, direction.x, direction.y, direction.z, ray.slowness, stretch, transmission);
     }
 
     @Override

@@ -50,12 +50,12 @@ public record Refractive(
             // all to the stronger part, so that the least light goes the wrong way
             return Response.goesOn(
                     caught || reflected < transmitted
-                            ? ray.bent(hit, direction.x, direction.y, direction.z, slowness, 1)
+                            ? ray.bent(hit, direction.x, direction.y, direction.z, slowness, 1, 1)
                             : Mirror.reflected(ray, hit, 1),
                     Colour.WHITE);
         }
         Ray mirrored = Mirror.reflected(ray, hit, reflected);
-        Ray bent = ray.bent(hit, direction.x, direction.y, direction.z, slowness, transmitted);
+        Ray bent = ray.bent(hit, direction.x, direction.y, direction.z, slowness, 1, transmitted);
         // the tracer loops over the stronger part, so that each level of recursion halves the light at least
         return reflected < transmitted
                 ? split(tracer, mirrored, reflected, bent, transmitted)

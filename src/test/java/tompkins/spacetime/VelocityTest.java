@@ -4,13 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.List;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
 
@@ -43,22 +41,6 @@ class VelocityTest {
         for (SpeedScale other : SpeedScale.values()) {
             Velocity same = Velocity.of(other, other.valueOf(velocity), new Vector3d(0, 3, 4));
             assertThat(same.proper().distance(velocity.proper())).isLessThan(4 * SMALL);
-        }
-    }
-
-    /** The components of a speed so near to that of light, turned, may round to a length of 1. */
-    @ParameterizedTest
-    @ValueSource(doubles = {0.6, 0.9999999999999999})
-    void alongAnotherDirectionASpeedStaysTheSame(double beta) {
-        for (Velocity velocity : List.of(Velocity.of(0, 0, beta), Velocity.of(SpeedScale.BETA, beta, UP))) {
-            for (int i = 0; i < 1000; i++) {
-                Vector3d direction = new Vector3d(Math.sin(i), Math.cos(3 * i), Math.sin(7 * i + 1));
-                Velocity turned = velocity.along(direction);
-                assertThat(turned.gamma()).isEqualTo(velocity.gamma());
-                assertThat(turned.oneMinusSpeed()).isEqualTo(velocity.oneMinusSpeed());
-                Vector3d proper = direction.normalize().mul(velocity.properSpeed());
-                assertThat(turned.proper().distance(proper)).isLessThan(SMALL * velocity.properSpeed());
-            }
         }
     }
 
