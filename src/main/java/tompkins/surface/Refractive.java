@@ -23,7 +23,7 @@ public record Refractive(
     public static final Refractive DEFAULT = new Refractive(1.5);
 
     /**
-     * After so many surfaces light is let out where it can leave: a ray that grazes the inside of a sphere would otherwise
+     * After so many surfaces light that can leave is let out whole: a ray that grazes the inside of a sphere would otherwise
      * run around in it until the recursion depth ends it, and its light would be lost.
      */
     private static final int LONGEST_CAPTURE = 32;
@@ -45,7 +45,7 @@ public record Refractive(
         double cosineBehind = Refraction.bend(direction, normal, before, behind, direction);
         double reflected = Refraction.reflectance(before, behind, Math.abs(along), cosineBehind);
         double transmitted = 1 - reflected;
-        boolean caught = ray.generation >= LONGEST_CAPTURE && cosineBehind > 0;
+        boolean caught = !entering && ray.generation >= LONGEST_CAPTURE && cosineBehind > 0;
         if (caught || ray.weight * Math.min(reflected, transmitted) < Ray.FAINTEST) {
             // all to the stronger part, so that the least light goes the wrong way
             return Response.goesOn(

@@ -3,13 +3,28 @@ package tompkins.surface;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.light.Illumination;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
 class RefractiveTest {
+
+    /** All around is dark. */
+    private static final Tracer BLACK = new Tracer() {
+        @Override
+        public Colour colour(Ray ray) {
+            return Colour.BLACK;
+        }
+
+        @Override
+        public Illumination illumination() {
+            throw new UnsupportedOperationException();
+        }
+    };
 
     private static final double WEAK = 1.05 / 1024;
 
@@ -31,5 +46,27 @@ class RefractiveTest {
         assertThat(response.next().weight).isEqualTo(WEAK);
         assertThat(response.factor()).isEqualTo(Colour.WHITE);
         assertThat(response.light()).isEqualTo(Colour.BLACK);
+    }
+
+    /** Glass of index 1.5 reflects 90 % at 89 degrees, however many mirrors a ray has met before. */
+    @Test
+    void onlyLightInsideIsCaught() {
+        double dx = Math.sin(Math.toRadians(89));
+        double dz = Math.cos(Math.toRadians(89));
+        Ray ray = Ray.fromCamera(0, 0, 0, dx, 0, dz, 0);
+        for (int mirror = 0; mirror < 40; mirror++) {
+            ray = ray.bent(Hit.blank().set(ray, 0, 0, 0, -1, null, 0, null), dx, 0, dz, 1);
+        }
+        Hit fromOutside = Hit.blank().set(ray, 1, 0, 0, -1, null, 0, null);
+        Response entering = new Refractive(1.5).respond(ray, fromOutside, BLACK);
+        assertThat(entering.next().dz).isEqualTo(-dz);
+        assertThat(entering.next().weight).isCloseTo(0.9, within(0.01));
+
+        double sine = 0.99 / 1.5;
+        Ray inside = ray.bent(fromOutside, sine, 0, Math.sqrt(1 - sine * sine), 1);
+        Hit fromInside = Hit.blank().set(inside, 1, 0, 0, 1, null, 0, null);
+        Response leaving = new Refractive(1.5).respond(inside, fromInside, BLACK);
+        assertThat(leaving.next().dx).isCloseTo(0.99, within(1e-15));
+        assertThat(leaving.next().weight).isEqualTo(1);
     }
 }
