@@ -61,7 +61,9 @@ public final class TompkinsWindow {
 
     private TompkinsWindow(Studio studio, Path file, CommandLineWriter commandLine) {
         settings.look().install();
-        model = new StudioModel(studio, file);
+        // as file choosers name it, so that it is one file, however it is opened
+        Path place = file == null ? null : file.toAbsolutePath();
+        model = new StudioModel(studio, place);
         view = new PhotographView(model, new PictureListener());
         status = new StatusBar(view.controller());
         side = new SidePanel(model, view, status::say);
@@ -84,8 +86,8 @@ public final class TompkinsWindow {
         model.addListener(this::showTitle);
         showTitle();
         fitToLook();
-        if (file != null) {
-            settings.addRecentFile(file);
+        if (place != null) {
+            settings.addRecentFile(place);
         }
     }
 
@@ -101,7 +103,10 @@ public final class TompkinsWindow {
     public static void open(Studio studio, Path file, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
         // the texts of the window are English; those of file choosers and keys must not be in another language
         Locale.setDefault(Locale.ENGLISH);
-        SwingUtilities.invokeLater(() -> opened(studio, file, examples, commandLine));
+        SwingUtilities.invokeLater(() -> {
+            Thread.currentThread().setUncaughtExceptionHandler(new LastResort());
+            opened(studio, file, examples, commandLine);
+        });
     }
 
     /** Opens a window at once; called by the event thread. */
