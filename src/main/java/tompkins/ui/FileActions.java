@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
+import java.awt.datatransfer.Transferable;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -208,6 +209,9 @@ final class FileActions implements FileContentEditor.Choosers {
 
     /** Saves over a scene file; asks first if that loses what somebody wrote. */
     private void saveOver(Path file, Runnable next) {
+        if (isBeingSaved(file)) {
+            return;
+        }
         Studio before = held.get(file);
         BackgroundTask.find(frame, Texts.get("file.saving", file), () -> Loss.of(file, before), loss -> {
             switch (loss) {
@@ -216,6 +220,15 @@ final class FileActions implements FileContentEditor.Choosers {
                 case HANDWRITING, OTHER_SCENE -> askAboutLoss(loss, file, next);
             }
         });
+    }
+
+    /** Whether a file is being saved, which is said: its content is not known, and another writer might be faster. */
+    private boolean isBeingSaved(Path file) {
+        boolean saving = BackgroundTask.isRunning(frame, Texts.get("file.saving", file));
+        if (saving) {
+            status.say(Texts.get("file.stillSaving", file));
+        }
+        return saving;
     }
 
     private void askAboutLoss(Loss loss, Path file, Runnable next) {
@@ -251,6 +264,9 @@ final class FileActions implements FileContentEditor.Choosers {
     }
 
     private void saveScene(Path file, Runnable next) {
+        if (isBeingSaved(file)) {
+            return;
+        }
         Studio studio = model.studio();
         Studio opened = model.opened();
         BackgroundTask.start(frame, Texts.get("file.saving", file), task -> StudioWriter.save(studio, file), () -> {
@@ -327,10 +343,20 @@ final class FileActions implements FileContentEditor.Choosers {
     void copyPicture() {
         Picture picture = view.canvas().shown().now();
         if (picture != null) {
-            Toolkit.getDefaultToolkit()
-                    .getSystemClipboard()
-                    .setContents(new ImageSelection(ScreenPicture.levels(picture)), null);
-            status.say(Texts.get("file.pictureCopied"));
+            BackgroundTask.find(
+                    frame,
+                    Texts.get("file.copying"),
+                    () -> ScreenPicture.levels(picture),
+                    image -> toClipboard(new ImageSelection(image), Texts.get("file.pictureCopied")));
+        }
+    }
+
+    private void toClipboard(Transferable content, String done) {
+        try {
+            Toolkit.getDefaultToolkit().getSystemClipboard().setContents(content, null);
+            status.say(done);
+        } catch (IllegalStateException busy) {
+            Messages.error(frame, Texts.get("file.clipboardBusy"));
         }
     }
 
@@ -342,8 +368,7 @@ final class FileActions implements FileContentEditor.Choosers {
             Messages.error(frame, Texts.get(model.file() == null ? "file.copyNeedsFile" : "file.saveFirst"));
             return;
         }
-        Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(command.get()), null);
-        status.say(Texts.get("file.commandCopied", command.get()));
+        toClipboard(new StringSelection(command.get()), Texts.get("file.commandCopied", command.get()));
     }
 
     /** Whether files can be dropped on the window, and what becomes of them. */

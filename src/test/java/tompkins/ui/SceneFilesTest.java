@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AutoClose;
@@ -24,7 +25,9 @@ import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.sceneobject.Box;
 import tompkins.studio.Studio;
+import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.Texts;
 
 /** Scene files that other programs write, too: nothing in them is lost without a question. */
 @Timeout(600)
@@ -121,6 +124,37 @@ class SceneFilesTest {
         assertThat(StudioReader.read(other)).isEqualTo(written);
         WindowDriver.await("a later moment", () -> !model.studio().equals(written));
         assertThat(WindowDriver.onEventThread(model::isModified)).isTrue();
+    }
+
+    /** A disk may be slow, and a hand quick. */
+    @Test
+    void aFileThatIsBeingSavedIsNotSavedAgainMeanwhile() throws IOException {
+        Studio mine = change("0.5");
+        byte[] before = Files.readAllBytes(file);
+        CountDownLatch written = new CountDownLatch(1);
+        WindowDriver.onEventThread(() -> {
+            BackgroundTask.start(
+                    driver.window().frame(), Texts.get("file.saving", file), task -> written.await(), () -> {});
+            return null;
+        });
+        save();
+        JLabel what = driver.find(JLabel.class, "status.what");
+        WindowDriver.await("the answer", () -> what.getText().startsWith("Still saving " + file));
+        assertThat(file).hasBinaryContent(before);
+        written.countDown();
+        WindowDriver.await(
+                "the end", () -> !BackgroundTask.showRunning(driver.window().frame()));
+        save();
+        awaitSaved();
+        assertThat(StudioReader.read(file)).isEqualTo(mine);
+    }
+
+    @Test
+    void aFileIsTheSameHoweverItIsNamed() {
+        driver.close();
+        Path relative = Path.of("").toAbsolutePath().relativize(file);
+        driver = new WindowDriver(folder.resolve("settings"), Studios.sphere(), relative, List.of());
+        assertThat(driver.window().model().file()).isAbsolute().hasSameBinaryContentAs(file);
     }
 
     @Test

@@ -349,6 +349,8 @@ class WindowTest {
     void pictureAndCommandLineGoToTheClipboard() throws Exception {
         Picture picture = driver.completePicture();
         driver.key(KeyEvent.VK_C, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
+        JLabel what = driver.find(JLabel.class, "status.what");
+        WindowDriver.await("the picture", () -> what.getText().equals("The picture is on the clipboard."));
         BufferedImage copy =
                 (BufferedImage) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.imageFlavor);
         assertThat(copy.getWidth()).isEqualTo(320);

@@ -42,6 +42,7 @@ public final class BackgroundTask implements Progress {
     private static final List<BackgroundTask> RUNNING = new ArrayList<>();
 
     private final Window owner;
+    private final String title;
     private final JDialog dialog;
     private final JProgressBar bar = new JProgressBar(0, STEPS);
     private volatile double progress;
@@ -49,6 +50,7 @@ public final class BackgroundTask implements Progress {
 
     private BackgroundTask(Window owner, String title) {
         this.owner = owner;
+        this.title = title;
         dialog = new JDialog(owner, title);
         JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 16, wrap 1, gap 0 12", "[320!,fill]"));
         panel.add(new JLabel(title));
@@ -110,6 +112,11 @@ public final class BackgroundTask implements Progress {
                 RUNNING.stream().filter(task -> task.owner == owner).toList();
         running.forEach(task -> task.dialog.setVisible(true));
         return !running.isEmpty();
+    }
+
+    /** Whether work of that title runs for a window. Called by the event thread. */
+    public static boolean isRunning(Window owner, String title) {
+        return RUNNING.stream().anyMatch(task -> task.owner == owner && task.title.equals(title));
     }
 
     private void run(Work work, Timer timer, Runnable done) {
