@@ -1,8 +1,13 @@
 package tompkins.ui;
 
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JMenuItem;
 import javax.swing.JPanel;
+import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import tompkins.ui.widget.Texts;
 
@@ -11,9 +16,20 @@ final class KeyTable {
 
     private final JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 0, wrap 2, gap 24 3"));
 
-    KeyTable() {
+    /** A table that begins with some menu items, which all have keys. */
+    KeyTable(List<JMenuItem> items) {
         panel.setName("keys");
+        addHeading(Texts.get("help.menus"));
+        for (JMenuItem item : items) {
+            add(text(item.getAccelerator()), item.getText().replace("\u2026", ""));
+        }
         Texts.get("help.keys").lines().forEach(this::add);
+    }
+
+    /** Like {@code Ctrl+Shift+S}. */
+    private static String text(KeyStroke key) {
+        String modifiers = InputEvent.getModifiersExText(key.getModifiers());
+        return (modifiers.isEmpty() ? "" : modifiers + "+") + KeyEvent.getKeyText(key.getKeyCode());
     }
 
     private void add(String line) {
@@ -21,9 +37,13 @@ final class KeyTable {
         if (tab < 0) {
             addHeading(line);
         } else {
-            panel.add(new JLabel(line.substring(0, tab)));
-            panel.add(new JLabel(line.substring(tab + 1)));
+            add(line.substring(0, tab), line.substring(tab + 1));
         }
+    }
+
+    private void add(String key, String meaning) {
+        panel.add(new JLabel(key));
+        panel.add(new JLabel(meaning));
     }
 
     private void addHeading(String title) {

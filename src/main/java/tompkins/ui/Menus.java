@@ -1,10 +1,10 @@
 package tompkins.ui;
 
-import java.awt.Component;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import javax.swing.ButtonGroup;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
@@ -12,7 +12,6 @@ import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
-import javax.swing.MenuElement;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 import tompkins.spacetime.SpeedScale;
@@ -77,15 +76,24 @@ final class Menus {
         return bar;
     }
 
+    /** The items that have a key, in their order. */
+    List<JMenuItem> itemsWithKeys() {
+        return Stream.of(bar.getSubElements())
+                .flatMap(menu -> Stream.of(((JMenu) menu).getMenuComponents()))
+                .filter(part -> part instanceof JMenuItem item && item.getAccelerator() != null)
+                .map(JMenuItem.class::cast)
+                .toList();
+    }
+
     /** Lets the keys of the menus work in another window, too. */
     void bindKeys(JRootPane window) {
-        for (MenuElement menu : bar.getSubElements()) {
-            for (Component part : ((JMenu) menu).getMenuComponents()) {
-                if (part instanceof JMenuItem item && item.getAccelerator() != null) {
-                    Keys.bind(window, item.getAccelerator(), () -> item.doClick(0));
-                }
-            }
-        }
+        itemsWithKeys().forEach(item -> Keys.bind(window, item.getAccelerator(), () -> item.doClick(0)));
+        bindOtherRedo(window);
+    }
+
+    /** Redo has two keys, and a menu item only one. */
+    void bindOtherRedo(JRootPane window) {
+        Keys.bind(window, KeyStroke.getKeyStroke("ctrl Y"), history::redo);
     }
 
     private static JMenu menu(String key) {
@@ -121,7 +129,7 @@ final class Menus {
         menu.addSeparator();
         add(menu, "menu.saveScene", "ctrl S", files::saveScene);
         add(menu, "menu.saveSceneAs", "ctrl shift S", files::saveSceneAs);
-        add(menu, "menu.savePhotograph", "ctrl P", files::savePhotograph);
+        add(menu, "menu.savePhotograph", "ctrl shift E", files::savePhotograph);
         menu.addSeparator();
         add(menu, "menu.copyPicture", "ctrl shift C", files::copyPicture);
         add(menu, "menu.copyCommand", "ctrl shift L", files::copyCommandLine);

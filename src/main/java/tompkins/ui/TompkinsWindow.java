@@ -73,6 +73,7 @@ public final class TompkinsWindow {
         menus = new Menus(
                 files, new History(model, frame, this::pause, this::sayOtherScene), settings, new WindowCommands());
         frame.setJMenuBar(menus.bar());
+        menus.bindOtherRedo(frame.getRootPane());
         frame.getRootPane().setTransferHandler(files.drop());
         bindPeekKey();
         FocusFollower.install(frame);
@@ -335,7 +336,7 @@ public final class TompkinsWindow {
 
         @Override
         public void showKeys() {
-            Messages.tell(frame, Texts.get("menu.keys"), new KeyTable().component());
+            Messages.tell(frame, Texts.get("menu.keys"), new KeyTable(menus.itemsWithKeys()).component());
         }
 
         @Override

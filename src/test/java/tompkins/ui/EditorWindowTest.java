@@ -79,6 +79,9 @@ class EditorWindowTest {
         assertThat(driver.studio()).isEqualTo(Studios.sphere());
         driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
         assertThat(radiusOfTheSphere()).isEqualTo(0.25);
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        driver.key(KeyEvent.VK_Y, KeyEvent.VK_CONTROL);
+        assertThat(radiusOfTheSphere()).isEqualTo(0.25);
         driver.key(KeyEvent.VK_S, KeyEvent.VK_CONTROL);
         WindowDriver.await("the saved scene", () -> !driver.window().model().isModified());
         assertThat(StudioReader.read(file)).isEqualTo(driver.studio());

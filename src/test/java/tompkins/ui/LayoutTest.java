@@ -19,11 +19,13 @@ import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JList;
+import javax.swing.JMenuItem;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import javax.swing.JViewport;
+import javax.swing.KeyStroke;
 import javax.swing.text.JTextComponent;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
@@ -177,7 +179,9 @@ class LayoutTest {
     void theKeysStandInTwoColumns(Look look, float size, Locale locale) {
         onEventThread(() -> {
             use(look, size, locale);
-            JComponent keys = new KeyTable().component();
+            JMenuItem undo = new JMenuItem("Undo");
+            undo.setAccelerator(KeyStroke.getKeyStroke("ctrl Z"));
+            JComponent keys = new KeyTable(List.of(undo)).component();
             keys.setSize(keys.getPreferredSize());
             Components.layOut(keys);
             assertThat(problems(keys)).isEmpty();
@@ -190,8 +194,8 @@ class LayoutTest {
                             Component::getY,
                             Collectors.mapping(cell -> ((JLabel) cell).getText(), Collectors.toList())));
             assertThat(lines.values())
-                    .contains(List.of("Keys"), List.of("Ctrl Z", "undo"))
-                    .contains(List.of("Sphere"), List.of("Arrow keys", "turn it by 5 degrees"));
+                    .contains(List.of(Texts.get("help.menus")), List.of("Ctrl+Z", "Undo"))
+                    .contains(List.of("Sphere"), List.of("Arrow keys", "Turn it by 5 degrees"));
         });
     }
 

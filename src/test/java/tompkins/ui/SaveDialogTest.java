@@ -7,8 +7,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
+import javax.swing.JTextArea;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -22,7 +24,7 @@ import tompkins.ui.widget.Texts;
 @Timeout(600)
 class SaveDialogTest {
 
-    /** Where a PNG file says how many bits per channel has. */
+    /** Where a PNG file says how many bits a channel has. */
     private static final int PNG_DEPTH = 24;
 
     @TempDir
@@ -67,6 +69,27 @@ class SaveDialogTest {
         driver.choose(gif);
         awaitSaved(gif);
         assertThat(start(gif)).isEqualTo("GIF8");
+    }
+
+    @Test
+    void anEndingOfAnotherKindOfFileIsRefused() throws IOException {
+        driver.menu("menu.savePhotograph");
+        Path jpeg = folder.resolve("typed.jpg");
+        driver.choose(jpeg);
+        WindowDriver.await(
+                "the message",
+                () -> Components.showing(driver.window().frame(), JTextArea.class)
+                        .anyMatch(
+                                message -> message.getText()
+                                        .equals(
+                                                "The name typed.jpg must end in one of .png, .tif, .tiff, .hdr, .pic, or have no ending.")));
+        driver.answer("OK");
+        Path version = folder.resolve("beta0.9");
+        driver.choose(version);
+        awaitSaved(folder.resolve("beta0.9.png"));
+        try (Stream<Path> files = Files.list(folder)) {
+            assertThat(files).noneMatch(file -> file.toString().contains("jpg"));
+        }
     }
 
     private static String start(Path file) throws IOException {

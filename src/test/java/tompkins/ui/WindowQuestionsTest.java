@@ -412,9 +412,25 @@ class WindowQuestionsTest {
     }
 
     @Test
+    void theNumbersOfThePinnedRayCanBeCopied() throws IOException, UnsupportedFlavorException {
+        driver.click(driver.find(PictureCanvas.class, "picture"));
+        JTextArea story = driver.find(JTextArea.class, "ray.story");
+        WindowDriver.await("the story of the ray", story::isShowing);
+        driver.click(story);
+        driver.key(KeyEvent.VK_A, KeyEvent.VK_CONTROL);
+        driver.key(KeyEvent.VK_C, KeyEvent.VK_CONTROL);
+        assertThat(Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor))
+                .isEqualTo(story.getText())
+                .asString()
+                .startsWith("Pixel ");
+        driver.key(KeyEvent.VK_TAB);
+        assertThat(driver.find(JButton.class, "Unpin").isFocusOwner()).isTrue();
+    }
+
+    @Test
     void allKeysAreSeenAtOnce() {
         List<String> keys = accelerators();
-        assertThat(keys).hasSizeGreaterThan(10).contains("Ctrl Shift Z", "F1");
+        assertThat(keys).hasSizeGreaterThan(10).contains("Ctrl+Shift+Z", "F1");
         driver.key(KeyEvent.VK_F1);
         WindowDriver.await(
                 "the keys",
@@ -432,10 +448,9 @@ class WindowQuestionsTest {
                 .filter(JMenuItem.class::isInstance)
                 .map(item -> ((JMenuItem) item).getAccelerator())
                 .filter(key -> key != null)
-                .map(key -> InputEvent.getModifiersExText(key.getModifiers()).replace('+', ' ')
-                        + " "
-                        + KeyEvent.getKeyText(key.getKeyCode()))
-                .map(String::strip)
+                .map(key ->
+                        InputEvent.getModifiersExText(key.getModifiers()) + "+" + KeyEvent.getKeyText(key.getKeyCode()))
+                .map(key -> key.replaceFirst("^[+]", ""))
                 .toList());
     }
 

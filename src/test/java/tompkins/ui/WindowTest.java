@@ -102,6 +102,9 @@ class WindowTest {
         assertThat(driver.studio().velocity()).isEqualTo(before);
         driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
         assertThat(driver.studio().velocity().isRest()).isTrue();
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        driver.key(KeyEvent.VK_Y, KeyEvent.VK_CONTROL);
+        assertThat(driver.studio().velocity().isRest()).isTrue();
     }
 
     @Test
@@ -284,7 +287,13 @@ class WindowTest {
         Point corner = WindowDriver.onEventThread(canvas::getLocationOnScreen);
         Point divider = new Point(corner.x + bounds.x + bounds.width / 2, corner.y + bounds.y + bounds.height / 2);
         driver.drag(divider, new Point(divider.x - bounds.width / 4, divider.y), 10);
-        assertThat(canvas.divider()).isCloseTo(0.25, within(0.02));
+        double dragged = canvas.divider();
+        assertThat(dragged).isCloseTo(0.25, within(0.02));
+        driver.key(KeyEvent.VK_RIGHT, KeyEvent.VK_CONTROL);
+        driver.key(KeyEvent.VK_RIGHT, KeyEvent.VK_CONTROL);
+        assertThat(canvas.divider()).isCloseTo(dragged + 0.04, within(1e-12));
+        driver.key(KeyEvent.VK_LEFT, KeyEvent.VK_CONTROL);
+        assertThat(canvas.divider()).isCloseTo(dragged + 0.02, within(1e-12));
         JLabel what = driver.find(JLabel.class, "status.what");
         driver.move(new Point(corner.x + bounds.x + bounds.width / 8, divider.y));
         WindowDriver.await("the moving camera's reading", () -> what.getText().contains("to the velocity"));
@@ -335,7 +344,7 @@ class WindowTest {
     @Test
     void thePhotographIsSavedWithItsScene() throws IOException {
         driver.completePicture();
-        driver.key(KeyEvent.VK_P, KeyEvent.VK_CONTROL);
+        driver.key(KeyEvent.VK_E, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
         Path file = folder.resolve("photograph.png");
         driver.choose(file);
         JLabel what = driver.find(JLabel.class, "status.what");

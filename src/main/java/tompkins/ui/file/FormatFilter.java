@@ -24,6 +24,10 @@ public final class FormatFilter<T> extends FileFilter {
         return format;
     }
 
+    List<String> endings() {
+        return endings;
+    }
+
     boolean isFolder() {
         return endings.isEmpty();
     }

@@ -7,6 +7,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.BiConsumer;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import javax.swing.filechooser.FileFilter;
@@ -15,6 +17,8 @@ import tompkins.ui.widget.Texts;
 
 /** Asks under which name and in which format a file is to be saved. */
 public final class SaveDialog {
+
+    private static final Pattern OTHER_ENDING = Pattern.compile(".*\\.\\p{Alpha}\\p{Alnum}{1,3}");
 
     private SaveDialog() {}
 
@@ -38,14 +42,29 @@ public final class SaveDialog {
         formats.forEach(chooser::addChoosableFileFilter);
         chooser.setFileFilter(formats.get(0));
         chooser.setSelectedFile(new File(chooser.getCurrentDirectory(), name));
-        if (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION) {
+        while (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION) {
             Path typed = chooser.getSelectedFile().toPath();
             FormatFilter<T> format = meant(typed, chooser.getFileFilter(), formats);
-            Path file = format.named(typed);
-            if (format.isFolder() || mayWrite(frame, file)) {
-                save.accept(file, format.format());
+            if (!isOfAnotherKind(typed, format)) {
+                Path file = format.named(typed);
+                if (format.isFolder() || mayWrite(frame, file)) {
+                    save.accept(file, format.format());
+                }
+                return;
             }
+            String endings = formats.stream()
+                    .flatMap(known -> known.endings().stream())
+                    .distinct()
+                    .collect(Collectors.joining(", "));
+            Messages.error(frame, Texts.get("file.otherEnding", typed.getFileName(), endings));
         }
+    }
+
+    /** Whether a name has the ending of another kind of file; a dot may also stand before a number, as in {@code beta0.9}. */
+    private static boolean isOfAnotherKind(Path typed, FormatFilter<?> format) {
+        return !format.isFolder()
+                && !format.fits(typed)
+                && OTHER_ENDING.matcher(typed.getFileName().toString()).matches();
     }
 
     /** The format whose ending was typed, the chosen one before others; the chosen one if there is no such ending. */

@@ -15,7 +15,7 @@ import tompkins.ui.widget.Texts;
 public final class RaySection {
 
     private final JPanel content = Rows.column();
-    private final Note story = new Note("");
+    private final Note story = Note.selectable();
     private final Section section;
     private PixelProbe.Reading shown;
 

@@ -13,11 +13,14 @@ import tompkins.ui.widget.Keys;
 
 /**
  * What the mouse can do on a picture, with the keys: the arrows move a ring, pixel by pixel or with Shift by ten, and Enter
- * clicks in it.
+ * clicks in it. With Ctrl, the arrows to the left and right move the divider.
  */
 final class KeyPointer {
 
     private static final int FAR = 10;
+
+    /** How far a key moves the divider, as a share of the picture's width. */
+    private static final double DIVIDER_STEP = 0.02;
 
     private final PictureCanvas canvas;
 
@@ -31,6 +34,8 @@ final class KeyPointer {
         bind("RIGHT", 1, 0);
         bind("UP", 0, -1);
         bind("DOWN", 0, 1);
+        Keys.bindFocused(canvas, KeyStroke.getKeyStroke("ctrl LEFT"), () -> moveDivider(-DIVIDER_STEP));
+        Keys.bindFocused(canvas, KeyStroke.getKeyStroke("ctrl RIGHT"), () -> moveDivider(DIVIDER_STEP));
         Keys.bindFocused(canvas, KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), this::click);
         canvas.addFocusListener(new FocusAdapter() {
             @Override
@@ -53,6 +58,12 @@ final class KeyPointer {
     private void bind(String key, int right, int down) {
         Keys.bindFocused(canvas, KeyStroke.getKeyStroke(key), () -> move(right, down));
         Keys.bindFocused(canvas, KeyStroke.getKeyStroke("shift " + key), () -> move(FAR * right, FAR * down));
+    }
+
+    private void moveDivider(double right) {
+        if (canvas.splits()) {
+            canvas.setDivider(canvas.divider() + right);
+        }
     }
 
     private void move(int right, int down) {

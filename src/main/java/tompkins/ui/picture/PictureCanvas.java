@@ -211,7 +211,7 @@ public final class PictureCanvas extends JPanel {
         return splits() || isBeside() && shown.otherImage() != null;
     }
 
-    private boolean splits() {
+    boolean splits() {
         return comparison == Comparison.SPLIT && shown.otherImage() != null && !otherAlone;
     }
 

@@ -1,6 +1,8 @@
 package tompkins.ui.widget;
 
 import java.awt.Color;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import javax.swing.JComponent;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
@@ -36,6 +38,21 @@ public final class Note {
         setText(text);
     }
 
+    /** A note whose text can be selected and copied, with the mouse and with the keys. */
+    public static Note selectable() {
+        Note note = new Note("");
+        note.area.setEnabled(true);
+        note.area.setFocusable(true);
+        note.area.addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusGained(FocusEvent event) {
+                // the caret of a text that nobody edits does not show by itself where the keys are
+                note.area.getCaret().setVisible(true);
+            }
+        });
+        return note;
+    }
+
     /** The line itself, to be put into a panel. */
     public JComponent component() {
         return area;
@@ -64,6 +81,7 @@ public final class Note {
             area.revalidate();
         }
         area.setDisabledTextColor(colour());
+        area.setForeground(colour());
     }
 
     /** Does what may be refused, and says why if it is; whether it was done. */

@@ -1,9 +1,8 @@
 package tompkins.ui.widget;
 
-import java.awt.KeyboardFocusManager;
 import javax.swing.UIManager;
 
-/** A field for text of several lines, as high as the text needs; Tab leaves it like any other field. */
+/** A field for text of several lines, as high as the text needs. */
 @SuppressWarnings("serial") // never written to a stream
 public final class ProseArea extends WrappingArea {
 
@@ -12,8 +11,6 @@ public final class ProseArea extends WrappingArea {
     /** An empty field. */
     public ProseArea() {
         super(ROWS);
-        setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
-        setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
     }
 
     @Override

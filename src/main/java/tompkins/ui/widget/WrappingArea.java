@@ -1,9 +1,10 @@
 package tompkins.ui.widget;
 
+import java.awt.KeyboardFocusManager;
 import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 
-/** Text that is wrapped between words and as high as it then needs to be. */
+/** Text that is wrapped between words and as high as it then needs to be; Tab leaves it like any other field. */
 @SuppressWarnings("serial") // never written to a stream
 class WrappingArea extends JTextArea {
 
@@ -12,6 +13,8 @@ class WrappingArea extends JTextArea {
         super(rows, 1);
         setLineWrap(true);
         setWrapStyleWord(true);
+        setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
+        setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
     }
 
     @Override
