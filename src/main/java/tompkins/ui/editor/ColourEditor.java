@@ -10,13 +10,13 @@ import javax.swing.JButton;
 import javax.swing.JColorChooser;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
-import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
 import tompkins.property.NumberText;
 import tompkins.ray.Colour;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberKind;
+import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.VectorFields;
 import tompkins.ui.widget.Wording;
@@ -27,15 +27,13 @@ final class ColourEditor implements ValueEditor {
     private static final int LEVELS = 255;
     private static final List<String> PARTS = List.of("red", "green", "blue");
 
-    private final JPanel panel = new JPanel(
-            new MigLayout("novisualpadding, insets 0, fillx, gap 4", "[pref!][grow,fill][grow,fill][grow,fill]"));
+    private final JPanel panel = Rows.of("gap 4", "[pref!][grow,fill][grow,fill][grow,fill]");
     private final VectorFields fields;
     private final Consumer<Object> commit;
     private Colour colour = Colour.BLACK;
 
     ColourEditor(String property, String tip, Note note, Consumer<Object> commit) {
         this.commit = commit;
-        panel.setOpaque(false);
         JButton patch = new JButton(new Patch());
         String name = Texts.get("colour.choose", Wording.label(property));
         Naming.name(patch, name, name);

@@ -8,10 +8,10 @@ import java.util.function.Predicate;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import net.miginfocom.swing.MigLayout;
 import tompkins.property.Descriptions;
 import tompkins.ui.model.Records;
 import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Wording;
 
@@ -21,8 +21,7 @@ import tompkins.ui.widget.Wording;
  */
 public final class RecordForm {
 
-    private final JPanel panel = new JPanel(
-            new MigLayout("novisualpadding, insets 0, fillx, wrap 2, hidemode 3, gap 8 5", "[::150,pref][grow,fill]"));
+    private final JPanel panel = Rows.of("wrap 2, hidemode 3, gap 8 5", "[::150,pref][grow,fill]");
     private final Map<RecordComponent, ValueEditor> editors = new LinkedHashMap<>();
     private Object value;
 
@@ -33,7 +32,6 @@ public final class RecordForm {
      * @param commit takes the changed record, or throws
      */
     public RecordForm(Class<?> type, Predicate<RecordComponent> which, Consumer<Object> commit) {
-        panel.setOpaque(false);
         for (RecordComponent component : Descriptions.components(type)) {
             if (which.test(component)) {
                 add(component, commit);

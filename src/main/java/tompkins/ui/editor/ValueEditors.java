@@ -7,7 +7,6 @@ import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
-import net.miginfocom.swing.MigLayout;
 import org.joml.Vector2i;
 import org.joml.Vector2ic;
 import org.joml.Vector3d;
@@ -27,6 +26,7 @@ import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberField;
 import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.ProseArea;
+import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.VectorFields;
 import tompkins.ui.widget.Wording;
@@ -115,8 +115,7 @@ final class ValueEditors {
     }
 
     private static ValueEditor vector(VectorFields fields) {
-        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 4, flowx", "[grow,fill]"));
-        row.setOpaque(false);
+        JPanel row = Rows.of("gap 4, flowx", "[grow,fill]");
         fields.addInRow(row);
         return editor(row, value -> fields.show(asDoubles(value)));
     }

@@ -5,13 +5,12 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
-import net.miginfocom.swing.MigLayout;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Note;
-import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.SpeedText;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.VectorFields;
@@ -20,27 +19,19 @@ import tompkins.ui.widget.Wording;
 /** Controls for a velocity in a form: its speed as it is written, and its direction. */
 final class VelocityEditor implements ValueEditor {
 
-    private final JPanel panel = new JPanel(
-            new MigLayout("novisualpadding, insets 0, fillx, wrap 3, gap 4", "[grow,fill][grow,fill][grow,fill]"));
+    private final JPanel panel = Rows.of("wrap 3, gap 4", "[grow,fill][grow,fill][grow,fill]");
     private final EntryField speed;
     private final VectorFields direction;
     private Velocity velocity = Velocity.REST;
 
     VelocityEditor(String tip, Note note, Consumer<Object> commit) {
-        panel.setOpaque(false);
         speed = new EntryField(
                 new JTextField(),
                 Texts.get("speed.name"),
                 tip + ". " + Texts.get("speed.tip"),
                 note,
                 text -> commit.accept(SpeedText.parse(text, SpeedScale.BETA, velocity.givenDirection())));
-        direction = new VectorFields(
-                "direction",
-                NumberKind.DOUBLE,
-                VectorFields.AXES,
-                Texts.get("direction.tip"),
-                note,
-                vector -> commit.accept(velocity.along(vector, SpeedScale.BETA)));
+        direction = VectorFields.ofDirection(note, vector -> commit.accept(velocity.along(vector, SpeedScale.BETA)));
         panel.add(new JLabel(Texts.get("speed.name")), "span");
         panel.add(speed.field(), "span, growx, wmin 0");
         panel.add(new JLabel(Wording.label("direction")), "span");

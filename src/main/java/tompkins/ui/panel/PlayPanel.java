@@ -26,6 +26,7 @@ import tompkins.ui.widget.NumberField;
 import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Range;
+import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.ValueSlider;
@@ -75,17 +76,17 @@ public final class PlayPanel {
         secondsField =
                 field("play.seconds", number -> setSeconds(Require.within("seconds", number, 0.1, LONGEST_SECONDS)));
         setSeconds(4);
-        name(properties, "play.property");
+        Naming.name(properties, "play.property");
         properties.setRenderer(PlainText.in(new DefaultListCellRenderer()));
         properties.addActionListener(event -> updating.unless(this::suggestValues));
-        name(courses, "play.course");
+        Naming.name(courses, "play.course");
         courses.addActionListener(event -> follow());
         Naming.items(courses, Wording::label);
-        name(play, "play.play");
+        Naming.name(play, "play.play");
         play.addActionListener(event -> setPlaying(play.isSelected()));
-        name(loop, "play.loop");
+        Naming.name(loop, "play.loop");
         JButton exportButton = new JButton(Texts.get("play.export"));
-        name(exportButton, "play.export");
+        Naming.name(exportButton, "play.export");
         exportButton.addActionListener(event -> {
             if (EntryField.takeAll(panel)) {
                 export.accept(model.studio(), animation());
@@ -103,7 +104,7 @@ public final class PlayPanel {
     }
 
     private JComponent numberRow() {
-        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 6", "[grow,fill][][]"));
+        JPanel row = Rows.of("gap 6", "[grow,fill][][]");
         row.add(properties, "wmin 60");
         row.add(courses);
         row.add(loop);
@@ -143,10 +144,6 @@ public final class PlayPanel {
         // made only to see whether it can be
         Objects.requireNonNull(property().with().apply(model.studio(), number));
         return number;
-    }
-
-    private static void name(JComponent component, String key) {
-        Naming.name(component, Texts.get(key), Texts.get(key + "Tip"));
     }
 
     /** The panel itself, invisible until it is shown. */

@@ -8,7 +8,6 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
-import net.miginfocom.swing.MigLayout;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.Camera;
@@ -23,7 +22,6 @@ import tompkins.ui.widget.DirectionSphere;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
-import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Range;
 import tompkins.ui.widget.Rows;
@@ -58,15 +56,8 @@ public final class VelocityPanel {
         speed = new EntryField(
                 new JTextField(7), Texts.get("speed.name"), Texts.get("speed.tip"), note, this::enterSpeed);
         sphere = new DirectionSphere(this::turn, model::endGesture);
-        direction = new VectorFields(
-                "direction",
-                NumberKind.DOUBLE,
-                VectorFields.AXES,
-                Texts.get("direction.tip"),
-                note,
-                vector -> take(velocity().along(vector, scale)));
-        JPanel speedRow = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 6", "[grow,fill][pref!]"));
-        speedRow.setOpaque(false);
+        direction = VectorFields.ofDirection(note, vector -> take(velocity().along(vector, scale)));
+        JPanel speedRow = Rows.of("gap 6", "[grow,fill][pref!]");
         speedRow.add(slider.slider(), "wmin 40");
         speedRow.add(speed.field(), "growx");
         panel.add(speedRow);
@@ -86,9 +77,7 @@ public final class VelocityPanel {
     }
 
     private JComponent scaleSwitch() {
-        JPanel row = new JPanel(new MigLayout(
-                "novisualpadding, insets 0, fillx, gap 2", "[grow,fill,sg][grow,fill,sg][grow,fill,sg][grow,fill,sg]"));
-        row.setOpaque(false);
+        JPanel row = Rows.of("gap 2", "[grow,fill,sg][grow,fill,sg][grow,fill,sg][grow,fill,sg]");
         ButtonGroup group = new ButtonGroup();
         for (SpeedScale each : SpeedScale.values()) {
             JToggleButton button = new JToggleButton(Texts.get("scale." + each.name()), each == scale);
@@ -107,10 +96,8 @@ public final class VelocityPanel {
     }
 
     private JComponent directionRow() {
-        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 10 4", "[pref!][grow,fill]"));
-        row.setOpaque(false);
-        JPanel fields = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, wrap 2, gap 6 4", "[][grow,fill]"));
-        fields.setOpaque(false);
+        JPanel row = Rows.of("gap 10 4", "[pref!][grow,fill]");
+        JPanel fields = Rows.of("wrap 2, gap 6 4", "[][grow,fill]");
         fields.add(new JLabel(Wording.label("direction")), "span");
         direction.addInColumn(fields);
         row.add(sphere);
@@ -119,9 +106,7 @@ public final class VelocityPanel {
     }
 
     private JComponent buttons() {
-        JPanel row = new JPanel(
-                new MigLayout("novisualpadding, insets 0, fillx, wrap 2, gap 4", "[grow,fill,sg][grow,fill,sg]"));
-        row.setOpaque(false);
+        JPanel row = Rows.of("wrap 2, gap 4", "[grow,fill,sg][grow,fill,sg]");
         row.add(button(
                 "rest", () -> take(Velocity.of(SpeedScale.BETA, 0, velocity().givenDirection()))));
         row.add(button("forwards", () -> turn(camera().viewDirection(), null)));

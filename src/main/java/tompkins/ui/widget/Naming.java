@@ -23,6 +23,11 @@ public final class Naming {
         accessible.setAccessibleDescription(tip);
     }
 
+    /** Gives a component the text of a key as its name, and that of the key with {@code Tip} behind it as its tooltip. */
+    public static void name(JComponent component, String key) {
+        name(component, Texts.get(key), Texts.get(key + "Tip"));
+    }
+
     /** Shows the items of a combo box by their names; a letter chooses the next one whose name begins with it. */
     public static <T> void items(JComboBox<T> box, Function<? super T, String> name) {
         box.setRenderer(PlainText.in(new DefaultListCellRenderer() {

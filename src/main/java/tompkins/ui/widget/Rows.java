@@ -3,23 +3,29 @@ package tompkins.ui.widget;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 
-/** The grid that all panels share, so that their columns stand under each other. */
+/** The grids of the panels; those that stand under each other share one. */
 public final class Rows {
 
     private Rows() {}
 
     /** A panel of three columns: name, control, field. */
     public static JPanel panel() {
-        JPanel panel = new JPanel(new MigLayout(
-                "novisualpadding, insets 0, fillx, wrap 3, hidemode 3, gap 6 5", "[pref][grow,fill][pref!]"));
-        panel.setOpaque(false);
-        return panel;
+        return of("wrap 3, hidemode 3, gap 6 5", "[pref][grow,fill][pref!]");
     }
 
     /** A panel of one column. */
     public static JPanel column() {
-        JPanel panel = new JPanel(
-                new MigLayout("novisualpadding, insets 0, fillx, wrap 1, hidemode 3, gap 6 5", "[grow,fill]"));
+        return of("wrap 1, hidemode 3, gap 6 5", "[grow,fill]");
+    }
+
+    /**
+     * A panel as wide as the one that it is part of, without a border or a background of its own.
+     *
+     * @param layout its wrap and its gaps, as MigLayout writes them
+     * @param columns its columns, as MigLayout writes them
+     */
+    public static JPanel of(String layout, String columns) {
+        JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, " + layout, columns));
         panel.setOpaque(false);
         return panel;
     }

@@ -13,15 +13,13 @@ import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import javax.swing.SwingConstants;
 import javax.swing.SwingUtilities;
-import net.miginfocom.swing.MigLayout;
 
 /** A part of the side panel under a heading that folds it away. */
 public final class Section {
 
     private static final int ARROW = 9;
 
-    private final JPanel panel =
-            new JPanel(new MigLayout("novisualpadding, insets 0, fillx, wrap 1, hidemode 3, gap 0 6", "[grow,fill]"));
+    private final JPanel panel = Rows.of("wrap 1, hidemode 3, gap 0 6", "[grow,fill]");
     private final JToggleButton heading;
 
     /** A section that is open or folded. */
@@ -42,7 +40,6 @@ public final class Section {
             SwingUtilities.invokeLater(this::comeIntoView);
         });
         content.setVisible(open);
-        panel.setOpaque(false);
         panel.add(heading);
         panel.add(content, "gapleft 6, gapright 4, gapbottom 8, wmin 0");
     }

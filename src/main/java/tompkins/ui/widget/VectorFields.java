@@ -47,6 +47,11 @@ public final class VectorFields {
         }
     }
 
+    /** Fields for the direction of a motion; as those for a property. */
+    public static VectorFields ofDirection(Note note, Consumer<Vector3dc> commit) {
+        return new VectorFields("direction", NumberKind.DOUBLE, AXES, Texts.get("direction.tip"), note, commit);
+    }
+
     /** Adds the fields one under the other, each after its name. */
     public void addInColumn(JPanel panel) {
         for (int axis = 0; axis < fields.size(); axis++) {
