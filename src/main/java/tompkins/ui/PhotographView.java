@@ -13,6 +13,7 @@ import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.ComparePanel;
+import tompkins.ui.panel.Compared;
 import tompkins.ui.picture.Comparison;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
@@ -59,7 +60,7 @@ final class PhotographView implements AutoCloseable {
     private final RenderController otherController;
     private final PixelProbe hover = new PixelProbe(this::fail);
     private final PixelProbe fixed = new PixelProbe(this::fail);
-    private ComparePanel otherSource;
+    private Compared compared = Compared.NOTHING;
     private Studio otherStudio;
     private Picture keptPicture;
     private Point2D pin;
@@ -117,11 +118,11 @@ final class PhotographView implements AutoCloseable {
         }
     }
 
-    /** Compares as the panel says. */
-    void compare(ComparePanel panel) {
-        canvas.setComparison(panel.view(), panel.otherName());
-        screen.setDifference(panel.view() == Comparison.DIFFERENCE);
-        otherSource = panel;
+    /** Compares with another picture from now on. */
+    void compare(Compared other) {
+        compared = other;
+        canvas.setComparison(compared.view(), compared.name());
+        screen.setDifference(compared.view() == Comparison.DIFFERENCE);
         renderOther();
         if (pin != null) {
             readPin();
@@ -129,14 +130,11 @@ final class PhotographView implements AutoCloseable {
     }
 
     private void renderOther() {
-        if (otherSource == null) {
-            return;
-        }
-        Studio studio = otherSource.otherStudio(model.studio());
+        Studio studio = compared.studio(model.studio());
         if (studio == null) {
             otherStudio = null;
             otherController.stop();
-            screen.setOther(otherSource.other() == ComparePanel.Other.KEPT_PICTURE ? keptPicture : null);
+            screen.setOther(compared.other() == ComparePanel.Other.KEPT_PICTURE ? keptPicture : null);
         } else if (!studio.equals(otherStudio)) {
             otherStudio = studio;
             otherController.show(studio);
@@ -199,7 +197,7 @@ final class PhotographView implements AutoCloseable {
     /** What a picture is called where two are seen; null where the studio's is seen alone. */
     private String nameOf(Picture picture) {
         if (picture != canvas.shown().now()) {
-            return otherSource.otherName();
+            return compared.name();
         }
         return canvas.showsTwo() ? Texts.get("compare.now") : null;
     }

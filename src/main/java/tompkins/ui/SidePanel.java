@@ -36,7 +36,6 @@ final class SidePanel {
     private final JScrollPane scroll;
     private final ShutterPanel shutter;
     private final LensPanel lens;
-    private final ComparePanel compare;
     private final PlanFold plan = new PlanFold();
     private final RaySection ray;
     private Picture shown;
@@ -45,9 +44,9 @@ final class SidePanel {
     SidePanel(StudioModel model, PhotographView view, Consumer<String> teller) {
         shutter = new ShutterPanel(model);
         lens = new LensPanel(model, picking -> pick(model, view, teller, picking));
-        compare = new ComparePanel(
+        ComparePanel compare = new ComparePanel(
                 () -> model.studio().camera().shutter(),
-                () -> compareAgain(view),
+                view::compare,
                 view.canvas()::setOtherAlone,
                 view::keepPicture);
         ray = new RaySection(() -> view.setPin(null));
@@ -84,13 +83,6 @@ final class SidePanel {
 
     private void add(String title, JComponent content, boolean open) {
         panel.add(new Section(Texts.get(title), content, open).component());
-    }
-
-    private void compareAgain(PhotographView view) {
-        // the panel tells of its first state while it is being made
-        if (compare != null) {
-            view.compare(compare);
-        }
     }
 
     private void pick(StudioModel model, PhotographView view, Consumer<String> teller, boolean picking) {

@@ -10,8 +10,6 @@ import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.concurrent.Executors;
 import java.util.stream.IntStream;
-import javax.swing.JComboBox;
-import javax.swing.JRadioButton;
 import javax.swing.JToggleButton;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
@@ -25,6 +23,7 @@ import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.ComparePanel;
+import tompkins.ui.panel.Compared;
 import tompkins.ui.picture.Comparison;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
@@ -154,12 +153,7 @@ class PhotographViewTest {
     }
 
     private void compareWithRest() {
-        ComparePanel panel =
-                new ComparePanel(() -> model.studio().camera().shutter(), () -> {}, peeking -> {}, () -> "kept");
-        Components.find((Container) panel.component(), JComboBox.class, "Compare with")
-                .setSelectedItem(ComparePanel.Other.AT_REST);
-        Components.find(panel.component(), JRadioButton.class, "Difference").setSelected(true);
-        view.compare(panel);
+        view.compare(new Compared(ComparePanel.Other.AT_REST, null, Comparison.DIFFERENCE, "at rest"));
     }
 
     private void awaitBoth(String what, Quality quality) {

@@ -12,15 +12,8 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JRadioButton;
 import net.miginfocom.swing.MigLayout;
-import org.joml.Vector3d;
-import tompkins.light.ColourLaw;
 import tompkins.property.Descriptions;
 import tompkins.shutter.Shutter;
-import tompkins.spacetime.TransformationLaw;
-import tompkins.spacetime.Velocity;
-import tompkins.studio.Studio;
-import tompkins.ui.model.FrontWindow;
-import tompkins.ui.model.Shutters;
 import tompkins.ui.picture.Comparison;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
@@ -56,7 +49,7 @@ public final class ComparePanel {
     private final JButton keep = new JButton(Texts.get("compare.keep"));
     private final Note hint = new Note("");
     private final Supplier<Shutter> shutterNow;
-    private final Runnable changed;
+    private final Consumer<Compared> changed;
     private String keptName;
     private final Updating updating = new Updating();
 
@@ -64,31 +57,33 @@ public final class ComparePanel {
      * The panel.
      *
      * @param shutterNow the shutter of the photograph
-     * @param changed called when anything here has changed
+     * @param changed told what the user wants to compare
      * @param peeking told when the other picture is to be shown alone, and when not any more
      * @param keeping keeps the picture that is shown, and says what to call it
      */
     public ComparePanel(
-            Supplier<Shutter> shutterNow, Runnable changed, Consumer<Boolean> peeking, Supplier<String> keeping) {
+            Supplier<Shutter> shutterNow,
+            Consumer<Compared> changed,
+            Consumer<Boolean> peeking,
+            Supplier<String> keeping) {
         this.shutterNow = shutterNow;
         this.changed = changed;
         Naming.items(others, Wording::label);
-        name(others, "compare.name");
+        Naming.name(others, "compare.name");
         Descriptions.members(Shutter.class).forEach(shutters::addItem);
         Naming.items(shutters, Wording::label);
-        name(shutters, "compare.shutter");
-        name(peek, "compare.peek");
+        Naming.name(shutters, "compare.shutter");
+        Naming.name(peek, "compare.peek");
         peek.getModel()
                 .addChangeListener(event -> peeking.accept(peek.getModel().isPressed()));
-        name(keep, "compare.keep");
+        Naming.name(keep, "compare.keep");
         keep.addActionListener(event -> {
             keptName = keeping.get();
             others.setSelectedItem(Other.KEPT_PICTURE);
         });
         others.addActionListener(event -> updating.unless(this::choose));
-        shutters.addActionListener(event -> updating.unless(this::update));
-        JPanel buttons = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, wrap 1, gap 4", "[grow,fill]"));
-        buttons.setOpaque(false);
+        shutters.addActionListener(event -> updating.unless(this::tell));
+        JPanel buttons = Rows.of("wrap 1, gap 4", "[grow,fill]");
         buttons.add(keep);
         buttons.add(peek);
         panel.add(others, "wmin 0");
@@ -99,10 +94,6 @@ public final class ComparePanel {
         update();
     }
 
-    private static void name(JComponent component, String key) {
-        Naming.name(component, Texts.get(key), Texts.get(key + "Tip"));
-    }
-
     private JPanel views() {
         JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, gap 12"));
         row.setOpaque(false);
@@ -110,7 +101,7 @@ public final class ComparePanel {
         for (Comparison view : List.of(Comparison.SPLIT, Comparison.BESIDE, Comparison.DIFFERENCE)) {
             JRadioButton button = new JRadioButton(Wording.label(view), view == Comparison.SPLIT);
             Naming.name(button, button.getText(), Texts.get("compare.tip." + view));
-            button.addActionListener(event -> update());
+            button.addActionListener(event -> tell());
             group.add(button);
             row.add(button);
             views.put(view, button);
@@ -125,7 +116,12 @@ public final class ComparePanel {
             updating.during(
                     () -> shutters.setSelectedIndex((shutters.getSelectedIndex() + 1) % shutters.getItemCount()));
         }
+        tell();
+    }
+
+    private void tell() {
         update();
+        changed.accept(new Compared(other(), (Class<?>) shutters.getSelectedItem(), view(), otherName()));
     }
 
     private void update() {
@@ -138,7 +134,6 @@ public final class ComparePanel {
                 missing
                         ? Texts.get("compare.keepFirst")
                         : compares ? Texts.get(view() == Comparison.SPLIT ? "compare.splitHint" : "compare.hint") : "");
-        changed.run();
     }
 
     /** The panel itself. */
@@ -146,13 +141,11 @@ public final class ComparePanel {
         return panel;
     }
 
-    /** What the picture is compared with. */
-    public Other other() {
+    private Other other() {
         return (Other) others.getSelectedItem();
     }
 
-    /** How the two are shown. */
-    public Comparison view() {
+    private Comparison view() {
         return other() == Other.NOTHING
                 ? Comparison.NONE
                 : views.keySet().stream()
@@ -161,23 +154,11 @@ public final class ComparePanel {
                         .orElseThrow();
     }
 
-    /** What the other picture is called. */
-    public String otherName() {
+    private String otherName() {
         return switch (other()) {
             case OTHER_SHUTTER -> Wording.label((Class<?>) shutters.getSelectedItem());
             case KEPT_PICTURE -> keptName == null ? Wording.label(other()) : keptName;
             default -> Wording.label(other());
-        };
-    }
-
-    /** The studio of the other picture; null if there is none, or if it is the kept one. */
-    public Studio otherStudio(Studio now) {
-        return switch (other()) {
-            case NOTHING, KEPT_PICTURE -> null;
-            case AT_REST -> FrontWindow.withVelocity(now, Velocity.of(new Vector3d()));
-            case GALILEAN_CAMERA -> now.withTransformation(TransformationLaw.GALILEAN);
-            case UNCHANGED_COLOURS -> now.withColours(ColourLaw.UNCHANGED);
-            case OTHER_SHUTTER -> Shutters.replaced(now, (Class<?>) shutters.getSelectedItem());
         };
     }
 }

@@ -36,7 +36,7 @@ public final class ScreenPictures implements AutoCloseable {
 
     /** There is another picture to compare with, or none. Called by any thread. */
     public void setOther(Picture picture) {
-        want(old -> new Wanted(old.now, picture, old.canvas, old.difference));
+        want(old -> picture == old.other ? old : new Wanted(old.now, picture, old.canvas, old.difference));
     }
 
     /** Whether the difference is wanted, too. */
@@ -50,8 +50,9 @@ public final class ScreenPictures implements AutoCloseable {
     }
 
     private synchronized void want(UnaryOperator<Wanted> change) {
-        wanted = change.apply(wanted);
-        if (wanted.now != null) {
+        Wanted before = wanted;
+        wanted = change.apply(before);
+        if (wanted != before && wanted.now != null) {
             worker.submit(wanted);
         }
     }
