@@ -14,7 +14,9 @@ final class SpherePrimitive extends Primitive {
     private final double y;
     private final double z;
     private final double radius;
-    private final Placement placement;
+
+    /** Null if the surface asks for no coordinates. */
+    private final RoundCoordinates round;
 
     SpherePrimitive(Sphere sphere, Placement placement) {
         super(sphere.description(), sphere.surface());
@@ -23,7 +25,7 @@ final class SpherePrimitive extends Primitive {
         y = centre.y;
         z = centre.z;
         radius = sphere.radius() * placement.scale();
-        this.placement = placement;
+        round = surface().usesCoordinates() ? RoundCoordinates.around(new Vector3d(0, 1, 0), placement) : null;
     }
 
     /**
@@ -47,7 +49,7 @@ final class SpherePrimitive extends Primitive {
         if (offset > radius) {
             return NO_HIT;
         }
-        // nothing is squared, so that the radius of a sky may be as large as a number can be
+        // the radius is not squared, so that the radius of a sky may be as large as a number can be
         double halfChord = Math.sqrt(radius - offset) * Math.sqrt(radius + offset);
         double centreDistance = Math.sqrt(fx * fx + fy * fy + fz * fz);
         double height = centreDistance - radius;
@@ -76,31 +78,31 @@ final class SpherePrimitive extends Primitive {
         nx = length > 0 ? nx / length : -ray.dx;
         ny = length > 0 ? ny / length : -ray.dy;
         nz = length > 0 ? nz / length : -ray.dz;
-        SurfaceCoordinates coordinates = surface().usesCoordinates() ? coordinates(new Vector3d(nx, ny, nz)) : null;
+        SurfaceCoordinates coordinates = round == null ? null : coordinates(new Vector3d(nx, ny, nz));
         return memory.set(
                 ray, distance, x + radius * nx, y + radius * ny, z + radius * nz, nx, ny, nz, this, 0, coordinates);
     }
 
     private SurfaceCoordinates coordinates(Vector3dc normal) {
-        Vector3d right = placement.direction(new Vector3d(1, 0, 0));
-        Vector3d up = placement.direction(new Vector3d(0, 1, 0));
-        Vector3d forward = placement.direction(new Vector3d(0, 0, 1));
-        double toRight = normal.dot(right);
-        double toForward = normal.dot(forward);
-        double height = normal.dot(up);
-        double level = Math.hypot(toRight, toForward);
-        // seen from outside, in front, u grows to the right
-        double u = Math.atan2(toRight, -toForward) / (2 * Math.PI) + 0.5;
+        double toRight = normal.dot(round.right());
+        double toMiddle = normal.dot(round.middle());
+        double height = normal.dot(round.axis());
+        double level = Math.hypot(toRight, toMiddle);
+        double u = Math.atan2(toRight, toMiddle) / (2 * Math.PI) + 0.5;
         double v = Math.atan2(height, level) / Math.PI + 0.5;
         double perTurn = 1 / (2 * Math.PI * radius * Math.max(level, 1e-12));
         double perHalfTurn = 1 / (Math.PI * radius);
         Vector3d alongU = level == 0
-                ? new Vector3d(right)
-                : new Vector3d(right).mul(-toForward / level).add(new Vector3d(forward).mul(toRight / level));
+                ? new Vector3d(round.right())
+                : new Vector3d(round.right())
+                        .mul(toMiddle / level)
+                        .sub(new Vector3d(round.middle()).mul(toRight / level));
         // at a pole all directions are level: those in front go on over it
         Vector3d alongV = level == 0
-                ? new Vector3d(forward).mul(height)
-                : new Vector3d(up).sub(new Vector3d(normal).mul(height)).div(level);
+                ? new Vector3d(round.middle()).mul(-height)
+                : new Vector3d(round.axis())
+                        .sub(new Vector3d(normal).mul(height))
+                        .div(level);
         return new SurfaceCoordinates(
                 u,
                 v,
