@@ -3,6 +3,7 @@ package tompkins.spacetime;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 
 /** No change: both frames are one. */
 public record IdentityTransformation() implements SpaceTimeTransformation {
@@ -21,6 +22,9 @@ public record IdentityTransformation() implements SpaceTimeTransformation {
     public Ray transform(Ray ray) {
         return ray;
     }
+
+    @Override
+    public void transform(RayBlock rays) {}
 
     /** 0: every event keeps its place, so the time is free; 0 is the limit of small velocities. */
     @Override

@@ -36,7 +36,7 @@ final class FrameCrossing {
         this.sceneFromCamera = sceneFromCamera;
         Event inScene = sceneFromCamera.transform(lens);
         Vector3d place = inScene.position();
-        // rays of a camera at rest do not cross, so nothing would undo the shift
+        // a camera at rest has not flown far from what it sees
         boolean atRest = sceneFromCamera instanceof IdentityTransformation;
         if (atRest || !place.isFinite() || place.length() < FAR) {
             origin = new Vector3d();

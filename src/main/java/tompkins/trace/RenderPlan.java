@@ -163,7 +163,7 @@ public final class RenderPlan {
                 depth,
                 counts,
                 witness);
-        SceneEntry entry = new SceneEntry(isAtRest() ? null : crossing, sceneTracer, shift, witness);
+        SceneEntry entry = new SceneEntry(crossing, sceneTracer, shift, witness);
         RayTracer cameraTracer = cameraFrame.size() == 0
                 ? null
                 : new RayTracer(

@@ -4,7 +4,7 @@ import tompkins.ray.Colour;
 import tompkins.ray.Ray;
 import tompkins.ray.RayBlock;
 
-/** What is beyond the objects of the camera frame: the scene, after the change of frame if there is one. */
+/** What is beyond the objects of the camera frame: the scene, after the change of frame. */
 final class SceneEntry implements Beyond {
 
     private final FrameCrossing crossing;
@@ -15,7 +15,7 @@ final class SceneEntry implements Beyond {
     /**
      * The way into the scene.
      *
-     * @param crossing the change of frame, or null if both frames are one
+     * @param crossing the change of frame
      * @param shift what becomes of the light, or null if it stays as it is
      * @param witness watches the rays; may be null
      */
@@ -28,7 +28,7 @@ final class SceneEntry implements Beyond {
 
     @Override
     public Colour colour(Ray ray) {
-        Ray crossed = crossing == null ? ray : crossing.cross(ray);
+        Ray crossed = crossing.cross(ray);
         if (witness != null) {
             witness.crosses(crossed);
         }
@@ -46,9 +46,7 @@ final class SceneEntry implements Beyond {
 
     /** Takes each ray of a block into the scene frame; no witness is told. */
     void cross(RayBlock rays) {
-        if (crossing != null) {
-            crossing.cross(rays);
-        }
+        crossing.cross(rays);
     }
 
     /** The tracer of the scene frame. */
