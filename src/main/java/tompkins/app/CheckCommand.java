@@ -7,8 +7,8 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import tompkins.image.FileException;
 import tompkins.image.PhotographFile;
-import tompkins.image.PictureException;
 import tompkins.io.SceneFileException;
 import tompkins.io.StudioReader;
 import tompkins.studio.Studio;
@@ -40,7 +40,7 @@ final class CheckCommand implements Callable<Integer> {
             } catch (SceneFileException | MistakeException mistakes) {
                 spec.commandLine().getErr().println(mistakes.getMessage());
                 code = Failures.MISTAKE;
-            } catch (PictureException damaged) {
+            } catch (FileException damaged) {
                 spec.commandLine()
                         .getErr()
                         .println(damaged.getMessage()

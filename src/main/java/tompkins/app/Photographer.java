@@ -9,9 +9,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import picocli.CommandLine;
+import tompkins.image.FileException;
 import tompkins.image.PhotographFile;
 import tompkins.image.PhotographInfo;
-import tompkins.image.PictureException;
 import tompkins.image.PictureFormat;
 import tompkins.io.SelfDescription;
 import tompkins.io.StudioReader;
@@ -69,7 +69,7 @@ final class Photographer {
             return Files.isRegularFile(picture)
                     && PhotographFile.readScene(picture)
                             .equals(Optional.of(info(studio, scene).sceneJson()));
-        } catch (PictureException otherFile) {
+        } catch (FileException otherFile) {
             return false;
         }
     }
@@ -125,7 +125,7 @@ final class Photographer {
     static void requireWritable(Path target) {
         try {
             PhotographFile.requireWritable(target);
-        } catch (PictureException wrongPlace) {
+        } catch (FileException wrongPlace) {
             // no disk has failed yet: the user named the place
             throw new MistakeException(wrongPlace.getMessage());
         }
@@ -187,7 +187,7 @@ final class Photographer {
             }
             wish.requireFor(file);
             return wish;
-        } catch (PictureException wrongName) {
+        } catch (FileException wrongName) {
             throw new MistakeException(wrongName.getMessage());
         }
     }

@@ -46,10 +46,10 @@ public enum AnimationFormat {
      * @param target the file, or for numbered pictures the folder, which must be new or empty
      * @param framesPerSecond from 1 to {@link #FASTEST}
      * @param curve how light becomes levels
-     * @throws PictureException if the name does not fit the format, nothing can be written there, or ffmpeg is missing
+     * @throws FileException if the name does not fit the format, nothing can be written there, or ffmpeg is missing
      * @throws IllegalArgumentException if {@code framesPerSecond} is out of range
      */
-    public AnimationWriter open(Path target, int framesPerSecond, ToneCurve curve) throws PictureException {
+    public AnimationWriter open(Path target, int framesPerSecond, ToneCurve curve) throws FileException {
         if (framesPerSecond < 1 || framesPerSecond > FASTEST) {
             throw new IllegalArgumentException(
                     "framesPerSecond must be a whole number from 1 to " + FASTEST + ", was " + framesPerSecond);
@@ -65,7 +65,7 @@ public enum AnimationFormat {
                 case NUMBERED_PNG -> new NumberedPngWriter(target, curve);
             };
         } catch (IOException e) {
-            throw PictureException.cannotWrite(target, e);
+            throw FileException.cannotWrite(target, e);
         }
     }
 }

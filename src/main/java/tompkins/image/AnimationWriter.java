@@ -39,12 +39,12 @@ public abstract sealed class AnimationWriter implements Closeable
      *
      * @param info what the frame says about itself: numbered pictures keep it for each, an animated PNG for its first
      *     frame, the other formats have no place for it
-     * @throws PictureException if the frame cannot be written; the animation is then closed
+     * @throws FileException if the frame cannot be written; the animation is then closed
      * @throws IllegalArgumentException if the frame has another size than the first, or a size that the format does not
      *     allow
      * @throws IllegalStateException after {@link #finish} or {@link #close}
      */
-    public final void add(LinearImage frame, PhotographInfo info) throws PictureException {
+    public final void add(LinearImage frame, PhotographInfo info) throws FileException {
         requireOpen();
         if (frames == 0) {
             width = frame.width();
@@ -64,10 +64,10 @@ public abstract sealed class AnimationWriter implements Closeable
     /**
      * Completes the animation and gives it its name.
      *
-     * @throws PictureException if it cannot be written; it is then closed
+     * @throws FileException if it cannot be written; it is then closed
      * @throws IllegalStateException if there is no frame, or after {@link #finish} or {@link #close}
      */
-    public final void finish() throws PictureException {
+    public final void finish() throws FileException {
         requireOpen();
         if (frames == 0) {
             throw new IllegalStateException("an animation must have a frame");
@@ -82,11 +82,11 @@ public abstract sealed class AnimationWriter implements Closeable
     }
 
     /** After a failure nothing can be added: half a frame may be in the file. */
-    private PictureException givenUp(IOException cause) {
-        PictureException failure = PictureException.cannotWrite(target, cause);
+    private FileException givenUp(IOException cause) {
+        FileException failure = FileException.cannotWrite(target, cause);
         try {
             close();
-        } catch (PictureException e) {
+        } catch (FileException e) {
             failure.addSuppressed(e);
         }
         return failure;
@@ -95,10 +95,10 @@ public abstract sealed class AnimationWriter implements Closeable
     /**
      * Gives up what is not finished and removes it; does nothing after {@link #finish}.
      *
-     * @throws PictureException if it cannot be removed
+     * @throws FileException if it cannot be removed
      */
     @Override
-    public final void close() throws PictureException {
+    public final void close() throws FileException {
         if (ended) {
             return;
         }
@@ -111,7 +111,7 @@ public abstract sealed class AnimationWriter implements Closeable
         try {
             pending.close();
         } catch (IOException e) {
-            throw PictureException.cannotWrite(target, e);
+            throw FileException.cannotWrite(target, e);
         }
     }
 

@@ -15,12 +15,12 @@ final class FileEndings {
     }
 
     /** Refuses a file whose name has none of the endings, or is no more than an ending: many systems hide such files. */
-    static void require(Path file, List<String> endings, String what) throws PictureException {
+    static void require(Path file, List<String> endings, String what) throws FileException {
         if (!match(file, endings)) {
-            throw new PictureException(file + ": the name of " + what + " must end in " + String.join(" or ", endings));
+            throw new FileException(file + ": the name of " + what + " must end in " + String.join(" or ", endings));
         }
         if (endings.contains(name(file).toLowerCase(Locale.ROOT))) {
-            throw new PictureException(file + ": the name of " + what + " is missing before the ending");
+            throw new FileException(file + ": the name of " + what + " is missing before the ending");
         }
     }
 

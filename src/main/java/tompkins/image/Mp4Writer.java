@@ -45,11 +45,11 @@ final class Mp4Writer extends AnimationWriter {
     /**
      * The program ffmpeg.
      *
-     * @throws PictureException if it is not on the path
+     * @throws FileException if it is not on the path
      */
-    static Path program() throws PictureException {
+    static Path program() throws FileException {
         return findProgram(System.getenv("PATH"))
-                .orElseThrow(() -> new PictureException("ffmpeg: not found on the path; install it to save MP4 videos,"
+                .orElseThrow(() -> new FileException("ffmpeg: not found on the path; install it to save MP4 videos,"
                         + " or save an animated PNG, an animated GIF or numbered pictures"));
     }
 

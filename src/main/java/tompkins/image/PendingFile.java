@@ -53,13 +53,13 @@ public final class PendingFile implements Closeable {
      */
     public static PendingFile file(Path target) throws IOException {
         if (Files.isDirectory(target)) {
-            throw new PictureException(target + ": cannot be written: it is a folder; name a file in it");
+            throw new FileException(target + ": cannot be written: it is a folder; name a file in it");
         }
         if (Files.exists(target) && !Files.isWritable(target)) {
-            throw new PictureException(target + ": cannot be written: the file is write-protected");
+            throw new FileException(target + ": cannot be written: the file is write-protected");
         }
         if (Files.isSymbolicLink(target) && Files.notExists(target)) {
-            throw new PictureException(target + ": cannot be written: it is a link to a file that does not exist");
+            throw new FileException(target + ": cannot be written: it is a link to a file that does not exist");
         }
         return beside(Files.exists(target) ? target.toRealPath() : target, false);
     }
@@ -71,7 +71,7 @@ public final class PendingFile implements Closeable {
      */
     static PendingFile folder(Path target) throws IOException {
         if (Files.exists(target) && !isEmptyFolder(target)) {
-            throw new PictureException(target + ": cannot be written: it exists; name a new or an empty folder");
+            throw new FileException(target + ": cannot be written: it exists; name a new or an empty folder");
         }
         return beside(target, true);
     }
@@ -79,7 +79,7 @@ public final class PendingFile implements Closeable {
     private static PendingFile beside(Path target, boolean isFolder) throws IOException {
         Path folder = target.toAbsolutePath().getParent();
         if (folder == null || !Files.isDirectory(folder)) {
-            throw new PictureException(target + ": cannot be written: there is no folder " + folder);
+            throw new FileException(target + ": cannot be written: there is no folder " + folder);
         }
         PendingFile pending = new PendingFile(target, folder.resolve(".tompkins-" + UUID.randomUUID() + ".part"));
         try {

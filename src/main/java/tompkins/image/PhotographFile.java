@@ -27,10 +27,10 @@ public final class PhotographFile {
      * arguments give the same bytes.
      *
      * @param curve how light becomes levels; formats that hold the light itself do without
-     * @throws PictureException if the file's name does not fit the format, or the file cannot be written
+     * @throws FileException if the file's name does not fit the format, or the file cannot be written
      */
     public static void write(Path file, LinearImage image, PictureFormat format, ToneCurve curve, PhotographInfo info)
-            throws PictureException {
+            throws FileException {
         format.requireFor(file);
         try (PendingFile pending = PendingFile.file(file)) {
             try (OutputStream out = pending.open()) {
@@ -38,7 +38,7 @@ public final class PhotographFile {
             }
             pending.commit();
         } catch (IOException e) {
-            throw PictureException.cannotWrite(file, e);
+            throw FileException.cannotWrite(file, e);
         }
     }
 
@@ -60,13 +60,13 @@ public final class PhotographFile {
     /**
      * Tries whether a photograph can be saved, before the time is spent on taking it. Leaves everything as it was.
      *
-     * @throws PictureException if there is no such folder, or no permission to write there
+     * @throws FileException if there is no such folder, or no permission to write there
      */
-    public static void requireWritable(Path file) throws PictureException {
+    public static void requireWritable(Path file) throws FileException {
         try (PendingFile pending = PendingFile.file(file)) {
             pending.open().close();
         } catch (IOException e) {
-            throw PictureException.cannotWrite(file, e);
+            throw FileException.cannotWrite(file, e);
         }
     }
 
@@ -87,16 +87,16 @@ public final class PhotographFile {
      * letters may stand for escapes of JSON. The file is recognised by its content, not by its name.
      *
      * @return the JSON of the scene; empty if the picture holds none
-     * @throws PictureException if the file cannot be read, is damaged, or is not a PNG, TIFF or Radiance picture
+     * @throws FileException if the file cannot be read, is damaged, or is not a PNG, TIFF or Radiance picture
      */
-    public static Optional<String> readScene(Path file) throws PictureException {
+    public static Optional<String> readScene(Path file) throws FileException {
         try {
             return scene(file, encoding(file).orElseThrow(() -> notAPhotograph(file, "not a picture")));
         } catch (IOException e) {
-            throw PictureException.cannotRead(file, e);
+            throw FileException.cannotRead(file, e);
         } catch (RuntimeException e) {
             // The readers trust the file and fail in any way when it is damaged.
-            throw PictureException.cannotRead(file, new IOException(e));
+            throw FileException.cannotRead(file, new IOException(e));
         }
     }
 
@@ -104,9 +104,9 @@ public final class PhotographFile {
      * The format of a saved photograph, recognised by its content.
      *
      * @return the format; empty if the file is none of them, such as a scene file
-     * @throws PictureException if the file cannot be read, or is damaged
+     * @throws FileException if the file cannot be read, or is damaged
      */
-    public static Optional<PictureFormat> format(Path file) throws PictureException {
+    public static Optional<PictureFormat> format(Path file) throws FileException {
         try (InputStream in = Files.newInputStream(file)) {
             byte[] start = in.readNBytes(PngFile.BIT_DEPTH_AT + 1);
             PictureEncoding encoding = PictureEncoding.of(start).orElse(null);
@@ -118,7 +118,7 @@ public final class PhotographFile {
             }
             return encoding == PictureEncoding.HDR ? Optional.of(PictureFormat.HDR) : Optional.empty();
         } catch (IOException e) {
-            throw PictureException.cannotRead(file, e);
+            throw FileException.cannotRead(file, e);
         }
     }
 
@@ -126,16 +126,16 @@ public final class PhotographFile {
      * Tries whether the picture of a saved photograph is whole, by reading its last row; its scene, which comes first, may be
      * found in spite of damage. Does nothing for a file that is no picture, such as a scene file.
      *
-     * @throws PictureException if the picture is damaged
+     * @throws FileException if the picture is damaged
      */
-    public static void requireWhole(Path file) throws PictureException {
+    public static void requireWhole(Path file) throws FileException {
         try {
             Optional<PictureEncoding> encoding = encoding(file);
             if (encoding.isPresent()) {
                 readLastRow(encoding.get(), file);
             }
         } catch (IOException | RuntimeException e) {
-            throw new PictureException(file + ": the picture is damaged: " + PictureException.reason(e), e);
+            throw new FileException(file + ": the picture is damaged: " + FileException.reason(e), e);
         }
     }
 
@@ -172,8 +172,8 @@ public final class PhotographFile {
         }
     }
 
-    private static PictureException notAPhotograph(Path file, String what) {
-        return new PictureException(
+    private static FileException notAPhotograph(Path file, String what) {
+        return new FileException(
                 file + ": " + what + "; a photograph that holds its scene is a PNG, TIFF or Radiance HDR picture");
     }
 }

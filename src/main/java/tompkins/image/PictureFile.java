@@ -36,20 +36,20 @@ public final class PictureFile {
     /**
      * Reads a picture, named after the file.
      *
-     * @throws PictureException if there is no such file, or it is not a picture that can be read
+     * @throws FileException if there is no such file, or it is not a picture that can be read
      */
-    public static PixelPicture read(Path file) throws PictureException {
+    public static PixelPicture read(Path file) throws FileException {
         try {
             if (Files.exists(file) && !Files.isRegularFile(file)) {
-                throw new PictureException(file + ": not a file");
+                throw new FileException(file + ": not a file");
             }
             if (Files.size(file) > MOST_BYTES) {
-                throw new PictureException(
+                throw new FileException(
                         file + ": has " + Files.size(file) + " bytes; a picture may have at most " + MOST_BYTES);
             }
             return read(Files.readAllBytes(file), file.getFileName().toString());
         } catch (IOException e) {
-            throw PictureException.cannotRead(file, e);
+            throw FileException.cannotRead(file, e);
         }
     }
 
@@ -57,29 +57,29 @@ public final class PictureFile {
      * Reads a picture from the bytes of its file. The array is handed over and must not be changed afterwards.
      *
      * @param name the file's name, for messages and for {@link PixelPicture#name}
-     * @throws PictureException if they are not a picture that can be read
+     * @throws FileException if they are not a picture that can be read
      */
-    public static PixelPicture read(byte[] file, String name) throws PictureException {
+    public static PixelPicture read(byte[] file, String name) throws FileException {
         if (file.length == 0) {
-            throw new PictureException(name + ": the file is empty; allowed are " + PictureEncoding.ALLOWED);
+            throw new FileException(name + ": the file is empty; allowed are " + PictureEncoding.ALLOWED);
         }
         PictureEncoding encoding = PictureEncoding.of(file)
-                .orElseThrow(() -> new PictureException(
+                .orElseThrow(() -> new FileException(
                         name + ": not a picture that can be read; allowed are " + PictureEncoding.ALLOWED));
         try {
             return decode(encoding, file, name);
-        } catch (PictureException e) {
+        } catch (FileException e) {
             throw e;
         } catch (IOException | RuntimeException e) {
             // The readers trust the file and fail in any way when it is damaged.
-            throw damaged(encoding, name, PictureException.reason(e), e);
+            throw damaged(encoding, name, FileException.reason(e), e);
         } catch (OutOfMemoryError e) {
             throw damaged(encoding, name, "it needs more memory than there is", e);
         }
     }
 
-    private static PictureException damaged(PictureEncoding encoding, String name, String reason, Throwable cause) {
-        return new PictureException(name + ": " + encoding.label() + " picture cannot be read: " + reason, cause);
+    private static FileException damaged(PictureEncoding encoding, String name, String reason, Throwable cause) {
+        return new FileException(name + ": " + encoding.label() + " picture cannot be read: " + reason, cause);
     }
 
     private static PixelPicture decode(PictureEncoding encoding, byte[] file, String name) throws IOException {
@@ -146,7 +146,7 @@ public final class PictureFile {
         requireSize(littleEndian(file, 6), littleEndian(file, 8), name);
         if (reader.getHeight(0) < LOWEST_INTERLACED && isInterlaced(reader)) {
             // The JDK's reader gives such a picture without an error, but with the rows after the first missing.
-            throw new PictureException(name + ": an interlaced GIF picture must have " + LOWEST_INTERLACED
+            throw new FileException(name + ": an interlaced GIF picture must have " + LOWEST_INTERLACED
                     + " rows or more, has " + reader.getHeight(0) + "; save it without interlacing");
         }
     }
@@ -158,16 +158,16 @@ public final class PictureFile {
         return descriptor.getAttribute("interlaceFlag").equalsIgnoreCase("true");
     }
 
-    private static void requirePackedRows(int width, String name) throws PictureException {
+    private static void requirePackedRows(int width, String name) throws FileException {
         if (!RadianceFile.isPacked(width)) {
-            throw new PictureException(name + ": a Radiance picture must be from " + RadianceFile.NARROWEST_PACKED
-                    + " to " + RadianceFile.WIDEST_PACKED + " pixels wide, is " + width);
+            throw new FileException(name + ": a Radiance picture must be from " + RadianceFile.NARROWEST_PACKED + " to "
+                    + RadianceFile.WIDEST_PACKED + " pixels wide, is " + width);
         }
     }
 
-    private static void requireSize(int width, int height, String name) throws PictureException {
+    private static void requireSize(int width, int height, String name) throws FileException {
         if (width < 1 || height < 1 || (long) width * height > MOST_PIXELS) {
-            throw new PictureException(name + ": claims to have " + width + " x " + height
+            throw new FileException(name + ": claims to have " + width + " x " + height
                     + " pixels; a picture may have from 1 to " + MOST_PIXELS);
         }
     }

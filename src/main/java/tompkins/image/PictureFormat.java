@@ -33,9 +33,9 @@ public enum PictureFormat {
     /**
      * The usual format for a file's name.
      *
-     * @throws PictureException if the name has none of the endings that are allowed, or nothing before it
+     * @throws FileException if the name has none of the endings that are allowed, or nothing before it
      */
-    public static PictureFormat of(Path file) throws PictureException {
+    public static PictureFormat of(Path file) throws FileException {
         List<String> allowed = Stream.of(values())
                 .flatMap(format -> format.endings.stream())
                 .distinct()
@@ -60,9 +60,9 @@ public enum PictureFormat {
     /**
      * Checks that a file's name fits this format.
      *
-     * @throws PictureException if the name has none of this format's endings, or nothing before it
+     * @throws FileException if the name has none of this format's endings, or nothing before it
      */
-    public void requireFor(Path file) throws PictureException {
+    public void requireFor(Path file) throws FileException {
         FileEndings.require(file, endings, description);
     }
 }

@@ -28,23 +28,23 @@ final class PixelDecoder {
     /**
      * Four numbers a pixel, colours not multiplied by the opacity.
      *
-     * @throws PictureException if the kind of colours or numbers is not one that can be read
+     * @throws FileException if the kind of colours or numbers is not one that can be read
      */
-    static float[] rgba(Raster raster, ColorModel colours, String name) throws PictureException {
+    static float[] rgba(Raster raster, ColorModel colours, String name) throws FileException {
         requireReadable(raster, colours, name);
         PixelDecoder decoder = new PixelDecoder(raster, colours);
         return colours instanceof IndexColorModel palette ? decoder.fromPalette(palette) : decoder.fromChannels();
     }
 
-    private static void requireReadable(Raster raster, ColorModel colours, String name) throws PictureException {
+    private static void requireReadable(Raster raster, ColorModel colours, String name) throws FileException {
         int space = colours.getColorSpace().getType();
         if (space != ColorSpace.TYPE_RGB && space != ColorSpace.TYPE_GRAY || raster.getNumBands() > 4) {
-            throw new PictureException(name + ": its colours are neither grey nor red, green and blue; save it as RGB");
+            throw new FileException(name + ": its colours are neither grey nor red, green and blue; save it as RGB");
         }
         if (raster.getTransferType() == DataBuffer.TYPE_SHORT
                 || raster.getTransferType() == DataBuffer.TYPE_INT
                         && raster.getSampleModel().getSampleSize(0) > 16) {
-            throw new PictureException(
+            throw new FileException(
                     name + ": its numbers are signed or 32-bit integers; allowed are 8 or 16 bits or floating point");
         }
     }

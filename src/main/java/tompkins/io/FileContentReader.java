@@ -3,7 +3,7 @@ package tompkins.io;
 import java.io.IOException;
 import java.util.Base64;
 import java.util.List;
-import tompkins.image.PictureException;
+import tompkins.image.FileException;
 import tompkins.io.JsonValue.JsonObject;
 import tompkins.io.JsonValue.JsonText;
 import tompkins.io.JsonValue.Member;
@@ -36,7 +36,7 @@ final class FileContentReader {
             }
             String allowed = "the name of " + parser.noun() + " in quotes, or an object with the texts name and base64";
             problems.add(value, path, "must be " + allowed + ", was " + value.shown());
-        } catch (PictureException | MeshException unusable) {
+        } catch (FileException unusable) {
             problems.add(value, path, unusable.getMessage());
         } catch (IOException unusable) {
             problems.add(value, path, unusable.getMessage() + ", was " + value.shown());

@@ -9,7 +9,7 @@ import java.io.LineNumberReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import tompkins.image.FileFailure;
+import tompkins.image.FileException;
 import tompkins.ray.MeshData;
 
 /** Reads triangle meshes from OBJ files: vertices and faces; faces with more corners are cut into fans of triangles. */
@@ -23,15 +23,13 @@ public final class MeshFile {
     /**
      * Reads a file from the disk.
      *
-     * @throws MeshException if the file cannot be read, or is no OBJ file with triangles
+     * @throws FileException if the file cannot be read, or is no OBJ file with triangles
      */
-    public static MeshData read(Path file) throws MeshException {
+    public static MeshData read(Path file) throws FileException {
         try {
             return read(Files.readAllBytes(file), file.getFileName().toString());
-        } catch (MeshException clear) {
-            throw clear;
         } catch (IOException failure) {
-            throw new MeshException(file + ": cannot be read: " + FileFailure.reason(failure), failure);
+            throw FileException.cannotRead(file, failure);
         }
     }
 
@@ -39,9 +37,9 @@ public final class MeshFile {
      * Reads the bytes of a file.
      *
      * @param name the file's name, for messages and as {@link MeshData#name()}
-     * @throws MeshException if they are no OBJ file with triangles
+     * @throws FileException if they are no OBJ file with triangles
      */
-    static MeshData read(byte[] file, String name) throws MeshException {
+    static MeshData read(byte[] file, String name) throws FileException {
         InputStream bytes = new ByteArrayInputStream(file);
         CurrentLine line = new CurrentLine(new InputStreamReader(bytes, StandardCharsets.UTF_8));
         MeshCollector collector = new MeshCollector(line);
@@ -50,11 +48,11 @@ public final class MeshFile {
             collector.requireComplete();
         } catch (IOException | RuntimeException mistake) {
             String place = name + ":" + collector.lineOfMistake();
-            throw new MeshException(place + ": " + reason(mistake, line.text()), mistake);
+            throw new FileException(place + ": " + reason(mistake, line.text()), mistake);
         }
         int[] triangles = collector.triangles();
         if (triangles.length == 0) {
-            throw new MeshException(name + ": not an OBJ file with triangles: it has no lines such as \"f 1 2 3\"");
+            throw new FileException(name + ": not an OBJ file with triangles: it has no lines such as \"f 1 2 3\"");
         }
         byte[] kept = file.length <= LARGEST_KEPT_FILE ? file : new byte[0];
         return new MeshData(name, collector.vertices(), triangles, kept);

@@ -13,9 +13,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
+import tompkins.image.FileException;
 import tompkins.image.FileFailure;
 import tompkins.image.PhotographFile;
-import tompkins.image.PictureException;
 
 /** Finds the text of a scene in a file: the file itself, or what a saved photograph holds. */
 final class SceneText {
@@ -51,7 +51,7 @@ final class SceneText {
         }
         try {
             return PhotographFile.isPicture(file) ? fromPhotograph() : decoded(content());
-        } catch (PictureException unusable) {
+        } catch (FileException unusable) {
             String start = file + ": ";
             String message = unusable.getMessage();
             throw problems.wholeFile(message.startsWith(start) ? message.substring(start.length()) : message);
@@ -60,7 +60,7 @@ final class SceneText {
         }
     }
 
-    private String fromPhotograph() throws PictureException {
+    private String fromPhotograph() throws FileException {
         Optional<String> scene = PhotographFile.readScene(file);
         return scene.orElseThrow(() -> problems.wholeFile("the picture holds no scene; only photographs saved by"
                 + " this program do, and only until another program saves them again"));

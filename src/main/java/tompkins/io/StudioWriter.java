@@ -13,9 +13,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Predicate;
+import tompkins.image.FileException;
 import tompkins.image.PendingFile;
 import tompkins.image.PhotographInfo;
-import tompkins.image.PictureException;
 import tompkins.ray.FileContent;
 import tompkins.studio.Studio;
 
@@ -92,7 +92,7 @@ public final class StudioWriter {
             Files.write(pending.path(), text);
             pending.commit();
         } catch (IOException failure) {
-            throw PictureException.cannotWrite(file, failure);
+            throw FileException.cannotWrite(file, failure);
         }
     }
 

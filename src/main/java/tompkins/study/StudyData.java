@@ -12,8 +12,8 @@ import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
+import tompkins.image.FileException;
 import tompkins.image.PendingFile;
-import tompkins.image.PictureException;
 
 /**
  * The figures of a study in a file of comma-separated values: lines about the study, the program and the machine, then one
@@ -107,7 +107,7 @@ public final class StudyData {
             Files.write(pending.path(), content);
             pending.commit();
         } catch (IOException failure) {
-            throw PictureException.cannotWrite(file, failure);
+            throw FileException.cannotWrite(file, failure);
         }
     }
 

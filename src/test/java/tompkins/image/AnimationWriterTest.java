@@ -195,7 +195,7 @@ class AnimationWriterTest {
         Files.writeString(film.resolve("mine.txt"), "mine");
 
         assertThatThrownBy(() -> film(AnimationFormat.NUMBERED_PNG, 25, 1))
-                .isInstanceOf(PictureException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessage(film + ": cannot be written: it exists; name a new or an empty folder");
         assertThat(Samples.names(film)).containsExactly("mine.txt");
     }
@@ -271,11 +271,11 @@ class AnimationWriterTest {
                 .withMessage("framesPerSecond must be a whole number from 1 to 60, was 0");
         assertThatIllegalArgumentException().isThrownBy(() -> AnimationFormat.GIF.open(gif, 61, ToneCurve.LINEAR));
         assertThatThrownBy(() -> AnimationFormat.APNG.open(gif, 25, ToneCurve.LINEAR))
-                .isInstanceOf(PictureException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessage(gif + ": the name of an animated PNG must end in .png or .apng");
         Path lost = folder.resolve("lost").resolve("film.gif");
         assertThatThrownBy(() -> AnimationFormat.GIF.open(lost, 25, ToneCurve.LINEAR))
-                .isInstanceOf(PictureException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessage(lost + ": cannot be written: there is no folder " + lost.getParent());
     }
 }

@@ -90,7 +90,7 @@ class Mp4WriterTest {
                         }
                         animation.finish();
                     })
-                    .isInstanceOf(PictureException.class)
+                    .isInstanceOf(FileException.class)
                     .hasMessage(film + ": cannot be written: " + message);
             assertThat(Samples.names(folder)).as("before it is closed").containsExactly("film.mp4");
             assertThatIllegalStateException()
@@ -126,7 +126,7 @@ class Mp4WriterTest {
         Path film = folder.resolve("film.mp4");
         if (!AnimationFormat.MP4.isAvailable()) {
             assertThatThrownBy(() -> AnimationFormat.MP4.open(film, 25, ToneCurve.LINEAR))
-                    .isInstanceOf(PictureException.class)
+                    .isInstanceOf(FileException.class)
                     .hasMessageContaining("install it")
                     .hasMessageContaining("animated GIF");
             assertThat(folder).isEmptyDirectory();

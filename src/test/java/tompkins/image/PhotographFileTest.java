@@ -199,7 +199,7 @@ class PhotographFileTest {
     @Test
     void aNameThatDoesNotFitTheFormatIsRefused() {
         assertThatThrownBy(() -> PhotographFile.write(file, image, PictureFormat.HDR, ToneCurve.LINEAR, Samples.INFO))
-                .isInstanceOf(PictureException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessage(file + ": the name of a Radiance picture must end in .hdr or .pic");
         assertThat(file).doesNotExist();
     }
@@ -209,7 +209,7 @@ class PhotographFileTest {
         Files.createDirectory(file);
 
         assertThatThrownBy(() -> PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO))
-                .isInstanceOf(PictureException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessage(file + ": cannot be written: it is a folder; name a file in it");
         assertThat(Samples.names(folder)).containsExactly("photo.png");
     }
@@ -219,7 +219,7 @@ class PhotographFileTest {
         Path lost = folder.resolve("lost").resolve("photo.png");
 
         assertThatThrownBy(() -> PhotographFile.write(lost, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO))
-                .isInstanceOf(PictureException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessage(lost + ": cannot be written: there is no folder " + folder.resolve("lost"));
     }
 
@@ -233,7 +233,7 @@ class PhotographFileTest {
         Path target = (administrator ? Path.of("/sys") : closed).resolve("photo.png");
 
         assertThatThrownBy(() -> PhotographFile.write(target, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO))
-                .isInstanceOf(PictureException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessage(target + ": cannot be written: "
                         + (administrator ? "Operation not permitted" : "there is no permission"));
     }
@@ -275,7 +275,7 @@ class PhotographFileTest {
                         PictureFormat.valueOf(arguments[1]),
                         ToneCurve.LINEAR,
                         Samples.INFO);
-            } catch (PictureException e) {
+            } catch (FileException e) {
                 System.out.print(e.getMessage());
                 System.exit(3);
             }

@@ -198,10 +198,10 @@ class PictureFileTest {
 
         Path lost = folder.resolve("lost.png");
         assertThatThrownBy(() -> PictureFile.read(lost))
-                .isInstanceOf(PictureException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessage(lost + ": cannot be read: there is no such file or folder");
         assertThatThrownBy(() -> PictureFile.read(folder))
-                .isInstanceOf(PictureException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessage(folder + ": not a file");
         Path endless = Path.of("/dev/zero");
         assertThatThrownBy(() -> PictureFile.read(endless)).hasMessage("/dev/zero: not a file");
@@ -210,10 +210,10 @@ class PictureFileTest {
     @Test
     void whatIsNoPictureIsRefusedWithWhatIs() {
         assertThatThrownBy(() -> PictureFile.read(new byte[0], "empty.png"))
-                .isInstanceOf(PictureException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessage("empty.png: the file is empty; allowed are PNG, JPEG, GIF, BMP, TIFF and Radiance HDR");
         assertThatThrownBy(() -> PictureFile.read("hello".getBytes(ISO_8859_1), "letter.png"))
-                .isInstanceOf(PictureException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessage("letter.png: not a picture that can be read;"
                         + " allowed are PNG, JPEG, GIF, BMP, TIFF and Radiance HDR");
     }
@@ -273,7 +273,7 @@ class PictureFileTest {
         assertTimeout(
                 Duration.ofSeconds(2),
                 () -> assertThatThrownBy(() -> PictureFile.read(file, "bomb"))
-                        .isInstanceOf(PictureException.class)
+                        .isInstanceOf(FileException.class)
                         .hasMessageStartingWith(message));
     }
 
@@ -283,7 +283,7 @@ class PictureFileTest {
         byte[] hdr = photograph(Samples.random(width, 2, 1), PictureFormat.HDR);
 
         assertThatThrownBy(() -> PictureFile.read(hdr, "sky.hdr"))
-                .isInstanceOf(PictureException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessage("sky.hdr: a Radiance picture must be from 8 to 32767 pixels wide, is " + width);
     }
 
@@ -297,7 +297,7 @@ class PictureFileTest {
 
         if (height < 5) {
             assertThatThrownBy(() -> PictureFile.read(interlaced, "logo.gif"))
-                    .isInstanceOf(PictureException.class)
+                    .isInstanceOf(FileException.class)
                     .hasMessage("logo.gif: an interlaced GIF picture must have 5 rows or more, has " + height
                             + "; save it without interlacing");
         } else {
@@ -330,7 +330,7 @@ class PictureFileTest {
             byte[] start = Arrays.copyOf(file, length);
             assertThatThrownBy(() -> PictureFile.read(start, "half"))
                     .as("%d of %d bytes", length, file.length)
-                    .isInstanceOf(PictureException.class)
+                    .isInstanceOf(FileException.class)
                     .hasMessageStartingWith("half: ");
         }
     }
@@ -353,7 +353,7 @@ class PictureFileTest {
         try {
             PictureFile.read(damaged, "damaged");
             return 0;
-        } catch (PictureException e) {
+        } catch (FileException e) {
             assertThat(e.getMessage())
                     .startsWith("damaged: ")
                     .doesNotContain("\n")

@@ -54,7 +54,7 @@ class SceneInDamagedFileTest {
         try {
             PhotographFile.readScene(file);
             return 0;
-        } catch (PictureException e) {
+        } catch (FileException e) {
             assertThat(e.getMessage())
                     .startsWith(file + ": ")
                     .doesNotContain("\n")
@@ -73,7 +73,7 @@ class SceneInDamagedFileTest {
         assertThat(scene).isPositive();
         Path cut = file(Arrays.copyOf(photograph, scene + 30));
         assertThatThrownBy(() -> PhotographFile.readScene(cut))
-                .isInstanceOf(PictureException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessageStartingWith(cut + ": cannot be read: ");
     }
 
@@ -89,7 +89,7 @@ class SceneInDamagedFileTest {
         Path cut = file(Arrays.copyOf(photograph, photograph.length - 400));
         assertThat(PhotographFile.readScene(cut)).contains(Samples.SCENE);
         assertThatThrownBy(() -> PhotographFile.requireWhole(cut))
-                .isInstanceOf(PictureException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessage(cut + ": the picture is damaged: the file ends too early or contradicts itself");
     }
 
@@ -114,7 +114,7 @@ class SceneInDamagedFileTest {
             png[place] ^= 0x80;
             Path file = file(png);
             assertThatThrownBy(() -> PhotographFile.readScene(file))
-                    .isInstanceOf(PictureException.class)
+                    .isInstanceOf(FileException.class)
                     .hasMessage(file + ": cannot be read: the file is damaged in the part that begins at byte " + text
                             + "; another copy of it may be whole");
         }
@@ -135,7 +135,7 @@ class SceneInDamagedFileTest {
         new PngChunk("iTXt", text.toByteArray()).write(png);
 
         assertThatThrownBy(() -> PhotographFile.readScene(file(png.toByteArray())))
-                .isInstanceOf(PictureException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessageContaining("too long");
     }
 
@@ -143,7 +143,7 @@ class SceneInDamagedFileTest {
     void whatIsNoPhotographIsRefusedWithWhatIs() throws IOException {
         Path text = file("hello".getBytes(ISO_8859_1));
         assertThatThrownBy(() -> PhotographFile.readScene(text))
-                .isInstanceOf(PictureException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessage(text
                         + ": not a picture; a photograph that holds its scene is a PNG, TIFF or Radiance HDR picture");
 
@@ -152,8 +152,8 @@ class SceneInDamagedFileTest {
 
         Path lost = folder.resolve("lost.png");
         assertThatThrownBy(() -> PhotographFile.readScene(lost))
-                .isInstanceOf(PictureException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessage(lost + ": cannot be read: there is no such file or folder");
-        assertThatThrownBy(() -> PhotographFile.readScene(folder)).isInstanceOf(PictureException.class);
+        assertThatThrownBy(() -> PhotographFile.readScene(folder)).isInstanceOf(FileException.class);
     }
 }

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.image.FileException;
 import tompkins.ray.MeshData;
 import tompkins.sceneobject.TriangleMesh;
 import tompkins.studio.Studio;
@@ -92,7 +93,7 @@ class MeshFileTest {
             })
     void aMistakeIsReportedWithItsLine(String line, String message) {
         assertThatThrownBy(() -> read(SQUARE + line + "\n"))
-                .isInstanceOf(MeshException.class)
+                .isInstanceOf(FileException.class)
                 .hasMessageStartingWith("knot.obj:" + message)
                 .hasMessageMatching("knot.obj:6: [\"a-zA-Z].+");
     }

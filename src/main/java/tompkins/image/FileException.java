@@ -5,34 +5,36 @@ import java.io.IOException;
 import java.util.zip.ZipException;
 import javax.imageio.IIOException;
 
-/** A picture could not be read, or a file not be written. The message is one line: the file, what is wrong, and what is allowed. */
-public final class PictureException extends IOException {
+/** A file could not be read or written. The message is one line: the file, the place in it, what is wrong, and what is allowed. */
+public final class FileException extends IOException {
 
     private static final long serialVersionUID = 1;
 
-    PictureException(String message) {
+    /** With a message that is complete. */
+    public FileException(String message) {
         super(message);
     }
 
-    PictureException(String message, Throwable cause) {
+    /** With a message that is complete, and what led to it. */
+    public FileException(String message, Throwable cause) {
         super(message, cause);
     }
 
     /** The failure of writing a file or folder, in words. */
-    public static PictureException cannotWrite(Object file, IOException cause) {
+    public static FileException cannotWrite(Object file, IOException cause) {
         return wrap(file, "cannot be written", cause);
     }
 
     /** The failure of reading a file, in words. */
-    static PictureException cannotRead(Object file, IOException cause) {
+    public static FileException cannotRead(Object file, IOException cause) {
         return wrap(file, "cannot be read", cause);
     }
 
-    private static PictureException wrap(Object file, String problem, IOException cause) {
-        if (cause instanceof PictureException clear) {
+    private static FileException wrap(Object file, String problem, IOException cause) {
+        if (cause instanceof FileException clear) {
             return clear;
         }
-        return new PictureException(file + ": " + problem + ": " + reason(cause), cause);
+        return new FileException(file + ": " + problem + ": " + reason(cause), cause);
     }
 
     /** What the innermost cause says, in one line. */
