@@ -27,7 +27,7 @@ public final class StudioWriter {
     private StudioWriter() {}
 
     /** The text of a scene file that names its pictures and meshes; they must lie beside it when it is read. */
-    public static String write(Studio studio) {
+    static String write(Studio studio) {
         return text(studio, picture -> false);
     }
 

@@ -7,7 +7,7 @@ import tompkins.ray.RayBlock;
 import tompkins.trace.RenderPlan;
 
 /**
- * What a picture will cost on this machine, told from taking blocks of it for about three seconds.
+ * What a picture will cost on this machine, estimated by rendering blocks of it for about three seconds.
  *
  * @param samplesPerPixel mean number of samples of a pixel
  * @param seconds time of the render
@@ -38,7 +38,7 @@ public record CostForecast(double samplesPerPixel, double seconds) {
         return of(plan, quality, renderer, PATIENCE);
     }
 
-    /** As above, with more than the first blocks only until a number of seconds is over. */
+    /** As above; blocks beyond the first are taken only until {@code patience} seconds have passed. */
     static Optional<CostForecast> of(RenderPlan plan, Quality quality, Renderer renderer, double patience)
             throws InterruptedException {
         Quality wish = quality instanceof Quality.TimeLimit ? Quality.TargetError.DEFAULT : quality;

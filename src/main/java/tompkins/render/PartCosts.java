@@ -1,9 +1,9 @@
 package tompkins.render;
 
-/** What the parts of a picture cost that were taken so far, and so what all of it will. */
+/** What the parts of a picture that were rendered so far cost, and what the whole picture will therefore cost. */
 final class PartCosts {
 
-    /** Seconds in which pauses of the machine no longer matter. */
+    /** A time, in seconds, long enough that a pause of the machine hardly matters. */
     private static final double LONG_ENOUGH = 0.2;
 
     private double pixels;
@@ -16,7 +16,7 @@ final class PartCosts {
     private double notedTracing;
 
     /**
-     * Notes how far a part is that goes on. The speed since the note before counts, unless it was a moment ago: within one part
+     * Notes the progress of the part being rendered. The speed since the previous note counts, unless that was a moment ago: within one part
      * the machine may get several times faster.
      *
      * @param partSamples samples of the part so far

@@ -13,7 +13,7 @@ import tompkins.camera.PixelSampler;
  * @param coarserStride stride of the pass before this one, or 0 if this is the first
  * @param firstSample number of the first sample
  * @param samples samples per pixel
- * @param inAll samples between which a pixel is shared: those that it has after the pass, or is expected to have in the end
+ * @param inAll how many samples the pixel is divided among: those that it has after the pass, or is expected to have in the end
  * @param chosen the pixels that get them, or null for all
  * @param share the share of the pixels that get them, of those that are rendered
  */
