@@ -125,12 +125,9 @@ final class ThinLensRays implements CameraRays {
     private boolean startOnLens(double lensX, double lensY, RayBlock rays, int place, RayCounts counts) {
         Vector3d chief = new Vector3d(rays.dx[place], rays.dy[place], rays.dz[place]);
         double inverseFocusDistance = inverseFocusDistance(chief, counts);
-        Vector3d offset = offset(lensX, lensY);
-        Vector3d pupilPoint = offset.add(centre, new Vector3d());
-        double time = constantTime
-                ? shutter.openingTime()
-                : shutter.transmissionTime(
-                        new LensRay(centre, pupilPoint, chief, inverseFocusDistance, axes.forward()), sceneFromCamera);
+        Vector3d pupilPoint = offset(lensX, lensY).add(centre);
+        LensRay ray = new LensRay(centre, pupilPoint, chief, inverseFocusDistance, axes.forward());
+        double time = constantTime ? shutter.openingTime() : shutter.transmissionTime(ray, sceneFromCamera);
         if (!Double.isFinite(time)) {
             counts.withoutShutter++;
             return false;
@@ -140,11 +137,7 @@ final class ThinLensRays implements CameraRays {
         rays.z[place] = pupilPoint.z;
         rays.time[place] = time;
         if (apertureRadius > 0) {
-            // light that comes parallel to the chief ray meets in the detector point; the rest of the lens's power
-            // makes the ray come from the point in focus
-            double cosine = chief.x * forwardX + chief.y * forwardY + chief.z * forwardZ;
-            Vector3d direction = ThinLens.bend(chief, axes.forward(), offset, inverseFocusDistance / cosine)
-                    .normalize();
+            Vector3d direction = ray.towardsFocus().normalize();
             rays.dx[place] = direction.x;
             rays.dy[place] = direction.y;
             rays.dz[place] = direction.z;

@@ -7,9 +7,9 @@ import java.util.SplittableRandom;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.NaiveThinLens;
-import tompkins.camera.ThinLens;
 import tompkins.sceneobject.HitMethod;
 import tompkins.sceneobject.NaiveHits;
+import tompkins.shutter.LensRay;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.LorentzTransformation;
 import tompkins.spacetime.NaiveFrames;
@@ -191,7 +191,7 @@ record FailureMode(String quantity, String where, double naive, double ours) {
         Vector3d d = new Vector3d(0.1, 0, 1).normalize();
         Vector3d offset = new Vector3d(0.2, 0, 0);
         Vector3d naive = NaiveThinLens.bend(d, axis, offset, 0.5, 2);
-        Vector3d ours = ThinLens.bend(d, axis, offset, 0.5);
+        Vector3d ours = new LensRay(new Vector3d(), offset, d, 0.5 * d.dot(axis), axis).towardsFocus();
         double exact = 0.1 - 0.2 * 0.5;
         return of(
                 "slope behind a thin lens, through the image of a point; absolute",
