@@ -170,7 +170,6 @@ final class ApertureStudy implements Study {
                 Spread.exact(0),
                 ratio,
                 ratio.middle(),
-                ratio.middle(),
                 0);
     }
 

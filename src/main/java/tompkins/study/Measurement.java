@@ -10,10 +10,9 @@ import java.util.List;
  * @param setting the number that was varied: samples per pixel, gamma, objects; the study says which
  * @param rays rays that were followed, or evaluations of the integrand
  * @param seconds time of one thread
- * @param error root mean square of the error
- * @param percentile the error that 99.9 % of the values stay below
+ * @param error the root mean square of the errors, or the figure that the study names instead
  * @param maximum the largest error
- * @param floor the error of the reference itself; 0 for an exact answer
+ * @param floor the root mean square error of the reference itself; 0 for an exact answer
  */
 public record Measurement(
         String problem,
@@ -22,7 +21,6 @@ public record Measurement(
         double rays,
         Spread seconds,
         Spread error,
-        double percentile,
         double maximum,
         double floor) {
 

@@ -89,17 +89,8 @@ final class PrecisionStudy implements Study {
         }
         Stopwatch.warmUp(() -> turnAll(turning, directions, found), cancelled);
         Spread seconds = Spread.exact(Stopwatch.seconds(() -> turnAll(turning, directions, found)));
-        ErrorNorm norm = ErrorNorm.of(errors);
-        return new Measurement(
-                problem,
-                form.title(),
-                gamma,
-                TIMED,
-                seconds,
-                Spread.exact(Double.isNaN(norm.maximum()) ? Math.PI : norm.maximum()),
-                norm.percentile(),
-                norm.maximum(),
-                0);
+        double largest = ErrorNorm.of(errors).maximum();
+        return new Measurement(problem, form.title(), gamma, TIMED, seconds, Spread.exact(largest), largest, 0);
     }
 
     private static void turnAll(DirectionForm.Direction turning, Vector3d[] directions, Vector3d result) {

@@ -22,8 +22,6 @@ final class Repeats {
                 rays,
                 Spread.of(seconds.stream().mapToDouble(Double::doubleValue).toArray()),
                 Spread.of(norms.stream().mapToDouble(ErrorNorm::rootMeanSquare).toArray()),
-                Spread.of(norms.stream().mapToDouble(ErrorNorm::percentile).toArray())
-                        .middle(),
                 Spread.of(norms.stream().mapToDouble(ErrorNorm::maximum).toArray())
                         .middle(),
                 floor);

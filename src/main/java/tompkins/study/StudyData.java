@@ -22,7 +22,7 @@ import tompkins.image.PendingFile;
 public final class StudyData {
 
     private static final String COLUMNS = "problem,method,setting,rays,seconds_low,seconds_median,seconds_high,"
-            + "rmse_low,rmse_median,rmse_high,percentile_99.9,maximum,reference_rmse";
+            + "error_low,error_median,error_high,maximum,reference_error";
 
     private final Study study;
     private final Path file;
@@ -114,14 +114,13 @@ public final class StudyData {
     private static String line(Measurement point) {
         return String.format(
                 Locale.ROOT,
-                "%s,%s,%s,%s,%s,%s,%.6g,%.6g,%.6g",
+                "%s,%s,%s,%s,%s,%s,%.6g,%.6g",
                 quoted(point.problem()),
                 quoted(point.method()),
                 point.setting(),
                 point.rays(),
                 line(point.seconds()),
                 line(point.error()),
-                point.percentile(),
                 point.maximum(),
                 point.floor());
     }
@@ -158,7 +157,6 @@ public final class StudyData {
                 new Spread(numbers[4], numbers[5], numbers[6]),
                 new Spread(numbers[7], numbers[8], numbers[9]),
                 numbers[10],
-                numbers[11],
-                numbers[12]);
+                numbers[11]);
     }
 }

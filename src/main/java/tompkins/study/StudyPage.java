@@ -71,6 +71,10 @@ public final class StudyPage {
                 the smallest to the largest of several runs. The RMS error is the root of the mean square error over all pixels and
                 channels, in linear light where white is 1. A grey line is the error of the reference itself, found from its two
                 halves, where the exact answer is not known.
+
+                In the csv files, `error` is the RMS error. In the studies of precision and stability it is the largest error, in
+                that of the tree the number of rays that find something else, and in the rows `independence` of the aperture the
+                ratio of the table.
                 """,
                 program,
                 Machine.text(),

@@ -134,7 +134,6 @@ final class TreeStudy implements Study {
                                 Spread.of(seconds.get(method)),
                                 Spread.exact(different),
                                 different,
-                                different,
                                 0));
             });
             return measurements;

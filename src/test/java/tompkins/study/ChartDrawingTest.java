@@ -129,6 +129,6 @@ class ChartDrawingTest {
     }
 
     private static Measurement point(String method, double setting, double error) {
-        return new Measurement("p", method, setting, 1, Spread.exact(1), Spread.exact(error), error, error, 0);
+        return new Measurement("p", method, setting, 1, Spread.exact(1), Spread.exact(error), error, 0);
     }
 }

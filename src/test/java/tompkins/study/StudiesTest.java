@@ -81,7 +81,7 @@ class StudiesTest {
     private static Measurement timed(DirectionForm form, double nanoseconds) {
         // 200 000 directions
         Spread seconds = Spread.exact(nanoseconds * 2e-4);
-        return new Measurement(PrecisionStudy.PIXELS, form.title(), 1e4, 200_000, seconds, Spread.exact(3), 3, 3, 0);
+        return new Measurement(PrecisionStudy.PIXELS, form.title(), 1e4, 200_000, seconds, Spread.exact(3), 3, 0);
     }
 
     @Test
@@ -102,8 +102,7 @@ class StudiesTest {
         for (int run = 0; run < kept + broken; run++) {
             double error = 0.01 * (run < kept ? 1 : 1.3);
             String problem = "honesty:scene:seed " + run;
-            runs.add(new Measurement(
-                    problem, "pinholes", 0.01, 1, Spread.exact(1), Spread.exact(error), error, error, floor));
+            runs.add(new Measurement(problem, "pinholes", 0.01, 1, Spread.exact(1), Spread.exact(error), error, floor));
         }
         return runs;
     }
@@ -195,7 +194,7 @@ class StudiesTest {
     }
 
     private static Measurement point(double seconds, double error) {
-        return new Measurement("p", "m", 1, 1, Spread.exact(seconds), Spread.exact(error), error, error, 0);
+        return new Measurement("p", "m", 1, 1, Spread.exact(seconds), Spread.exact(error), error, 0);
     }
 
     private static List<Measurement> measure(Study study) {
