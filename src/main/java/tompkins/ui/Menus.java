@@ -11,7 +11,6 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.JRootPane;
-import javax.swing.KeyStroke;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
 import tompkins.spacetime.SpeedScale;
@@ -93,7 +92,7 @@ final class Menus {
 
     /** Redo has two keys, and a menu item only one. */
     void bindOtherRedo(JRootPane window) {
-        Keys.bind(window, KeyStroke.getKeyStroke("ctrl Y"), history::redo);
+        Keys.bind(window, Keys.ofMenu("ctrl Y"), history::redo);
     }
 
     private static JMenu menu(String key) {
@@ -110,7 +109,7 @@ final class Menus {
         JMenuItem item = new JMenuItem(Texts.get(key));
         item.setName(key);
         if (accelerator != null) {
-            item.setAccelerator(KeyStroke.getKeyStroke(accelerator));
+            item.setAccelerator(Keys.ofMenu(accelerator));
         }
         item.addActionListener(event -> action.run());
         menu.add(item);

@@ -1,10 +1,12 @@
 package tompkins.ui;
 
 import java.awt.BorderLayout;
+import java.awt.Desktop;
 import java.awt.Dimension;
-import java.awt.GraphicsEnvironment;
 import java.awt.Image;
 import java.awt.Rectangle;
+import java.awt.Window;
+import java.awt.desktop.QuitStrategy;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
@@ -35,6 +37,7 @@ import tompkins.ui.widget.FocusFollower;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Messages;
+import tompkins.ui.widget.Screens;
 import tompkins.ui.widget.Texts;
 
 /** The window of Tompkins: the photograph, and a narrow panel with what it depends on. */
@@ -80,8 +83,8 @@ public final class TompkinsWindow {
         frame.setName("tompkins");
         frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         frame.addWindowListener(new Closer());
-        frame.setSize(
-                onScreen(settings.number("width", Look.pixels(WIDTH)), settings.number("height", Look.pixels(HEIGHT))));
+        frame.setSize(onScreen(
+                frame, settings.number("width", Look.pixels(WIDTH)), settings.number("height", Look.pixels(HEIGHT))));
         size = new WindowSize(frame, settings);
         frame.setLocationByPlatform(true);
         model.addListener(this::showTitle);
@@ -104,6 +107,10 @@ public final class TompkinsWindow {
     public static void open(Studio studio, Path file, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
         // the texts of the window are English; those of file choosers and keys must not be in another language
         Locale.setDefault(Locale.ENGLISH);
+        if (Desktop.isDesktopSupported() && Desktop.getDesktop().isSupported(Desktop.Action.APP_QUIT_STRATEGY)) {
+            // Cmd+Q on a Mac must not pass over the question about unsaved changes
+            Desktop.getDesktop().setQuitStrategy(QuitStrategy.CLOSE_ALL_WINDOWS);
+        }
         SwingUtilities.invokeLater(() -> {
             Thread.currentThread().setUncaughtExceptionHandler(new LastResort());
             opened(studio, file, examples, commandLine);
@@ -172,13 +179,13 @@ public final class TompkinsWindow {
         JComponent panel = side.component();
         panel.setPreferredSize(new Dimension(side.width(), 0));
         panel.setBorder(BorderFactory.createMatteBorder(0, 1, 0, 0, UIManager.getColor("Tompkins.line")));
-        frame.setMinimumSize(onScreen(Look.pixels(MINIMUM_WIDTH), Look.pixels(MINIMUM_HEIGHT)));
+        frame.setMinimumSize(onScreen(frame, Look.pixels(MINIMUM_WIDTH), Look.pixels(MINIMUM_HEIGHT)));
         panel.revalidate();
     }
 
-    /** A size, or that of the screen where that is smaller: large type, or a window of yesterday's screen, may not fit. */
-    private static Dimension onScreen(int width, int height) {
-        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+    /** A size, or that of the screen of a window where that is smaller: large type, or a window of yesterday's screen, may not fit. */
+    private static Dimension onScreen(Window window, int width, int height) {
+        Rectangle screen = Screens.room(window);
         return new Dimension(Math.min(width, screen.width), Math.min(height, screen.height));
     }
 
@@ -290,9 +297,9 @@ public final class TompkinsWindow {
         private void fitEditor() {
             Dimension made = editor.getSize();
             editor.pack();
-            editor.setSize(
-                    onScreen(Math.max(made.width, editor.getWidth()), Math.max(made.height, editor.getHeight())));
-            Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+            editor.setSize(onScreen(
+                    editor, Math.max(made.width, editor.getWidth()), Math.max(made.height, editor.getHeight())));
+            Rectangle screen = Screens.room(editor);
             editor.setLocation(
                     Math.max(screen.x, Math.min(editor.getX(), screen.x + screen.width - editor.getWidth())),
                     Math.max(screen.y, Math.min(editor.getY(), screen.y + screen.height - editor.getHeight())));

@@ -1,6 +1,8 @@
 package tompkins.ui.widget;
 
+import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.JRootPane;
@@ -17,6 +19,12 @@ public final class Keys {
     static final KeyStroke CONTROL_ENTER = KeyStroke.getKeyStroke("ctrl ENTER");
 
     private Keys() {}
+
+    /** A key of a menu as it is on this system: on a Mac, Ctrl is Cmd. */
+    public static KeyStroke ofMenu(String key) {
+        boolean command = Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx() == InputEvent.META_DOWN_MASK;
+        return KeyStroke.getKeyStroke(command ? key.replace("ctrl", "meta") : key);
+    }
 
     /** Does something when a key is pressed in a window, unless what has the focus there uses that key itself. */
     public static void bind(JRootPane window, KeyStroke key, Runnable action) {

@@ -2,8 +2,6 @@ package tompkins.ui.widget;
 
 import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.GraphicsEnvironment;
-import java.awt.Rectangle;
 import javax.swing.JComponent;
 import javax.swing.JOptionPane;
 import javax.swing.JScrollPane;
@@ -34,8 +32,7 @@ public final class Messages {
     public static void tell(Component parent, String title, JComponent content) {
         JScrollPane scroll = scroll(content);
         Dimension size = content.getPreferredSize();
-        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        int room = screen.height - Look.pixels(FRAME);
+        int room = Screens.room(parent).height - Look.pixels(FRAME);
         if (size.height > room) {
             size = new Dimension(size.width + scroll.getVerticalScrollBar().getPreferredSize().width, room);
         }

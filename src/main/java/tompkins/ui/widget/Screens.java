@@ -1,0 +1,25 @@
+package tompkins.ui.widget;
+
+import java.awt.Component;
+import java.awt.GraphicsConfiguration;
+import java.awt.Insets;
+import java.awt.Rectangle;
+import java.awt.Toolkit;
+
+/** The screens, of which there may be several, such as a projector beside that of a laptop. */
+public final class Screens {
+
+    private Screens() {}
+
+    /** The part of the screen of a window, or of a component in one, that windows may cover, without task bars. */
+    public static Rectangle room(Component component) {
+        GraphicsConfiguration screen = component.getGraphicsConfiguration();
+        Rectangle bounds = screen.getBounds();
+        Insets taken = Toolkit.getDefaultToolkit().getScreenInsets(screen);
+        return new Rectangle(
+                bounds.x + taken.left,
+                bounds.y + taken.top,
+                bounds.width - taken.left - taken.right,
+                bounds.height - taken.top - taken.bottom);
+    }
+}
