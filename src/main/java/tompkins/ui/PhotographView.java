@@ -59,7 +59,8 @@ final class PhotographView implements AutoCloseable {
     private final RenderController controller;
     private final RenderController otherController;
     private final PixelProbe hover = new PixelProbe(this::fail);
-    private final PixelProbe fixed = new PixelProbe(this::fail);
+    private final PixelProbe pinned = new PixelProbe(this::fail);
+    private final PixelProbe picked = new PixelProbe(this::fail);
     private Compared compared = Compared.NOTHING;
     private Studio otherStudio;
     private Picture keptPicture;
@@ -191,7 +192,7 @@ final class PhotographView implements AutoCloseable {
         pinnedPlan = picture.plan();
         String name = nameOf(picture);
         pinnedName = name;
-        fixed.ask(pinnedPlan, placeIn(picture, pin), reading -> listener.pinned(pin == null ? null : reading, name));
+        pinned.ask(pinnedPlan, placeIn(picture, pin), reading -> listener.pinned(pin == null ? null : reading, name));
     }
 
     /** What a picture is called where two are seen; null where the studio's is seen alone. */
@@ -240,12 +241,22 @@ final class PhotographView implements AutoCloseable {
 
     private final class ProbeMouse implements PictureCanvas.Mouse {
 
+        private boolean isOver;
+
         @Override
         public void over(Point2D place, Picture seen) {
-            if (seen == null) {
-                listener.read(null);
+            isOver = seen != null;
+            if (isOver) {
+                hover.ask(seen.plan(), placeIn(seen, place), this::read);
             } else {
-                hover.ask(seen.plan(), placeIn(seen, place), listener::read);
+                listener.read(null);
+            }
+        }
+
+        private void read(PixelProbe.Reading reading) {
+            // the mouse may have left while the ray was followed
+            if (isOver) {
+                listener.read(reading);
             }
         }
 
@@ -256,7 +267,7 @@ final class PhotographView implements AutoCloseable {
                 RenderPlan plan = canvas.shown().now().plan();
                 stopPicking();
                 ending.clicked.run();
-                fixed.ask(plan, place, reading -> ending.taker.accept(PixelProbe.depth(plan, reading)));
+                picked.ask(plan, place, reading -> ending.taker.accept(PixelProbe.depth(plan, reading)));
             } else {
                 setPin(place, seen != canvas.shown().now());
             }
@@ -269,6 +280,7 @@ final class PhotographView implements AutoCloseable {
         otherController.close();
         screen.close();
         hover.close();
-        fixed.close();
+        pinned.close();
+        picked.close();
     }
 }

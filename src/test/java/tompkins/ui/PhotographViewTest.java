@@ -8,6 +8,8 @@ import java.awt.Rectangle;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.Executors;
 import java.util.stream.IntStream;
 import javax.swing.JToggleButton;
@@ -27,6 +29,7 @@ import tompkins.ui.panel.Compared;
 import tompkins.ui.picture.Comparison;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.picture.ScreenPicture;
 import tompkins.ui.widget.Look;
 
@@ -117,11 +120,70 @@ class PhotographViewTest {
         view.close();
         onEventThread(() -> {
             pick.doClick();
-            view.canvas()
-                    .dispatchEvent(new MouseEvent(
-                            view.canvas(), MouseEvent.MOUSE_RELEASED, 0, 0, 32, 24, 1, false, MouseEvent.BUTTON1));
+            mouse(view.canvas(), MouseEvent.MOUSE_RELEASED);
         });
         assertThat(pick.isSelected()).isFalse();
+    }
+
+    @Test
+    void whatIsReadAfterTheMouseHasLeftIsNotShown() {
+        List<PixelProbe.Reading> read = new ArrayList<>();
+        PhotographView watched = WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener() {
+            @Override
+            public void read(PixelProbe.Reading reading) {
+                read.add(reading);
+            }
+        }));
+        try (watched) {
+            PictureCanvas canvas = watched.canvas();
+            onEventThread(() -> {
+                canvas.setSize(64, 48);
+                watched.render();
+            });
+            WindowDriver.await("a picture", () -> canvas.shown().now() != null);
+            mouse(canvas, MouseEvent.MOUSE_MOVED);
+            WindowDriver.await("the reading", () -> !read.isEmpty());
+            onEventThread(() -> {
+                mouse(canvas, MouseEvent.MOUSE_MOVED);
+                // the answer is there, and waits until this is done
+                sleep(200);
+                mouse(canvas, MouseEvent.MOUSE_EXITED);
+            });
+            assertThat(WindowDriver.onEventThread(() -> read.get(read.size() - 1)))
+                    .isNull();
+        }
+    }
+
+    private static void sleep(int milliseconds) {
+        try {
+            Thread.sleep(milliseconds);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private static void mouse(PictureCanvas canvas, int event) {
+        canvas.dispatchEvent(new MouseEvent(canvas, event, 0, 0, 32, 24, 1, false, MouseEvent.BUTTON1));
+    }
+
+    /** While something plays, the pinned ray is followed again in every picture. */
+    @Test
+    void aPointIsPickedThoughARayIsPinned() {
+        onEventThread(() -> {
+            view.canvas().setSize(64, 48);
+            view.render();
+        });
+        WindowDriver.await("a picture", () -> view.canvas().shown().now() != null);
+        List<Double> picked = new ArrayList<>();
+        for (int i = 1; i <= 30; i++) {
+            int round = i;
+            onEventThread(() -> {
+                view.startPicking(() -> {}, picked::add);
+                mouse(view.canvas(), MouseEvent.MOUSE_RELEASED);
+                view.setPin(new Point2D.Double(10.5, 10.5));
+            });
+            WindowDriver.await("pick " + round, () -> picked.size() == round);
+        }
     }
 
     /** Eight pixels lie between the two. */

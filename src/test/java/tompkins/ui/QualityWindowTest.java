@@ -90,6 +90,21 @@ class QualityWindowTest {
     }
 
     @Test
+    void aLargeChartIsDrawnAsLargeAsItIs() {
+        WindowDriver.await("a point", () -> entity("the same", 0) != null);
+        WindowDriver.onEventThread(() -> {
+            dialog().setSize(1500, 950);
+            dialog().validate();
+            ChartPanel chart = chart();
+            chart.paintImmediately(0, 0, chart.getWidth(), chart.getHeight());
+            assertThat(chart.getWidth()).isGreaterThan(1400);
+            assertThat(chart.getScaleX()).isEqualTo(1);
+            assertThat(chart.getScaleY()).isEqualTo(1);
+            return null;
+        });
+    }
+
+    @Test
     void anotherChartTakesItsPlace() {
         JDialog first = WindowDriver.onEventThread(QualityWindowTest::dialog);
         JButton measure = driver.find(JButton.class, "Chart this picture");

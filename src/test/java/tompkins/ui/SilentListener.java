@@ -4,7 +4,7 @@ import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PixelProbe;
 
 /** Nobody who listens to a photograph. */
-final class SilentListener implements PhotographView.Listener {
+class SilentListener implements PhotographView.Listener {
 
     @Override
     public void shown(Picture picture) {}

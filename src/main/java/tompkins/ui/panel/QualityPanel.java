@@ -167,6 +167,9 @@ public final class QualityPanel {
             // its own menu saves without asking whether to overwrite, and a drag would zoom away from the points
             chart.setPopupMenu(null);
             chart.setMouseZoomable(false);
+            // or it would be drawn smaller and stretched where there is more room
+            chart.setMaximumDrawWidth(Integer.MAX_VALUE);
+            chart.setMaximumDrawHeight(Integer.MAX_VALUE);
             PointChooser chooser = new PointChooser();
             chart.addChartMouseListener(chooser);
             chart.addMouseListener(chooser);
