@@ -16,6 +16,7 @@ import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import tompkins.ui.widget.Keys;
+import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
 
@@ -35,6 +36,11 @@ public final class BackgroundTask implements Progress {
 
     private static final int STEPS = 1000;
 
+    /** Widths of the window in sizes of its type: titles name files, with their folders. */
+    private static final int NARROWEST = 25;
+
+    private static final int WIDEST = 60;
+
     /** Shorter work shows no window. */
     private static final int PATIENCE_MILLISECONDS = 400;
 
@@ -43,31 +49,38 @@ public final class BackgroundTask implements Progress {
 
     private final Window owner;
     private final String title;
-    private final JDialog dialog;
     private final JProgressBar bar = new JProgressBar(0, STEPS);
     private volatile double progress;
     private volatile boolean cancelled;
 
+    /** The small window, or null before it is shown for the first time: most work is done before that. */
+    private JDialog dialog;
+
     private BackgroundTask(Window owner, String title) {
         this.owner = owner;
         this.title = title;
-        dialog = new JDialog(owner, title);
-        JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 16, wrap 1, gap 0 12", "[320!,fill]"));
+    }
+
+    private JDialog dialog() {
+        JDialog made = new JDialog(owner, title);
+        String column = "[" + Look.pixels(NARROWEST) + ":pref:" + Look.pixels(WIDEST) + ",fill]";
+        JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 16, wrap 1, gap 0 12", column));
         panel.add(new JLabel(title));
         panel.add(bar);
         JButton cancel = new JButton(Texts.get("task.cancel"));
         cancel.setName(Texts.get("task.cancel"));
         cancel.addActionListener(event -> cancelled = true);
-        Keys.bindEscape(dialog.getRootPane(), cancel::doClick);
+        Keys.bindEscape(made.getRootPane(), cancel::doClick);
         bar.getAccessibleContext().setAccessibleName(title);
         panel.add(cancel, "growx 0, alignx right");
-        dialog.setContentPane(panel);
-        dialog.getRootPane().setDefaultButton(cancel);
-        dialog.setName("task");
-        dialog.setDefaultCloseOperation(JDialog.DO_NOTHING_ON_CLOSE);
-        dialog.pack();
-        dialog.setResizable(false);
-        dialog.setLocationRelativeTo(owner);
+        made.setContentPane(panel);
+        made.getRootPane().setDefaultButton(cancel);
+        made.setName("task");
+        made.setDefaultCloseOperation(JDialog.DO_NOTHING_ON_CLOSE);
+        made.pack();
+        made.setResizable(false);
+        made.setLocationRelativeTo(owner);
+        return made;
     }
 
     /**
@@ -110,7 +123,7 @@ public final class BackgroundTask implements Progress {
     public static boolean showRunning(Window owner) {
         List<BackgroundTask> running =
                 RUNNING.stream().filter(task -> task.owner == owner).toList();
-        running.forEach(task -> task.dialog.setVisible(true));
+        running.forEach(BackgroundTask::show);
         return !running.isEmpty();
     }
 
@@ -134,7 +147,9 @@ public final class BackgroundTask implements Progress {
         SwingUtilities.invokeLater(() -> {
             timer.stop();
             RUNNING.remove(this);
-            dialog.dispose();
+            if (dialog != null) {
+                dialog.dispose();
+            }
             last.run();
         });
     }
@@ -142,9 +157,16 @@ public final class BackgroundTask implements Progress {
     private void refresh() {
         bar.setValue((int) (progress * STEPS));
         // showing it again would take the focus from whatever the user does meanwhile
-        if (!dialog.isVisible()) {
-            dialog.setVisible(true);
+        if (dialog == null) {
+            show();
         }
+    }
+
+    private void show() {
+        if (dialog == null) {
+            dialog = dialog();
+        }
+        dialog.setVisible(true);
     }
 
     @Override

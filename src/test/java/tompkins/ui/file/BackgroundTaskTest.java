@@ -14,6 +14,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import tompkins.ui.Components;
 import tompkins.ui.WindowDriver;
+import tompkins.ui.widget.Look;
 
 /** What becomes of work in the background when it ends, is cancelled, or fails. */
 class BackgroundTaskTest {
@@ -26,6 +27,7 @@ class BackgroundTaskTest {
     void open() {
         WindowDriver.requireDisplay();
         owner = WindowDriver.onEventThread(() -> {
+            Look.LIGHT.install();
             JFrame frame = new JFrame();
             frame.setVisible(true);
             return frame;
