@@ -373,6 +373,6 @@ final class FileActions implements FileContentEditor.Choosers {
 
     /** Whether files can be dropped on the window, and what becomes of them. */
     FileDrop drop() {
-        return new FileDrop(files -> SwingUtilities.invokeLater(() -> open(files.get(0))));
+        return new FileDrop(file -> SwingUtilities.invokeLater(() -> open(file)));
     }
 }

@@ -5,7 +5,6 @@ import java.awt.datatransfer.UnsupportedFlavorException;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.TransferHandler;
@@ -14,10 +13,10 @@ import javax.swing.TransferHandler;
 @SuppressWarnings("serial") // never written to a stream
 public final class FileDrop extends TransferHandler {
 
-    private final transient Consumer<List<Path>> taker;
+    private final transient Consumer<Path> taker;
 
-    /** A handler that gives the dropped files to {@code taker}, on the event thread. */
-    public FileDrop(Consumer<List<Path>> taker) {
+    /** A handler that gives the dropped file, the first of several, to {@code taker}, on the event thread. */
+    public FileDrop(Consumer<Path> taker) {
         this.taker = taker;
     }
 
@@ -32,13 +31,9 @@ public final class FileDrop extends TransferHandler {
             return false;
         }
         try {
-            List<Path> files = new ArrayList<>();
             List<?> dropped = (List<?>) support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
-            dropped.forEach(file -> files.add(((File) file).toPath()));
-            if (!files.isEmpty()) {
-                taker.accept(files);
-            }
-            return !files.isEmpty();
+            dropped.stream().limit(1).forEach(file -> taker.accept(((File) file).toPath()));
+            return !dropped.isEmpty();
         } catch (UnsupportedFlavorException | IOException notFiles) {
             return false;
         }
