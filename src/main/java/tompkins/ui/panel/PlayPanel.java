@@ -1,5 +1,7 @@
 package tompkins.ui.panel;
 
+import java.awt.Dimension;
+import java.awt.FontMetrics;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.BiConsumer;
@@ -44,7 +46,7 @@ public final class PlayPanel {
             "novisualpadding, insets 6 10 6 10, fillx, hidemode 3, gap 6 4", "[pref!][grow,fill][pref!][pref!]"));
     private final JComboBox<NumberProperty> properties = new JComboBox<>();
     private final JComboBox<Animation.Course> courses = new JComboBox<>(Animation.Course.values());
-    private final JToggleButton play = new JToggleButton(Texts.get("play.play"));
+    private final JToggleButton play = new PlayButton();
     private final JCheckBox loop = new JCheckBox(Texts.get("play.loop"), true);
     private final ValueSlider scrubber = new ValueSlider(
             Texts.get("play.scrubber"),
@@ -302,5 +304,24 @@ public final class PlayPanel {
             }
         });
         showTime();
+    }
+
+    /** As wide as the wider of its texts, so that nothing moves when it is pressed. */
+    @SuppressWarnings("serial") // never written to a stream
+    private static final class PlayButton extends JToggleButton {
+
+        PlayButton() {
+            super(Texts.get("play.play"));
+        }
+
+        @Override
+        public Dimension getPreferredSize() {
+            Dimension size = super.getPreferredSize();
+            FontMetrics metrics = getFontMetrics(getFont());
+            int widest =
+                    Math.max(metrics.stringWidth(Texts.get("play.play")), metrics.stringWidth(Texts.get("play.pause")));
+            size.width += widest - metrics.stringWidth(getText());
+            return size;
+        }
     }
 }

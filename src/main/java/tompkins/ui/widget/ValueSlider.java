@@ -1,6 +1,7 @@
 package tompkins.ui.widget;
 
 import java.util.function.BiConsumer;
+import javax.accessibility.AccessibleContext;
 import javax.swing.JSlider;
 
 /** A slider for a value; all moves of one drag are one gesture. */
@@ -8,7 +9,7 @@ public final class ValueSlider {
 
     private static final int STEPS = 1000;
 
-    private final JSlider slider = new JSlider(0, STEPS, 0);
+    private final JSlider slider = new Slider();
     private final Object gesture = new Object();
     private final Updating updating = new Updating();
     private Range range;
@@ -28,7 +29,7 @@ public final class ValueSlider {
         slider.addChangeListener(event -> updating.unless(() -> {
             if (slider.getValue() != position) {
                 position = slider.getValue();
-                moved.accept(this.range.value((double) position / STEPS), gesture);
+                moved.accept(valueAt(position), gesture);
             }
             if (!slider.getValueIsAdjusting()) {
                 released.run();
@@ -41,6 +42,14 @@ public final class ValueSlider {
         return slider;
     }
 
+    private double valueAt(int step) {
+        return range.value((double) step / STEPS);
+    }
+
+    private int stepOf(double value) {
+        return (int) Math.round(range.place(value) * STEPS);
+    }
+
     /** Other values at the ends; not while the hand moves the slider. */
     public void setRange(Range other) {
         if (!slider.getValueIsAdjusting()) {
@@ -51,8 +60,46 @@ public final class ValueSlider {
     /** Shows a value, without telling anybody. */
     public void show(double value) {
         if (!slider.getValueIsAdjusting()) {
-            position = (int) Math.round(range.place(value) * STEPS);
+            position = stepOf(value);
             updating.during(() -> slider.setValue(position));
+        }
+    }
+
+    /** Tells a screen reader values, not steps. */
+    @SuppressWarnings("serial") // never written to a stream
+    private final class Slider extends JSlider {
+
+        Slider() {
+            super(0, STEPS, 0);
+        }
+
+        @Override
+        public AccessibleContext getAccessibleContext() {
+            if (accessibleContext == null) {
+                accessibleContext = new AccessibleJSlider() {
+                    @Override
+                    public Number getCurrentAccessibleValue() {
+                        return valueAt(getValue());
+                    }
+
+                    @Override
+                    public boolean setCurrentAccessibleValue(Number value) {
+                        setValue(stepOf(value.doubleValue()));
+                        return true;
+                    }
+
+                    @Override
+                    public Number getMinimumAccessibleValue() {
+                        return range.minimum();
+                    }
+
+                    @Override
+                    public Number getMaximumAccessibleValue() {
+                        return range.maximum();
+                    }
+                };
+            }
+            return accessibleContext;
         }
     }
 }

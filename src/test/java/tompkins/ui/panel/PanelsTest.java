@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.stream.Stream;
+import javax.accessibility.AccessibleValue;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JList;
@@ -278,6 +279,21 @@ class PanelsTest {
         Components.find(panel, JButton.class, button).doClick();
         assertThat(velocity().direction()).isEqualTo(new Vector3d(x, 0, z));
         assertThat(velocity().speed()).isCloseTo(0.5, within(1e-15));
+    }
+
+    /** Artanh 0.5 is ln(3)/2; a step of the slider is 0.006. */
+    @Test
+    void aScreenReaderHearsAndSetsTheRapidity() {
+        model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.5)));
+        Container panel = (Container) new VelocityPanel(model).component();
+        AccessibleValue slider = Components.find(panel, JSlider.class, "Speed, slider")
+                .getAccessibleContext()
+                .getAccessibleValue();
+        assertThat(slider.getCurrentAccessibleValue().doubleValue()).isCloseTo(Math.log(3) / 2, within(0.004));
+        assertThat(slider.getMinimumAccessibleValue()).isEqualTo(0.0);
+        assertThat(slider.getMaximumAccessibleValue()).isEqualTo(6.0);
+        slider.setCurrentAccessibleValue(3);
+        assertThat(velocity().speed()).isCloseTo(Math.tanh(3), within(1e-3));
     }
 
     private static List<String> direction(Container panel) {
