@@ -41,7 +41,7 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
 
     /**
      * The same camera with another angle between the left and the right edge of the picture. The other angle changes with it,
-     * so that pixels keep their shape, as far as that can be.
+     * so that pixels keep their shape, as far as possible.
      *
      * @throws tompkins.property.InvalidPropertyException if no picture is so wide
      */

@@ -112,7 +112,7 @@ public final class PixelSampler {
         }
     }
 
-    /** A mixing of 32 bits in which every bit of the input changes half of the output. */
+    /** A mixing of 32 bits in which every bit of the input changes half of the output (lowbias32 of C. Wellons, 2018). */
     static void hash(int[] values, int count) {
         for (int i = 0; i < count; i++) {
             int mixed = values[i];

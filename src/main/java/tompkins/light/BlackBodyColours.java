@@ -10,7 +10,7 @@ import tompkins.ray.Colour;
  * <p>Three numbers say nothing of what lies beyond the visible, and that is what a fast camera sees. So each colour stands for a
  * surface in the light of a black body of 6504 K, the colour temperature of a screen's white, that reflects as much of all
  * light below 494 nm, of all between 494 and 590 nm, and of all above as gives the colour. With these edges no
- * colour of a screen needs less than nothing of any band. Black-body radiation of temperature T, seen with Doppler factor D,
+ * colour of a screen needs a negative amount of any band. Black-body radiation of temperature T, seen with Doppler factor D,
  * is that of temperature D T, because radiance divided by the cube of the frequency is the same in all frames.
  */
 final class BlackBodyColours {

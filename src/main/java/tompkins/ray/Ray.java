@@ -60,7 +60,7 @@ public final class Ray {
         return new Ray();
     }
 
-    /** A ray that leaves the camera at (x, y, z) at the given time, in the unit direction (dx, dy, dz), free of width. */
+    /** A ray that leaves the camera at (x, y, z) at the given time, in the unit direction (dx, dy, dz), of zero width. */
     public static Ray fromCamera(double x, double y, double z, double dx, double dy, double dz, double time) {
         return fromCamera(x, y, z, dx, dy, dz, time, 0);
     }

@@ -71,7 +71,7 @@ public final class RayBlock {
         return count;
     }
 
-    /** Begins anew with a number of rays that have just left the camera, one for each sample; the other numbers are to be set. */
+    /** Begins anew with a number of rays that have just left the camera, one for each sample; the caller sets the rest. */
     public void begin(int newCount) {
         count = newCount;
         for (int i = 0; i < count; i++) {

@@ -50,7 +50,7 @@ public final class Candidates {
         return true;
     }
 
-    /** Notes for each ray which candidates it may meet; a few short loops over all rays tell most of the others. */
+    /** Notes for each ray which candidates it may meet; a few short loops over all rays rule out most of the others. */
     private void sift(RayBlock rays) {
         Arrays.fill(mayMeet, 0, rays.count(), 0);
         for (int i = 0; i < count; i++) {

@@ -74,12 +74,11 @@ public record CylinderLattice(
         return new ColouredSurface(new Colour(red, green, blue), Colour.WHITE);
     }
 
-    private static long rods(Vector3ic points) {
-        long x = points.x();
-        long y = points.y();
-        long z = points.z();
-        double all = (double) x * y + (double) y * z + (double) z * x;
-        return all > Long.MAX_VALUE / 2.0 ? Long.MAX_VALUE : x * y + y * z + z * x;
+    private static double rods(Vector3ic points) {
+        double x = points.x();
+        double y = points.y();
+        double z = points.z();
+        return x * y + y * z + z * x;
     }
 
     @Override

@@ -2,7 +2,7 @@ package tompkins.sceneobject;
 
 import org.joml.Vector3dc;
 
-/** Where the camera photographs the points that its shutter makes special. */
+/** Where the camera photographs points that are fixed to it. */
 @FunctionalInterface
 public interface ImagePoints {
 

@@ -10,7 +10,8 @@ import tompkins.ray.Ray;
 
 /**
  * The primitives as a lamp sees them: a grid of directions, each with the primitives that stand there. A shadow ray asks only
- * those of its direction. Built once for a scene and a lamp that stands outside it.
+ * those of its direction (the light buffer of Haines and Greenberg 1986). Built once for a scene and a lamp that stands outside
+ * it.
  */
 public final class LightGrid {
 

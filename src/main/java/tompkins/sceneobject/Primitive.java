@@ -46,7 +46,7 @@ public abstract class Primitive implements Boundary {
     public abstract double distance(Ray ray, double limit);
 
     /**
-     * Tells many rays at once from this primitive: those with a margin below 0 surely miss it, also if rounding speaks for it.
+     * Rules out many rays at once: those with a margin below 0 surely miss this primitive, even allowing for rounding.
      * The others may hit or miss. It saves most calls of {@link #distance}. Here by a ball around the primitive; by something
      * narrower where a shape knows it.
      *
@@ -122,7 +122,7 @@ public abstract class Primitive implements Boundary {
      */
     public abstract double least(double nx, double ny, double nz);
 
-    /** Whether the primitive surely lies where n.x is above a bound, also if rounding speaks for it. */
+    /** Whether the primitive surely lies where n.x is above a bound, even allowing for rounding. */
     public final boolean isBeyond(double nx, double ny, double nz, double bound) {
         return least(nx, ny, nz) - slack * (Math.abs(nx) + Math.abs(ny) + Math.abs(nz)) > bound;
     }

@@ -33,7 +33,7 @@ public record LensRay(
         return new Vector3d(chiefDirection).sub(offset().mul(inverseFocusDistance));
     }
 
-    /** The point I; infinite coordinates if the focus is at infinity. */
+    /** The point I; not finite if the focus is at infinity. */
     public Vector3d focusPoint() {
         return new Vector3d(chiefDirection).div(inverseFocusDistance).add(centre);
     }

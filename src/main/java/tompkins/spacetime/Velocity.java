@@ -188,7 +188,7 @@ public final class Velocity {
         return scale == SpeedScale.RAPIDITY ? value : Math.log1p(gammaMinusOne() + properSpeed);
     }
 
-    /** exp(-eta) = gamma - gamma beta: the factor by which light from ahead is slowed in its rhythm, seen from the scene. */
+    /** exp(-eta) = gamma - gamma beta: the frequency in the scene of light from straight ahead, divided by what the camera sees. */
     public double expMinusRapidity() {
         return 1 / (gamma + properSpeed);
     }

@@ -68,8 +68,8 @@ public final class SampleTracer {
 
     /**
      * Tells how many samples a pixel gets from now on; 1 before. Each stands for a part of the pixel, so that what is finer is
-     * not blurred twice, by the width of its ray and by the others. The part becomes narrower as fast as the error of the
-     * program's places at an edge (see the charts of aperture in docs/speed-and-accuracy.md): what the width of rays blurs,
+     * not blurred twice, by the width of its ray and by the others. The part shrinks like samples^-0.75, as the error of the
+     * program's places at an edge does (see the charts of aperture in docs/speed-and-accuracy.md): what the width of rays blurs,
      * which no difference between samples tells, stays below what the samples miss.
      *
      * @param samples 1 or more
