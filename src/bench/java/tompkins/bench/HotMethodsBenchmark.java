@@ -65,7 +65,7 @@ public class HotMethodsBenchmark {
             Random random = new Random(1);
             for (int i = 0; i < RAYS; i++) {
                 Vector3d to = new Vector3d(random.nextDouble(-1.4, 1.4), random.nextDouble(-1.4, 1.4), 10).normalize();
-                rays[i] = Ray.fromCamera(0, 0, 0, to.x, to.y, to.z, 0, 1e-3);
+                rays[i] = Ray.from(0, 0, 0, to.x, to.y, to.z, 0, 1e-3);
             }
         }
     }
@@ -105,7 +105,7 @@ public class HotMethodsBenchmark {
         private final Illumination illumination =
                 new Illumination(List.of(AmbientLight.DEFAULT, PointLight.DEFAULT), (from, x, y, z) -> true);
         private final ColouredSurface surface = new ColouredSurface(new Colour(1, 0, 0), Colour.WHITE);
-        private final Ray ray = Ray.fromCamera(0, 0, 0, 0, 0, 1, 0);
+        private final Ray ray = Ray.from(0, 0, 0, 0, 0, 1, 0);
         private final Hit hit =
                 PrimitiveCollector.primitivesOf(Sphere.DEFAULT).get(0).hit(ray, 9);
 

@@ -29,7 +29,7 @@ final class FocusSurface {
      * part in front, else of the nearest behind, 0 at infinity; NaN if the line misses the surface.
      */
     double inverseDistance(Vector3dc centre, Vector3dc direction) {
-        Ray line = Ray.fromCamera(centre.x(), centre.y(), centre.z(), direction.x(), direction.y(), direction.z(), 0);
+        Ray line = Ray.from(centre.x(), centre.y(), centre.z(), direction.x(), direction.y(), direction.z(), 0);
         double found = Double.NaN;
         for (Primitive primitive : primitives) {
             double inverse = primitive.inverseDistance(line);

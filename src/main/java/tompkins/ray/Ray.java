@@ -60,14 +60,13 @@ public final class Ray {
         return new Ray();
     }
 
-    /** A ray that leaves the camera at (x, y, z) at the given time, in the unit direction (dx, dy, dz), of zero width. */
-    public static Ray fromCamera(double x, double y, double z, double dx, double dy, double dz, double time) {
-        return fromCamera(x, y, z, dx, dy, dz, time, 0);
+    /** A ray from (x, y, z) at the given time, in the unit direction (dx, dy, dz), of zero width, in vacuum. */
+    public static Ray from(double x, double y, double z, double dx, double dy, double dz, double time) {
+        return from(x, y, z, dx, dy, dz, time, 0);
     }
 
     /** As above, for a bundle with the given opening angle (the angle that one pixel sees, in radians). */
-    public static Ray fromCamera(
-            double x, double y, double z, double dx, double dy, double dz, double time, double spread) {
+    public static Ray from(double x, double y, double z, double dx, double dy, double dz, double time, double spread) {
         Ray ray = new Ray();
         ray.x = x;
         ray.y = y;

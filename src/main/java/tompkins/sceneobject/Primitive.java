@@ -136,7 +136,7 @@ public abstract class Primitive implements Boundary {
         if (ahead < NO_HIT) {
             return 1 / ahead;
         }
-        Ray backwards = Ray.fromCamera(line.x, line.y, line.z, -line.dx, -line.dy, -line.dz, 0);
+        Ray backwards = Ray.from(line.x, line.y, line.z, -line.dx, -line.dy, -line.dz, 0);
         double behind = distance(backwards, NO_HIT);
         return behind < NO_HIT ? -1 / behind : Double.NaN;
     }

@@ -152,7 +152,7 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
      */
     public double direction(Vector3dc d, Vector3d result) {
         double scale = 1 / d.length();
-        Ray turned = transform(Ray.fromCamera(0, 0, 0, d.x() * scale, d.y() * scale, d.z() * scale, 0));
+        Ray turned = transform(Ray.from(0, 0, 0, d.x() * scale, d.y() * scale, d.z() * scale, 0));
         result.set(turned.dx, turned.dy, turned.dz);
         return turned.frequency;
     }

@@ -193,7 +193,7 @@ final class StabilityStudy implements Study {
         Vector3d centre = new Vector3d(offset, 0, far);
         BigDecimal exact = new BigDecimal(far)
                 .subtract(BigDecimal.ONE.subtract(square(offset)).sqrt(DIGITS));
-        Ray ray = Ray.fromCamera(0, 0, 0, 0, 0, 1, 0);
+        Ray ray = Ray.from(0, 0, 0, 0, 0, 1, 0);
         NearestHit nearest = new NearestHit();
         boolean hit = new ObjectTree(
                         PrimitiveCollector.primitivesOf(new Sphere("sphere", centre, 1, ColouredSurface.DEFAULT)))

@@ -182,7 +182,7 @@ final class TreeStudy implements Study {
         for (int i = 0; i < RAYS; i++) {
             Vector3d direction =
                     new Vector3d(random.nextDouble(-0.5, 0.5), random.nextDouble(-0.5, 0.5), 1).normalize();
-            rays[i] = Ray.fromCamera(0, 0, 0, direction.x, direction.y, direction.z, 0);
+            rays[i] = Ray.from(0, 0, 0, direction.x, direction.y, direction.z, 0);
         }
         return rays;
     }

@@ -23,9 +23,13 @@ final class FrameCrossing {
 
     private final SpaceTimeTransformation sceneFromCamera;
     private final Vector3dc origin;
-    private final Event base;
-    private final Vector3dc rest;
-    private final double timeOfOrigin;
+
+    /** In the camera frame; null if the scene keeps its own origin. */
+    private final Event lens;
+
+    // of the lens in the scene frame
+    private final Vector3dc lensFromOrigin;
+    private final double lensTime;
 
     /**
      * The crossing for rays that start near an event.
@@ -40,35 +44,37 @@ final class FrameCrossing {
         boolean atRest = sceneFromCamera instanceof IdentityTransformation;
         if (atRest || !place.isFinite() || place.length() < FAR) {
             origin = new Vector3d();
-            base = null;
-            rest = new Vector3d();
-            timeOfOrigin = 0;
+            this.lens = null;
+            lensFromOrigin = new Vector3d();
+            lensTime = 0;
             return;
         }
         origin = place;
-        base = lens;
-        rest = sceneFromCamera.placeFrom(place, lens);
-        timeOfOrigin = inScene.time();
+        this.lens = lens;
+        lensFromOrigin = sceneFromCamera.placeFrom(place, lens);
+        lensTime = inScene.time();
     }
 
     /** The ray in the scene frame, in coordinates relative to {@link #origin()}. */
     Ray cross(Ray ray) {
-        if (base == null) {
+        if (lens == null) {
             return sceneFromCamera.transform(ray);
         }
-        Ray fromLens = ray.moved(-base.x(), -base.y(), -base.z(), -base.time());
-        return sceneFromCamera.transform(fromLens).moved(rest.x(), rest.y(), rest.z(), timeOfOrigin);
+        Ray fromLens = ray.moved(-lens.x(), -lens.y(), -lens.z(), -lens.time());
+        return sceneFromCamera
+                .transform(fromLens)
+                .moved(lensFromOrigin.x(), lensFromOrigin.y(), lensFromOrigin.z(), lensTime);
     }
 
     /** Takes each ray of a block into the scene frame, as {@link #cross(Ray)}. */
     void cross(RayBlock rays) {
-        if (base == null) {
+        if (lens == null) {
             sceneFromCamera.transform(rays);
             return;
         }
-        shift(rays, -base.x(), -base.y(), -base.z(), -base.time());
+        shift(rays, -lens.x(), -lens.y(), -lens.z(), -lens.time());
         sceneFromCamera.transform(rays);
-        shift(rays, rest.x(), rest.y(), rest.z(), timeOfOrigin);
+        shift(rays, lensFromOrigin.x(), lensFromOrigin.y(), lensFromOrigin.z(), lensTime);
     }
 
     private static void shift(RayBlock rays, double x, double y, double z, double time) {

@@ -54,7 +54,7 @@ final class LensMedium {
     private static Collection<Integer> crossings(List<Primitive> body, Vector3dc from, Vector3dc line) {
         TreeMap<Double, Integer> crossings = new TreeMap<>();
         for (Primitive primitive : body) {
-            Ray ray = Ray.fromCamera(from.x(), from.y(), from.z(), line.x(), line.y(), line.z(), 0);
+            Ray ray = Ray.from(from.x(), from.y(), from.z(), line.x(), line.y(), line.z(), 0);
             double before = 0;
             double distance = primitive.distance(ray, Primitive.NO_HIT);
             for (int meeting = 0; meeting < Primitive.MOST_MEETINGS && distance < Primitive.NO_HIT; meeting++) {

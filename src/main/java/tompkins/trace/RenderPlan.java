@@ -84,7 +84,7 @@ public final class RenderPlan {
         }
         // no light of the scene comes there: as if nothing stood before the lens
         Vector3dc direction = chiefDirection(width() / 2.0, height() / 2.0);
-        Ray ray = Ray.fromCamera(0, 0, 0, direction.x(), direction.y(), direction.z(), 0);
+        Ray ray = Ray.from(0, 0, 0, direction.x(), direction.y(), direction.z(), 0);
         return 1 / sceneFromCamera.transform(ray).frequency;
     }
 

@@ -6,7 +6,7 @@ import org.junit.jupiter.api.Test;
 
 class RayBlockTest {
 
-    private static final Ray FROM_CAMERA = Ray.fromCamera(1, 2, 3, 0, 0.6, 0.8, 7, 0.01);
+    private static final Ray FROM_CAMERA = Ray.from(1, 2, 3, 0, 0.6, 0.8, 7, 0.01);
 
     @Test
     void rayComesOutAsItWentIn() {
@@ -42,7 +42,7 @@ class RayBlockTest {
         RayBlock rays = new RayBlock(3);
         rays.begin(3);
         for (int i = 0; i < 3; i++) {
-            rays.set(i, Ray.fromCamera(i, 0, 0, 0, 0, 1, 0));
+            rays.set(i, Ray.from(i, 0, 0, 0, 0, 1, 0));
         }
 
         rays.move(2, 1);

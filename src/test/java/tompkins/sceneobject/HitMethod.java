@@ -58,7 +58,7 @@ public interface HitMethod {
         private double distance(SceneObject object, Vector3dc origin, Vector3dc direction, boolean fromItself) {
             Primitive primitive = PrimitiveCollector.primitivesOf(object).get(0);
             Vector3d d = direction.normalize(new Vector3d());
-            Ray ray = Ray.fromCamera(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 0);
+            Ray ray = Ray.from(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 0);
             if (fromItself) {
                 Hit start = Hit.blank().set(ray, 0, 0, 0, 0, primitive, 0, null);
                 ray = ray.bent(start, d.x, d.y, d.z, 1);

@@ -93,7 +93,7 @@ class ObjectTreeTest {
     @Test
     void raysAllAroundDoNotEnterTheTreeTogether() {
         ObjectTree tree = new ObjectTree(spheres(100, new Random(1)), 1);
-        Ray[] opposite = {Ray.fromCamera(0, 0, 0, 0, 0, 1, 0), Ray.fromCamera(0, 0, 0, 0, 0, -1, 0)};
+        Ray[] opposite = {Ray.from(0, 0, 0, 0, 0, 1, 0), Ray.from(0, 0, 0, 0, 0, -1, 0)};
 
         assertThat(new EntryNodes().find(tree, block(opposite), 0, 2)).isFalse();
     }
@@ -114,7 +114,7 @@ class ObjectTreeTest {
             Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz)
                     .add(random.nextDouble(spread + 1e-9), random.nextDouble(spread + 1e-9), 0)
                     .normalize();
-            rays[i] = Ray.fromCamera(
+            rays[i] = Ray.from(
                     ray.x + random.nextDouble(spread + 1e-9), ray.y, ray.z, direction.x, direction.y, direction.z, 0);
         }
         return rays;
@@ -132,7 +132,7 @@ class ObjectTreeTest {
         ObjectTree tree = new ObjectTree(collector.primitives(), smallestTree);
         NearestHit nearest = new NearestHit();
 
-        assertThat(tree.nearest(Ray.fromCamera(0, 0, 0, 0, 0, 1, 0), nearest)).isTrue();
+        assertThat(tree.nearest(Ray.from(0, 0, 0, 0, 0, 1, 0), nearest)).isTrue();
 
         assertThat(nearest.primitive().description()).isEqualTo("sphere 0");
     }
@@ -186,7 +186,7 @@ class ObjectTreeTest {
         Vector3d from = new Vector3d(random.nextDouble(-2, 2), random.nextDouble(-2, 2), -3);
         Vector3d to = new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(0, 1));
         Vector3d direction = to.sub(from).normalize();
-        return Ray.fromCamera(from.x, from.y, from.z, direction.x, direction.y, direction.z, 0);
+        return Ray.from(from.x, from.y, from.z, direction.x, direction.y, direction.z, 0);
     }
 
     private static List<Primitive> spheres(int count, Random random) {

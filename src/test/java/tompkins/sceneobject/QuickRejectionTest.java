@@ -127,7 +127,7 @@ class QuickRejectionTest {
         Primitive floor = PrimitiveCollector.primitivesOf(
                         new Plane("floor", new Vector3d(0, -1, 0), new Vector3d(0, 1, 0), ColouredSurface.DEFAULT))
                 .get(0);
-        Hit above = startOf(Ray.fromCamera(0, 2, 0, 1, 0, 0, 0));
+        Hit above = startOf(Ray.from(0, 2, 0, 1, 0, 0, 0));
 
         assertThat(floor.surelyMisses(above, 0.6, 0.8, 0)).isTrue();
         assertThat(floor.surelyMisses(above, 0.6, -0.8, 0)).isFalse();
@@ -188,6 +188,6 @@ class QuickRejectionTest {
 
     private static Ray ray(Vector3dc start, Vector3dc towards) {
         Vector3d d = towards.normalize(new Vector3d());
-        return Ray.fromCamera(start.x(), start.y(), start.z(), d.x, d.y, d.z, 0);
+        return Ray.from(start.x(), start.y(), start.z(), d.x, d.y, d.z, 0);
     }
 }

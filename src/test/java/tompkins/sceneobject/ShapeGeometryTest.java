@@ -303,13 +303,12 @@ class ShapeGeometryTest {
         Vector3d behind = new Vector3d(d).mul(-10);
         Primitive ball = PrimitiveCollector.primitivesOf(new Sphere("", behind, 2, TILED))
                 .get(0);
-        Ray line = Ray.fromCamera(0, 0, 0, d.x, d.y, d.z, 0);
+        Ray line = Ray.from(0, 0, 0, d.x, d.y, d.z, 0);
         assertThat(1 / ball.inverseDistance(line)).isCloseTo(-8, within(SMALL));
         Primitive plane = PrimitiveCollector.primitivesOf(new Plane("", behind, new Vector3d(1, 0, 0), TILED))
                 .get(0);
         assertThat(1 / plane.inverseDistance(line)).isCloseTo(-10, within(SMALL));
-        assertThat(ball.inverseDistance(Ray.fromCamera(0, 0, 0, d.y, -d.x, 0, 0)))
-                .isNaN();
+        assertThat(ball.inverseDistance(Ray.from(0, 0, 0, d.y, -d.x, 0, 0))).isNaN();
     }
 
     /** What rounding cannot tell from a point or a line faces the ray. */
@@ -329,7 +328,7 @@ class ShapeGeometryTest {
 
     private static Ray ray(Vector3dc origin, Vector3dc target) {
         Vector3d d = target.sub(origin, new Vector3d()).normalize();
-        return Ray.fromCamera(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 0);
+        return Ray.from(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 0);
     }
 
     /**

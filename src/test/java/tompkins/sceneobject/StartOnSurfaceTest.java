@@ -29,7 +29,7 @@ class StartOnSurfaceTest {
             Vector3d place = new Vector3d(normal).mul(radius).add(centre);
             Vector3d d = unit(random);
             boolean outwards = d.dot(normal) > 0;
-            Ray arriving = Ray.fromCamera(place.x, place.y, place.z, d.x, d.y, d.z, 0);
+            Ray arriving = Ray.from(place.x, place.y, place.z, d.x, d.y, d.z, 0);
             Hit start = Hit.blank().set(arriving, 0, normal.x, normal.y, normal.z, sphere, 0, null);
             double distance = sphere.distance(arriving.straightOn(start, 1), Primitive.NO_HIT);
             double chord = -2 * radius * normal.dot(d);

@@ -27,7 +27,7 @@ class TriangleMeshTest {
             Vector3d start =
                     new Vector3d(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).normalize(5);
             Vector3d direction = target.sub(start, new Vector3d()).normalize();
-            Ray ray = Ray.fromCamera(start.x, start.y, start.z, direction.x, direction.y, direction.z, 0);
+            Ray ray = Ray.from(start.x, start.y, start.z, direction.x, direction.y, direction.z, 0);
 
             assertThat(tree.nearest(ray, nearest)).isTrue();
             double distance = nearest.distance();
@@ -63,8 +63,7 @@ class TriangleMeshTest {
         ObjectTree tree = new ObjectTree(PrimitiveCollector.primitivesOf(placed));
         NearestHit nearest = new NearestHit();
 
-        assertThat(tree.nearest(Ray.fromCamera(0.05, 0.1, 0, 0, 0, 1, 0), nearest))
-                .isTrue();
+        assertThat(tree.nearest(Ray.from(0.05, 0.1, 0, 0, 0, 1, 0), nearest)).isTrue();
 
         // half the size: |x| + |y| + |z - 10| = 1/2
         assertThat(nearest.distance()).isCloseTo(9.65, within(1e-14));

@@ -24,7 +24,7 @@ class ExtremeVelocitiesTest {
         LorentzTransformation rest = new LorentzTransformation(Velocity.REST);
         Event event = new Event(1, -2, 3, 4);
         assertThat(rest.transform(event)).isEqualTo(event);
-        Ray ray = rest.transform(Ray.fromCamera(1, 2, 3, 0.6, 0, 0.8, 5));
+        Ray ray = rest.transform(Ray.from(1, 2, 3, 0.6, 0, 0.8, 5));
         assertThat(new Vector3d(ray.dx, ray.dy, ray.dz).distance(0.6, 0, 0.8)).isLessThan(2 * U);
         assertThat(rest.fixedPointTime(new Vector3d(1, 2, 3))).isZero();
         NaiveFrames naive = new NaiveFrames();
@@ -71,7 +71,7 @@ class ExtremeVelocitiesTest {
     @ValueSource(doubles = {1e6, 1e8, 1e12, 1e100, 1e300})
     void anyGammaIsFinite(double gamma) {
         Velocity velocity = Velocity.of(SpeedScale.GAMMA, gamma, new Vector3d(1, 2, 3));
-        Ray ray = new LorentzTransformation(velocity).transform(Ray.fromCamera(1, 2, 3, 0.6, 0, 0.8, 0));
+        Ray ray = new LorentzTransformation(velocity).transform(Ray.from(1, 2, 3, 0.6, 0, 0.8, 0));
         assertThat(Double.isFinite(ray.dx + ray.dy + ray.dz + ray.x + ray.time + ray.frequency))
                 .isTrue();
         assertThat(velocity.gammaMinusOne()).isEqualTo(gamma - 1, within(gamma * 4 * U));

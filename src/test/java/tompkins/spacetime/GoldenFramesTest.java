@@ -48,7 +48,7 @@ class GoldenFramesTest {
     void directionsThatRaysKeepAreNull() {
         Worst worst = Worst.of(EVENTS, row -> {
             Vector3d d = row.vector("d").normalize();
-            Ray ray = Ray.fromCamera(0, 0, 0, d.x, d.y, d.z, 0);
+            Ray ray = Ray.from(0, 0, 0, d.x, d.y, d.z, 0);
             Ray turned = new LorentzTransformation(Velocity.of(row.vector("beta_", "_hex"))).transform(ray);
             double length = Math.sqrt(turned.dx * turned.dx + turned.dy * turned.dy + turned.dz * turned.dz);
             return Math.abs(length - 1) / (16 * U * row.number("gamma"));

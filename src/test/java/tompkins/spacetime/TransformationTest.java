@@ -17,7 +17,7 @@ class TransformationTest {
     private static final Event EVENT = new Event(3, -2, 5, 7);
 
     private static Ray ray() {
-        return Ray.fromCamera(3, -2, 5, 0.48, 0.6, 0.64, 7, 1e-3);
+        return Ray.from(3, -2, 5, 0.48, 0.6, 0.64, 7, 1e-3);
     }
 
     private static Vector3d start(Ray ray) {
@@ -133,7 +133,7 @@ class TransformationTest {
     void galileanLightIsSlowAhead() {
         GalileanTransformation transformation = new GalileanTransformation(Velocity.of(0, 0, 0.6));
         // against the light that comes from ahead: it travels at 1 - 0.6 in the scene
-        Ray ahead = transformation.transform(Ray.fromCamera(0, 0, 0, 0, 0, 1, 2));
+        Ray ahead = transformation.transform(Ray.from(0, 0, 0, 0, 0, 1, 2));
         assertThat(1 / ahead.slowness).isCloseTo(0.4, within(1e-15));
         assertThat(ahead.frequency).isEqualTo(0.4);
         assertThat(ahead.z).isCloseTo(1.2, within(1e-15));

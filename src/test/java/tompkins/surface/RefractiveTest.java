@@ -37,7 +37,7 @@ class RefractiveTest {
     void weakRayGoesTheWayOfMostOfItsLight(double degrees, boolean mirrored) {
         double dx = Math.sin(Math.toRadians(degrees));
         double dz = Math.cos(Math.toRadians(degrees));
-        Ray ray = Ray.fromCamera(0, 0, 0, dx, 0, dz, 0).dimmed(WEAK);
+        Ray ray = Ray.from(0, 0, 0, dx, 0, dz, 0).dimmed(WEAK);
         Hit hit = Hit.blank().set(ray, 1, 0, 0, -1, null, 0, null);
 
         Response response = new Refractive(1.5).respond(ray, hit, null);
@@ -53,7 +53,7 @@ class RefractiveTest {
     void onlyLightInsideIsCaught() {
         double dx = Math.sin(Math.toRadians(89));
         double dz = Math.cos(Math.toRadians(89));
-        Ray ray = Ray.fromCamera(0, 0, 0, dx, 0, dz, 0);
+        Ray ray = Ray.from(0, 0, 0, dx, 0, dz, 0);
         for (int mirror = 0; mirror < 40; mirror++) {
             ray = ray.bent(Hit.blank().set(ray, 0, 0, 0, -1, null, 0, null), dx, 0, dz, 1);
         }

@@ -16,7 +16,7 @@ class WindowAxesTest {
     private static final double SMALL = 1e-15;
 
     private static Hit hit(SurfaceCoordinates coordinates) {
-        Ray ray = Ray.fromCamera(0, 0, 0, 0, 0, 1, 0);
+        Ray ray = Ray.from(0, 0, 0, 0, 0, 1, 0);
         return Hit.blank().set(ray, 5, 0, 0, -1, null, 0, coordinates);
     }
 
