@@ -93,11 +93,11 @@ class QualityWindowTest {
     void aLargeChartIsDrawnAsLargeAsItIs() {
         WindowDriver.await("a point", () -> entity("the same", 0) != null);
         WindowDriver.onEventThread(() -> {
-            dialog().setSize(1500, 950);
+            dialog().setSize(2400, 1800);
             dialog().validate();
             ChartPanel chart = chart();
             chart.paintImmediately(0, 0, chart.getWidth(), chart.getHeight());
-            assertThat(chart.getWidth()).isGreaterThan(1400);
+            assertThat(chart.getWidth()).isGreaterThan(2300);
             assertThat(chart.getScaleX()).isEqualTo(1);
             assertThat(chart.getScaleY()).isEqualTo(1);
             return null;
