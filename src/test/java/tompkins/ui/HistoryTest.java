@@ -161,9 +161,9 @@ class HistoryTest {
         undo();
         String title = Studios.sphere().title();
         assertThat(driver.studio().title()).isEqualTo(title);
-        assertThat(said()).endsWith("this is \"" + title + "\" again.");
+        assertThat(said()).isEqualTo("Back in another scene: \u201c" + title + "\u201d.");
         redo();
-        assertThat(said()).endsWith("this is \"" + begun.title() + "\" again.");
+        assertThat(said()).isEqualTo("Back in another scene: \u201c" + begun.title() + "\u201d.");
     }
 
     private String said() {
