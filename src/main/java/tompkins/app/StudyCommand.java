@@ -5,9 +5,11 @@ import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.EnumMap;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
@@ -88,13 +90,14 @@ final class StudyCommand implements Callable<Integer> {
                 ? new StudyPage(output, kinds.get(0).toString(), "# Study: " + kinds.get(0))
                 : new StudyPage(output, PAGE_OF_ALL, StudyPage.introduction(SelfDescription.program()));
         Photographer.requireWritable(page.file());
-        List<Study> studies = kinds.stream().map(kind -> kind.study(setup)).toList();
+        Map<StudyKind, Study> studies = new EnumMap<>(StudyKind.class);
+        kinds.forEach(kind -> studies.put(kind, kind.study(setup)));
         if (!force) {
             refuseToReplace(studies, page);
         }
         boolean holds = true;
-        for (Study study : studies) {
-            holds &= make(study, page);
+        for (StudyKind kind : studies.keySet()) {
+            holds &= make(kind, studies.get(kind), page);
         }
         spec.commandLine().getOut().println(page.write().toAbsolutePath());
         return holds ? 0 : Failures.FAILURE;
@@ -131,12 +134,12 @@ final class StudyCommand implements Callable<Integer> {
     }
 
     /** Refuses to replace anything but what the same studies have made here before. */
-    private static void refuseToReplace(List<Study> studies, StudyPage page) throws IOException {
+    private static void refuseToReplace(Map<StudyKind, Study> studies, StudyPage page) throws IOException {
         boolean madeBefore = false;
-        for (Study study : studies) {
-            Path file = page.dataOf(study);
+        for (StudyKind kind : studies.keySet()) {
+            Path file = page.dataOf(kind);
             madeBefore |= Files.exists(file);
-            if (data(study, page).holdsOther()) {
+            if (data(kind, studies.get(kind), page).holdsOther()) {
                 throw new MistakeException(
                         file + ": holds figures of other settings or of another machine;" + " --force replaces them");
             }
@@ -146,15 +149,15 @@ final class StudyCommand implements Callable<Integer> {
         }
     }
 
-    private static StudyData data(Study study, StudyPage page) {
-        return new StudyData(study, page.dataOf(study), SelfDescription.program());
+    private static StudyData data(StudyKind kind, Study study, StudyPage page) {
+        return new StudyData(kind, study, page.dataOf(kind), SelfDescription.program());
     }
 
-    private boolean make(Study study, StudyPage page) throws IOException {
-        StudyData data = data(study, page);
-        List<Measurement> all = data.complete((point, done, count) -> progress(study, point, done, count), () -> false);
+    private boolean make(StudyKind kind, Study study, StudyPage page) throws IOException {
+        List<Measurement> all =
+                data(kind, study, page).complete((point, done, count) -> progress(kind, point, done, count));
         progressEnds();
-        page.add(study, all);
+        page.add(kind, study, all);
         PrintWriter out = spec.commandLine().getOut();
         out.println(study.answer(all));
         boolean holds = true;
@@ -165,11 +168,11 @@ final class StudyCommand implements Callable<Integer> {
         return holds;
     }
 
-    private void progress(Study study, Measurement point, int done, int count) {
+    private void progress(StudyKind kind, Measurement point, int done, int count) {
         line().show(String.format(
                 Locale.ROOT,
                 "%s %d/%d: %s, %s, %.6g",
-                study.name(),
+                kind,
                 done,
                 count,
                 point.problem(),

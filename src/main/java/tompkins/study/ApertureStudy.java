@@ -5,7 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
-import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
+import java.util.stream.LongStream;
 import tompkins.studio.Studio;
 import tompkins.study.ExactProblem.Instance;
 
@@ -20,6 +21,7 @@ final class ApertureStudy implements Study {
     private static final int SIDE_OF_INSTANCE = 4;
 
     static final int PIXELS_OF_INSTANCE = SIDE_OF_INSTANCE * SIDE_OF_INSTANCE;
+    private static final int SAMPLES_OF_INDEPENDENCE = 16;
     private static final int SCENE_PIXELS = 768;
     private static final int SCENE_REPEATS = 3;
 
@@ -60,11 +62,6 @@ final class ApertureStudy implements Study {
     }
 
     @Override
-    public String name() {
-        return "aperture";
-    }
-
-    @Override
     public String question() {
         return "A wide aperture sees each pixel through many points. How should they be chosen? Each method works out how"
                 + " much of the lens sees a bright half-plane, disc or chequerboard, where the answer is known exactly,"
@@ -81,46 +78,31 @@ final class ApertureStudy implements Study {
     public List<Trial> trials() {
         List<Trial> trials = new ArrayList<>();
         for (ExactProblem problem : ExactProblem.values()) {
-            methods.forEach((title, factory) -> {
-                for (int samples = 4; samples <= mostSamples; samples *= 4) {
-                    int count = samples;
-                    trials.add(new Trial(
-                            problem.key(),
-                            title,
-                            count,
-                            cancelled -> exact(problem, title, factory, count, cancelled)));
-                }
-            });
+            methods.forEach((title, factory) -> counts().forEach(samples ->
+                    trials.add(new Trial(problem.key(), title, samples, () -> exact(problem, factory, samples)))));
         }
         methods.forEach((title, factory) ->
-                trials.add(new Trial(INDEPENDENCE, title, 16, cancelled -> independence(title, factory))));
-        scenes.forEach((name, pixels) -> methods.forEach((title, factory) -> {
-            for (int samples = 4; samples <= mostSamples; samples *= 4) {
-                int count = samples;
-                trials.add(new Trial(
-                        name, title, count, cancelled -> scene(name, pixels, title, factory, count, cancelled)));
-            }
-        }));
+                trials.add(new Trial(INDEPENDENCE, title, SAMPLES_OF_INDEPENDENCE, () -> independence(factory))));
+        scenes.forEach((name, pixels) -> methods.forEach((title, factory) -> counts().forEach(samples ->
+                trials.add(new Trial(name, title, samples, () -> scene(pixels, factory, samples))))));
         return trials;
     }
 
-    private Measurement exact(
-            ExactProblem problem,
-            String title,
-            SamplingMethod.Factory factory,
-            int samples,
-            BooleanSupplier cancelled) {
-        Repeats runs = new Repeats();
+    /** Numbers of samples that are measured. */
+    private IntStream counts() {
+        return IntStream.iterate(4, samples -> samples <= mostSamples, samples -> 4 * samples);
+    }
+
+    private Figures exact(ExactProblem problem, SamplingMethod.Factory factory, int samples) {
         double[] errors = new double[INSTANCES * PIXELS_OF_INSTANCE];
-        Stopwatch.warmUp(
-                () -> errors(problem, factory.pattern(0, samples, problem.pixelToo()), samples, errors), cancelled);
+        Stopwatch.warmUp(() -> errors(problem, factory.pattern(0, samples, problem.pixelToo()), samples, errors));
+        List<Figures> runs = new ArrayList<>();
         for (int run = 0; run < repeats; run++) {
-            Stopwatch.stopIf(cancelled);
             SamplePattern pattern = factory.pattern(seed + run, samples, problem.pixelToo());
-            double time = Stopwatch.seconds(() -> errors(problem, pattern, samples, errors));
-            runs.add(ErrorNorm.of(errors), time);
+            double seconds = Stopwatch.seconds(() -> errors(problem, pattern, samples, errors));
+            runs.add(Figures.of((double) samples * errors.length, seconds, ErrorNorm.of(errors), 0));
         }
-        return runs.measurement(problem.key(), title, samples, (double) samples * errors.length, 0);
+        return Figures.of(runs);
     }
 
     /** The errors of all pixels; those of one instance stand together. */
@@ -146,8 +128,8 @@ final class ApertureStudy implements Study {
      * Whether neighbouring pixels err independently: the variance of the mean error of pixels that see the same, divided by
      * what it is without any correlation. It is 1 for independent pixels and their number if all err alike.
      */
-    private Measurement independence(String title, SamplingMethod.Factory factory) {
-        int samples = 16;
+    private Figures independence(SamplingMethod.Factory factory) {
+        int samples = SAMPLES_OF_INDEPENDENCE;
         double[] errors = new double[INSTANCES * PIXELS_OF_INSTANCE];
         errors(ExactProblem.EDGE, factory.pattern(seed, samples, false), samples, errors);
         double ofMeans = 0;
@@ -161,37 +143,17 @@ final class ApertureStudy implements Study {
             }
             ofMeans += mean * mean / INSTANCES;
         }
-        Spread ratio = Spread.exact(ofMeans / ofAll * PIXELS_OF_INSTANCE);
-        return new Measurement(
-                INDEPENDENCE,
-                title,
-                samples,
-                (double) samples * errors.length,
-                Spread.exact(0),
-                ratio,
-                ratio.middle(),
-                0);
+        return Figures.of((double) samples * errors.length, Spread.exact(0), ofMeans / ofAll * PIXELS_OF_INSTANCE);
     }
 
-    private Measurement scene(
-            String name,
-            ScenePixels pixels,
-            String title,
-            SamplingMethod.Factory factory,
-            int samples,
-            BooleanSupplier cancelled) {
-        double[] reference = pixels.reference(cancelled);
-        Repeats runs = new Repeats();
+    private Figures scene(ScenePixels pixels, SamplingMethod.Factory factory, int samples) {
         if (samples <= 16) {
-            Stopwatch.warmUp(() -> pixels.light(factory.pattern(0, samples, true), samples, cancelled), cancelled);
+            Stopwatch.warmUp(() -> pixels.light(factory.pattern(0, samples, true), samples));
         }
-        for (int run = 0; run < SCENE_REPEATS; run++) {
-            SamplePattern pattern = factory.pattern(seed + run, samples, true);
-            long start = System.nanoTime();
-            double[] light = pixels.light(pattern, samples, cancelled);
-            runs.add(ErrorNorm.of(light, reference), (System.nanoTime() - start) / 1e9);
-        }
-        return runs.measurement(name, title, samples, (double) samples * pixels.count(), pixels.floor());
+        List<SamplePattern> patterns = LongStream.range(seed, seed + SCENE_REPEATS)
+                .mapToObj(run -> factory.pattern(run, samples, true))
+                .toList();
+        return pixels.placed(patterns, samples);
     }
 
     @Override

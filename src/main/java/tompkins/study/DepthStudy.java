@@ -5,13 +5,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.function.BooleanSupplier;
 import org.joml.Vector3d;
 import tompkins.camera.ThinLensCamera;
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
 import tompkins.render.Quality;
 import tompkins.render.RenderJob;
+import tompkins.render.RenderReport;
 import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
@@ -51,11 +51,6 @@ final class DepthStudy implements Study {
     }
 
     @Override
-    public String name() {
-        return "depth";
-    }
-
-    @Override
     public String question() {
         return "Between mirrors a ray could go on for ever. Is it better to stop it after a number of surfaces, or when it can"
                 + " bring too little light? A camera looks down a corridor of two mirrors with reflectance R to a bright"
@@ -85,16 +80,14 @@ final class DepthStudy implements Study {
         int most = RenderSettings.DEFAULT.maximumDepth();
         CORRIDORS.forEach((problem, reflectances) -> {
             for (int depth : DEPTHS) {
-                trials.add(new Trial(
-                        problem, LIMIT, depth, cancelled -> limited(problem, reflectances, depth, cancelled)));
+                trials.add(new Trial(problem, LIMIT, depth, () -> limited(reflectances, depth)));
             }
-            trials.add(
-                    new Trial(problem, PROGRAM, most, cancelled -> programsCorridor(problem, reflectances, cancelled)));
+            trials.add(new Trial(problem, PROGRAM, most, () -> programsCorridor(reflectances, most)));
         });
         for (int depth : DEPTHS) {
-            trials.add(new Trial(GLASS, LIMIT, depth, cancelled -> glass(LIMIT, depth, cancelled)));
+            trials.add(new Trial(GLASS, LIMIT, depth, () -> glass(depth)));
         }
-        trials.add(new Trial(GLASS, PROGRAM, most, cancelled -> glass(PROGRAM, most, cancelled)));
+        trials.add(new Trial(GLASS, PROGRAM, most, () -> glass(most)));
         return trials;
     }
 
@@ -102,24 +95,21 @@ final class DepthStudy implements Study {
      * A limit of depth alone. The mirrors are perfect, so that no ray gets faint, and what arrives is dimmed exactly: light
      * that was reflected too often for the limit is missing altogether.
      */
-    private static Measurement limited(String problem, double[] reflectances, int depth, BooleanSupplier cancelled) {
-        RenderPlan plan = RenderPlan.of(corridors(1, 1, depth));
-        return measure(problem, LIMIT, depth, plan, cancelled, (direction, light) -> {
+    private static Figures limited(double[] reflectances, int depth) {
+        return measure(corridors(1, 1, depth), (direction, light) -> {
             double exact = exact(reflectances, direction);
             return light * exact - exact;
         });
     }
 
-    private static Measurement programsCorridor(String problem, double[] reflectances, BooleanSupplier cancelled) {
-        int depth = RenderSettings.DEFAULT.maximumDepth();
-        RenderPlan plan = RenderPlan.of(corridors(reflectances[0], reflectances[1], depth));
+    private static Figures programsCorridor(double[] reflectances, int depth) {
         return measure(
-                problem, PROGRAM, depth, plan, cancelled, (direction, light) -> light - exact(reflectances, direction));
+                corridors(reflectances[0], reflectances[1], depth),
+                (direction, light) -> light - exact(reflectances, direction));
     }
 
-    private static Measurement glass(String method, int depth, BooleanSupplier cancelled) {
-        RenderPlan plan = RenderPlan.of(sheet(depth));
-        return measure(GLASS, method, depth, plan, cancelled, (direction, light) -> light - throughGlass(direction));
+    private static Figures glass(int depth) {
+        return measure(sheet(depth), (direction, light) -> light - throughGlass(direction));
     }
 
     /** The error of a pixel, from the direction in which it looks and the light that was found. */
@@ -129,12 +119,11 @@ final class DepthStudy implements Study {
         double of(Vector3d direction, double light);
     }
 
-    private static Measurement measure(
-            String problem, String method, int depth, RenderPlan plan, BooleanSupplier cancelled, PixelError error) {
-        Repeats runs = new Repeats();
-        double rays = 0;
+    private static Figures measure(Studio studio, PixelError error) {
+        RenderPlan plan = RenderPlan.of(studio);
+        List<Figures> runs = new ArrayList<>();
         for (int run = 0; run < REPEATS; run++) {
-            RenderJob job = AntialiasingStudy.photograph(plan, new Quality.Samples(1), cancelled);
+            RenderJob job = Photographs.taken(plan, new Quality.Samples(1), () -> false);
             double[] errors = new double[WIDTH * HEIGHT];
             for (int pixel = 0; pixel < errors.length; pixel++) {
                 int column = pixel % WIDTH;
@@ -142,10 +131,10 @@ final class DepthStudy implements Study {
                 Vector3d direction = new Vector3d(plan.chiefDirection(column + 0.5, row + 0.5));
                 errors[pixel] = error.of(direction, job.image().value(column, row, 0));
             }
-            rays = job.report().rays();
-            runs.add(ErrorNorm.of(errors), job.report().time().toNanos() / 1e9);
+            RenderReport report = job.report();
+            runs.add(Figures.of(report.rays(), report.time().toNanos() / 1e9, ErrorNorm.of(errors), 0));
         }
-        return runs.measurement(problem, method, depth, rays, 0);
+        return Figures.of(runs);
     }
 
     /** R^k, where k is how often light from the axis meets the mirrors at x = -1 and x = 1 before the wall. */

@@ -2,61 +2,123 @@ package tompkins.study;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.stream.LongStream;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
 
-/** Speed against accuracy of one picture, made smaller, for choosing a quality: only what can be chosen is measured. */
+/** Speed against accuracy of one picture, made smaller, for each quality that can be chosen and for other samples. */
 public final class PictureStudy {
 
+    static final String ADAPTIVE = "where needed";
+    static final String FIXED = "the same number everywhere";
+    static final String CENTRE = "one sample, in the centre";
+    static final String ANYWHERE = "one sample, anywhere";
+    static final int SEEDS = 3;
+
+    private static final String GRID = "regular grid";
     private static final String PICTURE = "picture";
-    private static final Set<String> CHOICES =
-            Set.of(AntialiasingStudy.CENTRE, AntialiasingStudy.FIXED, AntialiasingStudy.ADAPTIVE);
     private static final int WIDTH = 80;
     private static final int REFERENCE_SAMPLES = 2048;
+    private static final int MOST_SAMPLES = 256;
 
-    private final List<Trial> trials;
+    private final String name;
+    private final long seed;
+    private final List<Studio> seeded;
+    private final boolean pinhole;
+    private final ScenePixels pixels;
 
-    /** The study of a studio's picture. */
-    public PictureStudy(Studio studio) {
-        Study study = new AntialiasingStudy(
-                Map.of(PICTURE, studio), Map.of(), studio.settings().seed(), WIDTH, REFERENCE_SAMPLES);
-        trials = study.trials().stream()
-                .filter(trial -> CHOICES.contains(trial.method()))
+    /**
+     * The study of a studio's picture.
+     *
+     * @param cancelled asked now and then whether to stop
+     */
+    public PictureStudy(Studio studio, BooleanSupplier cancelled) {
+        this(PICTURE, studio, studio.settings().seed(), WIDTH, REFERENCE_SAMPLES, cancelled);
+    }
+
+    /**
+     * The study of a picture.
+     *
+     * @param name the problem of its measurements
+     * @param seed of the first of several runs
+     * @param width of the measured picture in pixels
+     * @param referenceSamples samples per pixel of the reference
+     * @param cancelled asked now and then whether to stop
+     */
+    PictureStudy(String name, Studio studio, long seed, int width, int referenceSamples, BooleanSupplier cancelled) {
+        this.name = name;
+        this.seed = seed;
+        Studio small = Photographs.small(studio, width);
+        seeded = LongStream.range(seed, seed + SEEDS)
+                .mapToObj(run -> small.withSettings(small.settings().withSeed(run)))
                 .toList();
+        pinhole = !studio.camera().hasWideAperture();
+        pixels = ScenePixels.all(small, referenceSamples, Double.POSITIVE_INFINITY, cancelled);
+    }
+
+    /**
+     * What is to be measured.
+     *
+     * @param others whether samples are measured, too, that cannot be chosen
+     */
+    List<Trial> trials(boolean others) {
+        List<Trial> trials = new ArrayList<>();
+        // places in the centre of the lens make another picture if the lens is wide
+        if (pinhole) {
+            trials.add(photographed(CENTRE, 1, new Quality.Samples(1)));
+        }
+        if (pinhole && others) {
+            trials.add(placed(ANYWHERE, new ProgramPattern(seed, true), 1));
+        }
+        for (int samples = 4; samples <= MOST_SAMPLES; samples *= 4) {
+            if (pinhole && others) {
+                trials.add(placed(GRID, new GridPattern(samples), samples));
+            }
+            trials.add(photographed(FIXED, samples, new Quality.Samples(samples)));
+        }
+        for (double target = 0.032; target > 0.0009; target /= 2) {
+            trials.add(photographed(ADAPTIVE, target, new Quality.TargetError(target)));
+        }
+        return trials;
+    }
+
+    private Trial photographed(String method, double setting, Quality quality) {
+        return new Trial(name, method, setting, () -> pixels.photographed(seeded, quality));
+    }
+
+    private Trial placed(String method, SamplePattern pattern, int samples) {
+        return new Trial(name, method, samples, () -> pixels.placed(List.of(pattern), samples));
     }
 
     /** Number of points of the chart. */
     public int points() {
-        return trials.size();
+        return trials(false).size();
     }
 
     /** The chart. */
     public Chart chart() {
-        return Chart.errorAgainstTime(PICTURE, "This picture, smaller; a click on a point sets the quality");
+        return Chart.errorAgainstTime(name, "This picture, smaller; a click on a point sets the quality");
     }
 
     /**
      * Measures all points, one after the other.
      *
      * @param listener told of all points so far
-     * @throws java.util.concurrent.CancellationException soon after {@code cancelled} became true
+     * @throws java.util.concurrent.CancellationException soon after the study was cancelled
      */
-    public void measure(Consumer<List<Measurement>> listener, BooleanSupplier cancelled) {
+    public void measure(Consumer<List<Measurement>> listener) {
         List<Measurement> measured = new ArrayList<>();
-        for (Trial trial : trials) {
-            Stopwatch.stopIf(cancelled);
-            measured.add(trial.measurer().measure(cancelled));
+        for (Trial trial : trials(false)) {
+            measured.add(trial.measure());
             listener.accept(List.copyOf(measured));
         }
     }
 
     /** The quality that a point stands for. */
     public Quality qualityOf(Measurement point) {
-        return point.method().equals(AntialiasingStudy.ADAPTIVE)
+        return point.method().equals(ADAPTIVE)
                 ? new Quality.TargetError(point.setting())
                 : new Quality.Samples((int) point.setting());
     }

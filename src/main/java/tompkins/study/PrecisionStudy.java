@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
-import java.util.function.BooleanSupplier;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.spacetime.SpeedScale;
@@ -32,11 +31,6 @@ final class PrecisionStudy implements Study {
     }
 
     @Override
-    public String name() {
-        return "precision";
-    }
-
-    @Override
     public String question() {
         return "Near the speed of light, the transformation of a direction loses digits. Which form keeps them, and is single"
                 + " precision enough? Each form turns directions at all angles from the motion; the exact answer is worked"
@@ -54,15 +48,14 @@ final class PrecisionStudy implements Study {
         for (String problem : List.of(RADIANS, PIXELS)) {
             for (DirectionForm form : DirectionForm.values()) {
                 for (double gamma : GAMMAS) {
-                    trials.add(new Trial(
-                            problem, form.title(), gamma, cancelled -> measure(problem, form, gamma, cancelled)));
+                    trials.add(new Trial(problem, form.title(), gamma, () -> measure(problem, form, gamma)));
                 }
             }
         }
         return trials;
     }
 
-    private Measurement measure(String problem, DirectionForm form, double gamma, BooleanSupplier cancelled) {
+    private Figures measure(String problem, DirectionForm form, double gamma) {
         Vector3d axis = new Vector3d(0.2, -0.1, 0.97).normalize();
         Velocity velocity = Velocity.of(SpeedScale.GAMMA, gamma, axis);
         SplittableRandom random = new SplittableRandom(seed);
@@ -87,10 +80,9 @@ final class PrecisionStudy implements Study {
             // a picture shows the error where the frequency ratio shrinks or stretches it
             errors[i] = problem.equals(RADIANS) ? error : error * exact[3].doubleValue() / PIXEL;
         }
-        Stopwatch.warmUp(() -> turnAll(turning, directions, found), cancelled);
+        Stopwatch.warmUp(() -> turnAll(turning, directions, found));
         Spread seconds = Spread.exact(Stopwatch.seconds(() -> turnAll(turning, directions, found)));
-        double largest = ErrorNorm.of(errors).maximum();
-        return new Measurement(problem, form.title(), gamma, TIMED, seconds, Spread.exact(largest), largest, 0);
+        return Figures.of(TIMED, seconds, ErrorNorm.of(errors).maximum());
     }
 
     private static void turnAll(DirectionForm.Direction turning, Vector3d[] directions, Vector3d result) {

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
-import java.util.function.BooleanSupplier;
 import tompkins.image.LinearImage;
 import tompkins.render.Quality;
 import tompkins.render.RenderListener;
@@ -31,11 +30,6 @@ final class PreviewStudy implements Study {
     }
 
     @Override
-    public String name() {
-        return "preview";
-    }
-
-    @Override
     public String question() {
         return "While a picture is on its way, the window shows it coarse to fine. How soon is it how good, compared with the"
                 + " picture of one sample per pixel, and is it worth the time to interpolate what is missing?";
@@ -54,20 +48,18 @@ final class PreviewStudy implements Study {
             for (String method : List.of(BLOCKS, PROGRAM)) {
                 for (int pass = 0; pass < STRIDES.length; pass++) {
                     int which = pass;
-                    trials.add(new Trial(
-                            name, method, STRIDES[pass], cancelled -> measure(name, method, plan, which, cancelled)));
+                    trials.add(new Trial(name, method, STRIDES[pass], () -> measure(method, plan, which)));
                 }
             }
         });
         return trials;
     }
 
-    private static Measurement measure(
-            String name, String method, RenderPlan plan, int pass, BooleanSupplier cancelled) {
-        Repeats runs = new Repeats();
+    private static Figures measure(String method, RenderPlan plan, int pass) {
+        double rays = (double) plan.width() * plan.height() / (STRIDES[pass] * STRIDES[pass]);
+        List<Figures> runs = new ArrayList<>();
         // the first runs only warm the compiler up
         for (int run = -REPEATS; run < REPEATS; run++) {
-            Stopwatch.stopIf(cancelled);
             Passes passes = passes(plan);
             LinearImage coarse = passes.images.get(pass);
             double seconds = passes.seconds.get(pass);
@@ -78,12 +70,11 @@ final class PreviewStudy implements Study {
                 seconds += (System.nanoTime() - start) / 1e9;
             }
             if (run >= 0) {
-                double[] picture = AntialiasingStudy.values(passes.images.get(STRIDES.length));
-                runs.add(ErrorNorm.of(AntialiasingStudy.values(coarse), picture), seconds);
+                double[] picture = Photographs.light(passes.images.get(STRIDES.length));
+                runs.add(Figures.of(rays, seconds, ErrorNorm.of(Photographs.light(coarse), picture), 0));
             }
         }
-        double rays = (double) plan.width() * plan.height() / (STRIDES[pass] * STRIDES[pass]);
-        return runs.measurement(name, method, STRIDES[pass], rays, 0);
+        return Figures.of(runs);
     }
 
     /** The pictures after each pass, and the times before and after they were made from the samples. */

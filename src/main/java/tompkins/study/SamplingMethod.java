@@ -1,68 +1,38 @@
 package tompkins.study;
 
+import java.util.LinkedHashMap;
+import java.util.Map;
+
 /** A way to choose places in the pixel and on the lens. */
 enum SamplingMethod {
 
     /** Independent random places; on the lens by rejection, as in Dr TIM. */
-    RANDOM("random (as in Dr TIM)") {
-        @Override
-        SamplePattern pattern(long seed, int samples, boolean pixelToo) {
-            return new RandomPattern(seed, pixelToo);
-        }
-    },
+    RANDOM("random (as in Dr TIM)", (seed, samples, pixelToo) -> new RandomPattern(seed, pixelToo)),
 
     /** One random place in each cell of a grid, on the lens by the concentric map. */
-    JITTERED("jittered") {
-        @Override
-        SamplePattern pattern(long seed, int samples, boolean pixelToo) {
-            return new JitteredPattern(seed, samples, pixelToo);
-        }
-    },
+    JITTERED("jittered", JitteredPattern::new),
 
     /** Multiples of irrational numbers (Roberts 2018), shifted for each pixel. */
-    ADDITIVE("R2") {
-        @Override
-        SamplePattern pattern(long seed, int samples, boolean pixelToo) {
-            return ShiftedPattern.additive(seed, samples, pixelToo);
-        }
-    },
+    ADDITIVE("R2", ShiftedPattern::additive),
 
     /** The program's own: Sobol points with Owen's scrambling. */
-    SOBOL("Sobol, Owen-scrambled") {
-        @Override
-        SamplePattern pattern(long seed, int samples, boolean pixelToo) {
-            return new ProgramPattern(seed, pixelToo);
-        }
-    },
+    SOBOL("Sobol, Owen-scrambled", (seed, samples, pixelToo) -> new ProgramPattern(seed, pixelToo)),
 
     /** Halton points, shifted for each pixel. */
-    HALTON("Halton") {
-        @Override
-        SamplePattern pattern(long seed, int samples, boolean pixelToo) {
-            return ShiftedPattern.halton(seed, samples, pixelToo);
-        }
-    },
+    HALTON("Halton", ShiftedPattern::halton),
 
     /** A sunflower spiral, turned for each pixel. */
-    VOGEL("Vogel spiral") {
-        @Override
-        SamplePattern pattern(long seed, int samples, boolean pixelToo) {
-            return DiscPattern.vogel(seed, samples, pixelToo);
-        }
-    },
+    VOGEL("Vogel spiral", DiscPattern::vogel),
 
     /** Gauss's rule in the square of the radius times equal angles, turned for each pixel. */
-    GAUSS("Gauss on the disc") {
-        @Override
-        SamplePattern pattern(long seed, int samples, boolean pixelToo) {
-            return DiscPattern.gauss(seed, samples, pixelToo);
-        }
-    };
+    GAUSS("Gauss on the disc", DiscPattern::gauss);
 
     private final String title;
+    private final Factory factory;
 
-    SamplingMethod(String title) {
+    SamplingMethod(String title, Factory factory) {
         this.title = title;
+        this.factory = factory;
     }
 
     /** The name in charts. */
@@ -70,7 +40,13 @@ enum SamplingMethod {
         return title;
     }
 
-    /** A method that can be measured like those of this list; tests break samplers through it. */
+    /** Makes its patterns. */
+    Factory factory() {
+        return factory;
+    }
+
+    /** Makes the patterns of a method. */
+    @FunctionalInterface
     interface Factory {
 
         /**
@@ -82,5 +58,12 @@ enum SamplingMethod {
         SamplePattern pattern(long seed, int samples, boolean pixelToo);
     }
 
-    abstract SamplePattern pattern(long seed, int samples, boolean pixelToo);
+    /** All methods, by title. */
+    static Map<String, Factory> all() {
+        Map<String, Factory> all = new LinkedHashMap<>();
+        for (SamplingMethod method : values()) {
+            all.put(method.title, method.factory);
+        }
+        return all;
+    }
 }

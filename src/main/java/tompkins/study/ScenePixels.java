@@ -1,9 +1,15 @@
 package tompkins.study;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
+import tompkins.render.Quality;
+import tompkins.render.RenderJob;
+import tompkins.render.RenderReport;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleTracer;
@@ -17,13 +23,15 @@ final class ScenePixels {
     private int referenceSamples;
 
     private final double wantedError;
-
+    private final BooleanSupplier cancelled;
     private final RenderPlan plan;
     private final int stride;
     private final int columns;
     private final int rows;
     private final double exposure;
     private double[] reference;
+
+    /** The root mean square error of the reference, from the difference of its halves. */
     private double floor;
 
     /**
@@ -33,13 +41,15 @@ final class ScenePixels {
      * @param referenceSamples samples per pixel of the reference
      */
     ScenePixels(Studio studio, int pixels, int referenceSamples) {
-        this(studio, pixels, referenceSamples, Double.POSITIVE_INFINITY);
+        this(studio, pixels, referenceSamples, Double.POSITIVE_INFINITY, () -> false);
     }
 
-    private ScenePixels(Studio studio, int pixels, int referenceSamples, double wantedError) {
+    private ScenePixels(
+            Studio studio, int pixels, int referenceSamples, double wantedError, BooleanSupplier cancelled) {
         plan = RenderPlan.of(studio);
         this.referenceSamples = referenceSamples;
         this.wantedError = wantedError;
+        this.cancelled = cancelled;
         stride = (int) Math.max(1, Math.sqrt((double) plan.width() * plan.height() / pixels));
         columns = (plan.width() + stride - 1) / stride;
         rows = (plan.height() + stride - 1) / stride;
@@ -51,22 +61,59 @@ final class ScenePixels {
      *
      * @param referenceSamples least number of samples per pixel of the reference
      * @param wantedError the number is doubled until the reference errs by no more than this
+     * @param cancelled asked now and then whether to stop
      */
-    static ScenePixels all(Studio studio, int referenceSamples, double wantedError) {
+    static ScenePixels all(Studio studio, int referenceSamples, double wantedError, BooleanSupplier cancelled) {
         int pixels = studio.settings().width() * studio.settings().height();
-        return new ScenePixels(studio, pixels, referenceSamples, wantedError);
+        return new ScenePixels(studio, pixels, referenceSamples, wantedError, cancelled);
     }
 
-    int count() {
+    private int count() {
         return columns * rows;
     }
 
+    /** How far the light of patterns is from what it should be; one run for each pattern. */
+    Figures placed(List<SamplePattern> patterns, int samples) {
+        double[] right = reference();
+        List<Figures> runs = new ArrayList<>();
+        for (SamplePattern pattern : patterns) {
+            long start = System.nanoTime();
+            double[] light = light(pattern, samples);
+            double seconds = (System.nanoTime() - start) / 1e9;
+            runs.add(Figures.of((double) samples * count(), seconds, ErrorNorm.of(light, right), floor));
+        }
+        return Figures.of(runs);
+    }
+
+    /**
+     * How far the light of photographs is from what it should be; one run for each studio, which differ in their seeds.
+     *
+     * @throws CancellationException soon after the measurement was cancelled
+     */
+    Figures photographed(List<Studio> studios, Quality quality) {
+        double[] right = reference();
+        List<Figures> runs = new ArrayList<>();
+        for (Studio studio : studios) {
+            stopIfCancelled();
+            RenderJob job = Photographs.taken(RenderPlan.of(studio), quality, cancelled);
+            RenderReport report = job.report();
+            ErrorNorm norm = ErrorNorm.of(Photographs.light(job.image()), right);
+            runs.add(Figures.of(report.samples(), report.time().toNanos() / 1e9, norm, floor));
+        }
+        return Figures.of(runs);
+    }
+
+    private void stopIfCancelled() {
+        if (cancelled.getAsBoolean()) {
+            throw new CancellationException();
+        }
+    }
+
     /** The light of all pixels, three channels each, from some samples of a pattern. */
-    double[] light(SamplePattern pattern, int samples, BooleanSupplier cancelled) {
+    double[] light(SamplePattern pattern, int samples) {
         double[] light = new double[3 * count()];
         SampleTracer tracer = plan.tracer(new RayCounts());
         for (int row = 0; row < rows; row++) {
-            Stopwatch.stopIf(cancelled);
             addRow(row, pattern, tracer, samples, light);
         }
         return light;
@@ -95,10 +142,10 @@ final class ScenePixels {
     }
 
     /** The light of all pixels as it should be; worked out when it is first asked for. */
-    double[] reference(BooleanSupplier cancelled) {
+    private double[] reference() {
         while (reference == null) {
-            double[] one = half(11, cancelled);
-            double[] other = half(12, cancelled);
+            double[] one = half(11);
+            double[] other = half(12);
             double error = ErrorNorm.of(one, other).rootMeanSquare() / 2;
             if (error <= wantedError || 2 * referenceSamples > MOST_REFERENCE_SAMPLES) {
                 reference = mean(one, other);
@@ -118,10 +165,10 @@ final class ScenePixels {
         return mean;
     }
 
-    private double[] half(long seed, BooleanSupplier cancelled) {
+    private double[] half(long seed) {
         double[] light = new double[3 * count()];
         IntStream.range(0, rows).parallel().forEach(row -> {
-            Stopwatch.stopIf(cancelled);
+            stopIfCancelled();
             addRow(
                     row,
                     new LatticePattern(seed),
@@ -130,10 +177,5 @@ final class ScenePixels {
                     light);
         });
         return light;
-    }
-
-    /** The root mean square error of the reference, from the difference of its halves. */
-    double floor() {
-        return floor;
     }
 }

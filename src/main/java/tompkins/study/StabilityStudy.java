@@ -64,11 +64,6 @@ final class StabilityStudy implements Study {
             new Place("far-sphere", "distance of a small sphere", "radius / distance", -7, StabilityStudy::farSphere));
 
     @Override
-    public String name() {
-        return "stability";
-    }
-
-    @Override
     public String question() {
         return "Close to the speed of light, close to rest, and far from small objects, formulas subtract nearly equal"
                 + " numbers. How much is left of their digits? Textbook and program work on the same random cases; the exact"
@@ -89,17 +84,14 @@ final class StabilityStudy implements Study {
                 for (int exponent = -1; exponent >= place.nearest; exponent--) {
                     double distance = Double.parseDouble("1e" + exponent);
                     trials.add(new Trial(
-                            place.key,
-                            which == 0 ? STABLE : NAIVE,
-                            distance,
-                            cancelled -> measure(place, which, distance)));
+                            place.key, which == 0 ? STABLE : NAIVE, distance, () -> measure(place, which, distance)));
                 }
             }
         }
         return trials;
     }
 
-    private Measurement measure(Place place, int method, double distance) {
+    private Figures measure(Place place, int method, double distance) {
         SplittableRandom random = new SplittableRandom(seed);
         double[] errors = new double[CASES];
         for (int i = 0; i < CASES; i++) {
@@ -108,15 +100,7 @@ final class StabilityStudy implements Study {
         }
         // what is exact to the last bit would have no place on a logarithmic axis
         double largest = Math.max(SMALLEST, ErrorNorm.of(errors).maximum());
-        return new Measurement(
-                place.key,
-                method == 0 ? STABLE : NAIVE,
-                distance,
-                CASES,
-                Spread.exact(0),
-                Spread.exact(largest),
-                largest,
-                0);
+        return Figures.of(CASES, Spread.exact(0), largest);
     }
 
     private static Vector3d velocity(double speed, SplittableRandom random) {

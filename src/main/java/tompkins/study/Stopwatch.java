@@ -1,8 +1,5 @@
 package tompkins.study;
 
-import java.util.concurrent.CancellationException;
-import java.util.function.BooleanSupplier;
-
 /** Times something that is done over and over, after it has run warm. */
 final class Stopwatch {
 
@@ -11,10 +8,9 @@ final class Stopwatch {
     private Stopwatch() {}
 
     /** Runs a task until the compiler has settled; at least once. */
-    static void warmUp(Runnable task, BooleanSupplier cancelled) {
+    static void warmUp(Runnable task) {
         long start = System.nanoTime();
         do {
-            stopIf(cancelled);
             task.run();
         } while (System.nanoTime() - start < WARM_NANOS);
     }
@@ -24,11 +20,5 @@ final class Stopwatch {
         long start = System.nanoTime();
         task.run();
         return (System.nanoTime() - start) / 1e9;
-    }
-
-    static void stopIf(BooleanSupplier cancelled) {
-        if (cancelled.getAsBoolean()) {
-            throw new CancellationException();
-        }
     }
 }

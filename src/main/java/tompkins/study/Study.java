@@ -5,9 +5,6 @@ import java.util.List;
 /** One question about speed and accuracy, and how it is answered. */
 public interface Study {
 
-    /** Name on the command line and of the files. */
-    String name();
-
     /** What is asked, in a sentence or two. */
     String question();
 

@@ -9,8 +9,6 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.CancellationException;
-import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import tompkins.image.FileException;
 import tompkins.image.PendingFile;
@@ -24,6 +22,20 @@ public final class StudyData {
     private static final String COLUMNS = "problem,method,setting,rays,seconds_low,seconds_median,seconds_high,"
             + "error_low,error_median,error_high,maximum,reference_error";
 
+    /** Somebody who wants to know how a study goes on. */
+    @FunctionalInterface
+    public interface Listener {
+
+        /**
+         * Another trial is done.
+         *
+         * @param measurement its result
+         * @param done trials that are done, those of earlier runs included
+         * @param all number of trials
+         */
+        void measured(Measurement measurement, int done, int all);
+    }
+
     private final Study study;
     private final Path file;
     private final List<String> head;
@@ -31,14 +43,15 @@ public final class StudyData {
     /**
      * The data of a study.
      *
+     * @param kind which study it is
      * @param file where they are kept
      * @param program name and version of the program
      */
-    public StudyData(Study study, Path file, String program) {
+    public StudyData(StudyKind kind, Study study, Path file, String program) {
         this.study = study;
         this.file = file;
         head = List.of(
-                "# study: " + study.name(),
+                "# study: " + kind,
                 "# settings: " + study.settings(),
                 "# program: " + program,
                 "# machine: " + Machine.text(),
@@ -48,10 +61,8 @@ public final class StudyData {
     /**
      * Makes the measurements that the file does not hold yet, and gives all of them in the order of the trials. What else the
      * file holds is replaced.
-     *
-     * @throws CancellationException if {@code cancelled} became true; the file holds what was measured
      */
-    public List<Measurement> complete(StudyListener listener, BooleanSupplier cancelled) throws IOException {
+    public List<Measurement> complete(Listener listener) throws IOException {
         List<Trial> trials = study.trials();
         List<Measurement> known = read();
         List<Measurement> all = new ArrayList<>();
@@ -59,8 +70,7 @@ public final class StudyData {
             Measurement measurement =
                     known.stream().filter(trial::made).findFirst().orElse(null);
             if (measurement == null) {
-                Stopwatch.stopIf(cancelled);
-                measurement = trial.measurer().measure(cancelled);
+                measurement = trial.measure();
                 Files.writeString(file, line(measurement) + "\n", StandardOpenOption.APPEND);
             }
             all.add(measurement);

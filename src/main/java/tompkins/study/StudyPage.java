@@ -84,17 +84,17 @@ public final class StudyPage {
     }
 
     /** The file with the figures of a study. */
-    public Path dataOf(Study study) {
-        return folder.resolve(name).resolve(study.name() + ".csv");
+    public Path dataOf(StudyKind kind) {
+        return folder.resolve(name).resolve(kind + ".csv");
     }
 
     /** Adds a study: writes its charts, and puts them and its findings on the page. */
-    public void add(Study study, List<Measurement> all) throws IOException {
-        text.append("\n## ").append(heading(study.name())).append("\n\n");
+    public void add(StudyKind kind, Study study, List<Measurement> all) throws IOException {
+        text.append("\n## ").append(heading(kind.toString())).append("\n\n");
         text.append(study.question()).append("\n\n");
         text.append(study.answer(all)).append("\n\n");
         for (Chart chart : study.charts()) {
-            String file = name + "/" + study.name() + "-" + chart.problem() + ".png";
+            String file = name + "/" + kind + "-" + chart.problem() + ".png";
             StudyData.replace(folder.resolve(file), ChartDrawing.png(chart, all));
             text.append("![").append(chart.title()).append("](").append(file).append(")\n");
         }
@@ -109,13 +109,7 @@ public final class StudyPage {
                     finding.holds() ? "yes" : "**no: something is broken**"));
         }
         text.append("\nSettings: ").append(study.settings()).append(".\n");
-        text.append("Figures: [")
-                .append(study.name())
-                .append(".csv](")
-                .append(name)
-                .append('/')
-                .append(study.name())
-                .append(".csv)\n");
+        text.append(String.format(Locale.ROOT, "Figures: [%s.csv](%s/%s.csv)\n", kind, name, kind));
     }
 
     /** Writes the page and says where it is. */

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.SplittableRandom;
-import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.joml.Vector3d;
 import tompkins.ray.Ray;
@@ -27,6 +26,8 @@ final class TreeStudy implements Study {
     private static final String LIST = "list";
     private static final String TREE = "tree";
     private static final String PROGRAM = "the program's choice";
+    private static final List<String> METHODS = List.of(LIST, TREE, PROGRAM);
+    private static final List<String> METHODS_FOR_MANY = List.of(TREE, PROGRAM);
     private static final int RAYS = 20_000;
     private static final int LONGEST_LIST = 10_000;
     private static final int REPEATS = 3;
@@ -43,11 +44,6 @@ final class TreeStudy implements Study {
     TreeStudy(long seed, int mostObjects) {
         this.seed = seed;
         this.mostObjects = mostObjects;
-    }
-
-    @Override
-    public String name() {
-        return "tree";
     }
 
     @Override
@@ -73,11 +69,9 @@ final class TreeStudy implements Study {
                     break;
                 }
                 Race race = new Race(objects);
-                if (objects <= LONGEST_LIST) {
-                    trials.add(new Trial(SPHERES, LIST, objects, cancelled -> race.measured(LIST, cancelled)));
+                for (String method : objects <= LONGEST_LIST ? METHODS : METHODS_FOR_MANY) {
+                    trials.add(new Trial(SPHERES, method, objects, () -> race.figures(method)));
                 }
-                trials.add(new Trial(SPHERES, TREE, objects, cancelled -> race.measured(TREE, cancelled)));
-                trials.add(new Trial(SPHERES, PROGRAM, objects, cancelled -> race.measured(PROGRAM, cancelled)));
             }
         }
         return trials;
@@ -87,20 +81,20 @@ final class TreeStudy implements Study {
     private final class Race {
 
         private final int objects;
-        private Map<String, Measurement> measured;
+        private Map<String, Figures> figures;
 
         Race(int objects) {
             this.objects = objects;
         }
 
-        Measurement measured(String method, BooleanSupplier cancelled) {
-            if (measured == null) {
-                measured = measure(cancelled);
+        Figures figures(String method) {
+            if (figures == null) {
+                figures = measured();
             }
-            return measured.get(method);
+            return figures.get(method);
         }
 
-        private Map<String, Measurement> measure(BooleanSupplier cancelled) {
+        private Map<String, Figures> measured() {
             List<Primitive> primitives = spheres(objects);
             Ray[] rays = rays();
             Map<String, Supplier<ObjectTree>> methods = new LinkedHashMap<>();
@@ -110,33 +104,22 @@ final class TreeStudy implements Study {
             methods.put(TREE, () -> new ObjectTree(primitives, 1));
             methods.put(PROGRAM, () -> new ObjectTree(primitives));
             if (objects <= LONGEST_LIST) {
-                methods.values().forEach(method -> Stopwatch.warmUp(() -> search(method.get(), rays), cancelled));
+                methods.values().forEach(method -> Stopwatch.warmUp(() -> search(method.get(), rays)));
             }
             int repeats = objects <= MANY ? MANY_REPEATS : REPEATS;
-            Map<String, double[]> seconds = new LinkedHashMap<>();
+            Map<String, double[]> seconds = new HashMap<>();
             for (int run = 0; run < repeats; run++) {
                 for (String method : methods.keySet()) {
-                    Stopwatch.stopIf(cancelled);
                     seconds.computeIfAbsent(method, first -> new double[repeats])[run] =
                             Stopwatch.seconds(() -> search(methods.get(method).get(), rays));
                 }
             }
-            Map<String, Measurement> measurements = new HashMap<>();
+            Map<String, Figures> found = new HashMap<>();
             methods.forEach((method, tree) -> {
-                double different = objects <= LONGEST_LIST ? differences(primitives, tree.get(), rays) : 0;
-                measurements.put(
-                        method,
-                        new Measurement(
-                                SPHERES,
-                                method,
-                                objects,
-                                RAYS,
-                                Spread.of(seconds.get(method)),
-                                Spread.exact(different),
-                                different,
-                                0));
+                int different = objects <= LONGEST_LIST ? differences(primitives, tree.get(), rays) : 0;
+                found.put(method, Figures.of(RAYS, Spread.of(seconds.get(method)), different));
             });
-            return measurements;
+            return found;
         }
     }
 
@@ -255,10 +238,6 @@ final class TreeStudy implements Study {
     }
 
     private static double seconds(String method, double objects, List<Measurement> all) {
-        return Measurement.of(SPHERES, method, all).stream()
-                .filter(point -> point.setting() == objects)
-                .mapToDouble(point -> point.seconds().middle())
-                .findFirst()
-                .orElse(Double.NaN);
+        return Measurement.of(SPHERES, method, objects, all).seconds().middle();
     }
 }

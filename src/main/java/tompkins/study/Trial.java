@@ -1,7 +1,6 @@
 package tompkins.study;
 
-import java.util.concurrent.CancellationException;
-import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 
 /**
  * A measurement that can be made.
@@ -9,21 +8,15 @@ import java.util.function.BooleanSupplier;
  * @param problem see {@link Measurement#problem()}
  * @param method see {@link Measurement#method()}
  * @param setting see {@link Measurement#setting()}
- * @param measurer makes it
+ * @param measurer finds the figures
  */
-public record Trial(String problem, String method, double setting, Measurer measurer) {
+public record Trial(String problem, String method, double setting, Supplier<Figures> measurer) {
 
-    /** Makes a measurement. */
-    @FunctionalInterface
-    public interface Measurer {
-
-        /**
-         * Makes it.
-         *
-         * @param cancelled asked now and then
-         * @throws CancellationException soon after {@code cancelled} became true
-         */
-        Measurement measure(BooleanSupplier cancelled);
+    /** Makes the measurement. */
+    Measurement measure() {
+        Figures found = measurer.get();
+        return new Measurement(
+                problem, method, setting, found.rays(), found.seconds(), found.error(), found.maximum(), found.floor());
     }
 
     /** Whether a measurement is that of this trial. */

@@ -20,7 +20,7 @@ class ApertureStudyTest {
 
     @Test
     void methodsFallAsTheoryAndTableSay() {
-        ApertureStudy study = study(methods());
+        ApertureStudy study = study(SamplingMethod.all());
         List<Measurement> all = measure(study);
         assertThat(study.findings(all))
                 .allSatisfy(finding ->
@@ -61,7 +61,7 @@ class ApertureStudyTest {
     void samplerThatIsTheSameInSeveralPixelsIsFound(IntUnaryOperator column, IntUnaryOperator row) {
         Map<String, SamplingMethod.Factory> broken = randomAlone();
         broken.put(PROGRAM, (seed, samples, pixelToo) -> new SamplePattern(seed) {
-            private final SamplePattern right = SamplingMethod.SOBOL.pattern(seed, samples, pixelToo);
+            private final SamplePattern right = SamplingMethod.SOBOL.factory().pattern(seed, samples, pixelToo);
 
             @Override
             void startPixel(int pixelColumn, int pixelRow) {
@@ -91,17 +91,9 @@ class ApertureStudyTest {
         return Stream.of(arguments(all, all), arguments(none, all), arguments(all, none), arguments(pairs, pairs));
     }
 
-    private static Map<String, SamplingMethod.Factory> methods() {
-        Map<String, SamplingMethod.Factory> methods = new LinkedHashMap<>();
-        for (SamplingMethod method : SamplingMethod.values()) {
-            methods.put(method.title(), method::pattern);
-        }
-        return methods;
-    }
-
     private static Map<String, SamplingMethod.Factory> randomAlone() {
         Map<String, SamplingMethod.Factory> methods = new LinkedHashMap<>();
-        methods.put(SamplingMethod.RANDOM.title(), SamplingMethod.RANDOM::pattern);
+        methods.put(SamplingMethod.RANDOM.title(), SamplingMethod.RANDOM.factory());
         return methods;
     }
 
@@ -110,9 +102,7 @@ class ApertureStudyTest {
     }
 
     private static List<Measurement> measure(Study study) {
-        return study.trials().stream()
-                .map(trial -> trial.measurer().measure(() -> false))
-                .toList();
+        return study.trials().stream().map(Trial::measure).toList();
     }
 
     private static double slope(String problem, SamplingMethod method, List<Measurement> all) {

@@ -11,11 +11,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.studio.PaperStudios;
 
 /** The studies find what theory says, keep their figures, and draw them. */
@@ -86,13 +86,14 @@ class StudiesTest {
 
     @Test
     void brokenPromisesAreFound() {
-        assertThat(Honesty.findings(promised(96, 4, 0.0001))).allMatch(Finding::holds);
-        assertThat(Honesty.findings(promised(94, 6, 0.0001)).get(0).holds()).isFalse();
+        assertThat(PromisedErrors.findings(promised(96, 4, 0.0001))).allMatch(Finding::holds);
+        assertThat(PromisedErrors.findings(promised(94, 6, 0.0001)).get(0).holds())
+                .isFalse();
     }
 
     @Test
     void referencesThatAreNotGoodEnoughAreFound() {
-        List<Finding> findings = Honesty.findings(promised(100, 0, 0.0006));
+        List<Finding> findings = PromisedErrors.findings(promised(100, 0, 0.0006));
         assertThat(findings.get(1).holds()).isFalse();
     }
 
@@ -101,7 +102,7 @@ class StudiesTest {
         List<Measurement> runs = new ArrayList<>();
         for (int run = 0; run < kept + broken; run++) {
             double error = 0.01 * (run < kept ? 1 : 1.3);
-            String problem = "honesty:scene:seed " + run;
+            String problem = "promise:scene:seed " + run;
             runs.add(new Measurement(problem, "pinholes", 0.01, 1, Spread.exact(1), Spread.exact(error), error, floor));
         }
         return runs;
@@ -119,46 +120,67 @@ class StudiesTest {
         Path file = folder.resolve("stability.csv");
         Study study = new StabilityStudy(3);
         int all = study.trials().size();
-        AtomicInteger made = new AtomicInteger();
-        StudyData data = new StudyData(study, file, "test");
-        assertThatThrownBy(() -> data.complete((point, done, count) -> made.incrementAndGet(), () -> made.get() == 5))
-                .isInstanceOf(CancellationException.class);
-        List<String> kept = Files.readAllLines(file);
-        assertThat(kept).hasSize(5 + 5);
+        StudyData data = new StudyData(StudyKind.STABILITY, study, file, "test");
+        assertThatThrownBy(() -> data.complete(StudiesTest::stopAfterFive)).isInstanceOf(CancellationException.class);
+        // another time than the one measured, which would not be there if it were measured again
+        List<String> kept = Files.readAllLines(file).stream()
+                .map(line -> line.replace(",0.00000,0.00000,0.00000,", ",1.00000,2.00000,3.00000,"))
+                .toList();
+        assertThat(kept).hasSize(5 + 5).last().asString().contains("2.00000");
         Files.writeString(file, String.join("\n", kept) + "\nlight,the prog");
 
-        List<Measurement> measured = data.complete((point, done, count) -> {}, () -> false);
+        List<Measurement> measured = data.complete((point, done, count) -> {});
 
-        assertThat(Files.readAllLines(file)).hasSize(5 + all).startsWith(kept.toArray(String[]::new));
+        List<String> complete = Files.readAllLines(file);
+        assertThat(complete).hasSize(5 + all).startsWith(kept.toArray(String[]::new));
         assertThat(study.findings(measured)).allMatch(Finding::holds);
-        List<Measurement> read = data.complete((point, done, count) -> {}, () -> true);
-        assertThat(read).usingRecursiveFieldByFieldElementComparator().hasSameSizeAs(measured);
+        assertThat(data.complete((point, done, count) -> {})).hasSize(all);
+        assertThat(Files.readAllLines(file)).isEqualTo(complete);
 
-        Study other = new StabilityStudy(4);
-        assertThatThrownBy(() -> new StudyData(other, file, "test").complete((point, done, count) -> {}, () -> true))
-                .isInstanceOf(CancellationException.class);
+        StudyData other = new StudyData(StudyKind.STABILITY, new StabilityStudy(4), file, "test");
+        assertThat(other.complete((point, done, count) -> {}))
+                .allSatisfy(point -> assertThat(point.seconds().middle()).isZero());
+    }
+
+    private static void stopAfterFive(Measurement point, int done, int count) {
+        if (done == 5) {
+            throw new CancellationException();
+        }
     }
 
     @Test
     void methodsWithACommaAreKnownAgain() throws IOException {
-        StudyData data = new StudyData(new PrecisionStudy(3), folder.resolve("precision.csv"), "test");
-        List<Measurement> measured = data.complete((point, done, count) -> {}, () -> false);
+        Path file = folder.resolve("precision.csv");
+        StudyData data = new StudyData(StudyKind.PRECISION, new PrecisionStudy(3), file, "test");
+        data.complete((point, done, count) -> {});
+        String times = Files.readString(file);
 
-        List<Measurement> read = data.complete((point, done, count) -> {}, () -> true);
+        List<Measurement> read = data.complete((point, done, count) -> {});
 
-        assertThat(read)
-                .extracting(Measurement::method)
-                .contains("half angles, double")
-                .isEqualTo(measured.stream().map(Measurement::method).toList());
+        assertThat(read).extracting(Measurement::method).contains("half angles, double");
+        assertThat(file).hasContent(times);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 3})
+    void pictureThatNobodyWaitsForIsMeasuredNoMore(int wanted) {
+        List<Measurement> shown = new ArrayList<>();
+        PictureStudy study = new PictureStudy(PaperStudios.fig1b(), () -> shown.size() == wanted);
+
+        assertThatThrownBy(() -> study.measure(points -> shown.add(points.get(points.size() - 1))))
+                .isInstanceOf(CancellationException.class);
+
+        assertThat(shown).hasSize(wanted);
+        assertThat(study.points()).isGreaterThan(3);
     }
 
     @Test
     void pageShowsChartsAndSentences() throws IOException {
         Study study = new StabilityStudy(3);
         StudyPage page = new StudyPage(folder, "page", "# Title");
-        List<Measurement> all =
-                new StudyData(study, page.dataOf(study), "test").complete((point, done, count) -> {}, () -> false);
-        page.add(study, all);
+        List<Measurement> all = new StudyData(StudyKind.STABILITY, study, page.dataOf(StudyKind.STABILITY), "test")
+                .complete((point, done, count) -> {});
+        page.add(StudyKind.STABILITY, study, all);
         String text = Files.readString(page.write());
         assertThat(text)
                 .startsWith("# Title")
@@ -198,10 +220,6 @@ class StudiesTest {
     }
 
     private static List<Measurement> measure(Study study) {
-        List<Measurement> all = new ArrayList<>();
-        for (Trial trial : study.trials()) {
-            all.add(trial.measurer().measure(() -> false));
-        }
-        return all;
+        return study.trials().stream().map(Trial::measure).toList();
     }
 }

@@ -135,10 +135,10 @@ public final class QualityPanel {
     private final class ChartWindow {
 
         private final JDialog dialog;
-        private final PictureStudy study = new PictureStudy(model.studio());
         private final ChartPanel chart = new ChartPanel(null);
         private final JLabel state = new JLabel();
         private volatile boolean closed;
+        private final PictureStudy study = new PictureStudy(model.studio(), () -> closed);
         private List<Measurement> shown = List.of();
 
         /** What is said of the point under the mouse, which a click would take; null if there is none. */
@@ -193,7 +193,7 @@ public final class QualityPanel {
 
         private void measure() {
             try {
-                study.measure(measured -> SwingUtilities.invokeLater(() -> draw(measured)), () -> closed);
+                study.measure(measured -> SwingUtilities.invokeLater(() -> draw(measured)));
                 SwingUtilities.invokeLater(() ->
                         end(Texts.get(study.chart().drawn(shown).isEmpty() ? "quality.exact" : "quality.choose")));
             } catch (CancellationException stopped) {

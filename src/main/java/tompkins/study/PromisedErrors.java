@@ -5,14 +5,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.function.BooleanSupplier;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
 
 /** Whether photographs err by what {@link Quality.TargetError} promises: all scenes, several promises and seeds. */
-final class Honesty {
+final class PromisedErrors {
 
-    private static final String PROBLEM = "honesty";
+    private static final String PROBLEM = "promise";
     private static final double[] PROMISES = {0.01, 0.003, 0.001};
     private static final int SEEDS = 3;
     private static final double TOLERANCE = 1.25;
@@ -33,16 +32,16 @@ final class Honesty {
      * @param width of the photographs in pixels
      * @param referenceSamples least number of samples per pixel of the references
      */
-    Honesty(Map<String, Studio> studios, long seed, int width, int referenceSamples) {
+    PromisedErrors(Map<String, Studio> studios, long seed, int width, int referenceSamples) {
         this.seed = seed;
         this.referenceSamples = referenceSamples;
-        studios.forEach((name, studio) -> small.put(name, AntialiasingStudy.small(studio, width)));
+        studios.forEach((name, studio) -> small.put(name, Photographs.small(studio, width)));
     }
 
     List<Trial> trials() {
         List<Trial> trials = new ArrayList<>();
         small.forEach((name, studio) -> {
-            ScenePixels pixels = ScenePixels.all(studio, referenceSamples, WANTED_REFERENCE_ERROR);
+            ScenePixels pixels = ScenePixels.all(studio, referenceSamples, WANTED_REFERENCE_ERROR, () -> false);
             String lens = studio.camera().hasWideAperture() ? "wide apertures" : "pinholes";
             for (double promise : PROMISES) {
                 for (long run = seed; run < seed + SEEDS; run++) {
@@ -52,17 +51,11 @@ final class Honesty {
                             problem,
                             lens,
                             promise,
-                            cancelled -> taken(problem, lens, promise, seeded, pixels, cancelled)));
+                            () -> pixels.photographed(List.of(seeded), new Quality.TargetError(promise))));
                 }
             }
         });
         return trials;
-    }
-
-    private static Measurement taken(
-            String problem, String lens, double promise, Studio studio, ScenePixels pixels, BooleanSupplier cancelled) {
-        return AntialiasingStudy.rendered(
-                problem, lens, promise, List.of(studio), pixels, new Quality.TargetError(promise), cancelled);
     }
 
     Chart chart() {
