@@ -2,7 +2,6 @@ package tompkins.study;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import tompkins.studio.Studio;
 
@@ -84,29 +83,22 @@ final class AntialiasingStudy implements Study {
                         + " which is the cheapest picture there is.");
         for (String name : compared.keySet()) {
             for (Measurement centre : Measurement.of(name, PictureStudy.CENTRE, all)) {
-                double anywhere = Measurement.of(name, PictureStudy.ANYWHERE, all)
-                        .get(0)
-                        .error()
-                        .middle();
-                text.append(String.format(
-                        Locale.ROOT,
+                double anywhere =
+                        Measurement.of(name, PictureStudy.ANYWHERE, all).get(0).medianError();
+                text.append(Finding.text(
                         " On %s its error is %.0f %% of that of a sample anywhere in the pixel.",
-                        name,
-                        100 * centre.error().middle() / anywhere));
+                        name, 100 * centre.medianError() / anywhere));
             }
         }
         text.append(
                 " Whoever wants a better one says how good it has to be: `--error` puts samples where the picture is still wrong.");
         for (String name : compared.keySet()) {
-            text.append(String.format(
-                    Locale.ROOT,
+            text.append(Finding.text(
                     " On %s it needs %.0f %% of the rays that the same number everywhere needs for the same error.",
-                    name,
-                    100 / saving(name, all)));
+                    name, 100 / saving(name, all)));
         }
         if (!promised.isEmpty()) {
-            text.append(String.format(
-                    Locale.ROOT,
+            text.append(Finding.text(
                     " What `--error` promises is kept, to within a quarter, by %.0f %% of the photographs of all scenes.",
                     Math.floor(100 * PromisedErrors.share(all))));
         }
@@ -119,15 +111,13 @@ final class AntialiasingStudy implements Study {
         for (String name : compared.keySet()) {
             List<Measurement> centre = Measurement.of(name, PictureStudy.CENTRE, all);
             if (!centre.isEmpty()) {
-                double anywhere = Measurement.of(name, PictureStudy.ANYWHERE, all)
-                        .get(0)
-                        .error()
-                        .middle();
-                double error = centre.get(0).error().middle();
+                double anywhere =
+                        Measurement.of(name, PictureStudy.ANYWHERE, all).get(0).medianError();
+                double error = centre.get(0).medianError();
                 findings.add(Finding.of(
                         error <= anywhere,
                         name + ": error of one sample in the centre of each pixel",
-                        String.format(Locale.ROOT, "at most %.3g, that of one sample anywhere in it", anywhere),
+                        Finding.text("at most %.3g, that of one sample anywhere in it", anywhere),
                         "%.3g",
                         error));
             }
@@ -149,7 +139,7 @@ final class AntialiasingStudy implements Study {
         List<Measurement> adaptive = Measurement.of(name, PictureStudy.ADAPTIVE, all);
         double log = 0;
         for (Measurement point : adaptive) {
-            double needed = Math.pow(point.error().middle() / fixed.factor(), 1 / fixed.slope());
+            double needed = Math.pow(point.medianError() / fixed.factor(), 1 / fixed.slope());
             log += Math.log(needed / point.rays()) / adaptive.size();
         }
         return Math.exp(log);

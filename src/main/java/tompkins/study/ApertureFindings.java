@@ -5,7 +5,6 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import java.util.Locale;
 
 /**
  * What the measurements of {@link ApertureStudy} must show. The limits follow from theory: independent places err as
@@ -14,6 +13,7 @@ import java.util.Locale;
  */
 final class ApertureFindings {
 
+    private static final String RANDOM = SamplingMethod.RANDOM.title();
     private static final String SPIRAL = SamplingMethod.VOGEL.title();
     private static final double STEEP_ON_LENS = -0.70;
     private static final double STEEP_IN_PIXEL = -0.57;
@@ -46,13 +46,12 @@ final class ApertureFindings {
 
     /** What the charts show. */
     String answer(List<Measurement> all) {
-        PowerLaw random = law(ExactProblem.EDGE.key(), SamplingMethod.RANDOM.title(), all);
+        PowerLaw random = law(ExactProblem.EDGE.key(), RANDOM, all);
         PowerLaw own = law(ExactProblem.EDGE.key(), program, all);
         PowerLaw ownWithPixel = law(ExactProblem.SWEEP.key(), program, all);
         PowerLaw spiralWithPixel = law(ExactProblem.SWEEP.key(), SPIRAL, all);
         String scene = scenes.iterator().next();
-        return String.format(
-                Locale.ROOT,
+        return Finding.text(
                 "Random places need four times as many samples for half the error. Places that keep their distance do better:"
                         + " at an edge the error of the program's points falls as the number of samples to the power %.2f, and"
                         + " an error of 0.002, half a step of an 8-bit picture, takes them %s samples where random places take"
@@ -82,7 +81,7 @@ final class ApertureFindings {
     private static double nanosecondsOfSample(String problem, String method, List<Measurement> all) {
         List<Measurement> points = Measurement.of(problem, method, all);
         Measurement most = points.get(points.size() - 1);
-        return 1e9 * most.seconds().middle() / most.rays();
+        return 1e9 * most.medianSeconds() / most.rays();
     }
 
     private static String samplesFor(double error, PowerLaw law) {
@@ -91,7 +90,7 @@ final class ApertureFindings {
     }
 
     private void slopes(ExactProblem problem, List<Measurement> all, List<Finding> findings) {
-        PowerLaw random = law(problem.key(), SamplingMethod.RANDOM.title(), all);
+        PowerLaw random = law(problem.key(), RANDOM, all);
         findings.add(Finding.of(
                 random.slope() >= -0.55 && random.slope() <= -0.45,
                 problem.title() + ": slope of random places",
@@ -103,12 +102,9 @@ final class ApertureFindings {
         findings.add(Finding.of(
                 own.slope() <= steep && own.rSquared() > STRAIGHT,
                 problem.title() + ": slope of the program's places",
-                String.format(
-                        Locale.ROOT,
+                Finding.text(
                         "at most %.2f (theory: %s), R² above %.2f",
-                        steep,
-                        problem.pixelToo() ? "-5/8" : "-3/4",
-                        STRAIGHT),
+                        steep, problem.pixelToo() ? "-5/8" : "-3/4", STRAIGHT),
                 "%.3f, R² = %.4f",
                 own.slope(),
                 own.rSquared()));
@@ -116,15 +112,13 @@ final class ApertureFindings {
 
     private void advantage(ExactProblem problem, List<Measurement> all, List<Finding> findings) {
         double limit = problem == ExactProblem.EDGE || problem == ExactProblem.DISC ? 0.25 : 0.5;
-        double share = error(problem.key(), program, all) / error(problem.key(), SamplingMethod.RANDOM.title(), all);
+        double share = error(problem.key(), program, all) / error(problem.key(), RANDOM, all);
         findings.add(Finding.of(
                 share <= limit,
-                String.format(
-                        Locale.ROOT,
+                Finding.text(
                         "%s: error of the program's places with %.0f samples, divided by that of random ones",
-                        problem.title(),
-                        COMPARED_AT),
-                String.format(Locale.ROOT, "at most %.2f", limit),
+                        problem.title(), COMPARED_AT),
+                Finding.text("at most %.2f", limit),
                 "%.3f",
                 share));
     }
@@ -134,10 +128,10 @@ final class ApertureFindings {
         String best = methods.stream()
                 .min((a, b) -> Double.compare(error(scene, a, all), error(scene, b, all)))
                 .orElse(program);
-        double random = error(scene, SamplingMethod.RANDOM.title(), all);
+        double random = error(scene, RANDOM, all);
         findings.add(Finding.of(
                 own <= 0.5 * random && own <= 1.25 * error(scene, best, all),
-                String.format(Locale.ROOT, "%s: error of the program's places with %.0f samples", scene, COMPARED_AT),
+                Finding.text("%s: error of the program's places with %.0f samples", scene, COMPARED_AT),
                 "at most half of random places and 1.25 times the best",
                 "%.2g; random %.2g; the best (%s) %.2g",
                 own,
@@ -147,19 +141,13 @@ final class ApertureFindings {
     }
 
     private Finding independence(List<Measurement> all) {
-        double ratio = Measurement.of(ApertureStudy.INDEPENDENCE, program, all)
-                .get(0)
-                .error()
-                .middle();
+        double ratio =
+                Measurement.of(ApertureStudy.INDEPENDENCE, program, all).get(0).medianError();
         return Finding.of(
                 ratio < MOST_CORRELATION,
                 "Pixels that see the same err independently: variance of their mean error, divided by that of independent"
                         + " pixels",
-                String.format(
-                        Locale.ROOT,
-                        "below %.0f (%d if all err alike)",
-                        MOST_CORRELATION,
-                        ApertureStudy.PIXELS_OF_INSTANCE),
+                Finding.text("below %.0f (%d if all err alike)", MOST_CORRELATION, ApertureStudy.PIXELS_OF_INSTANCE),
                 "%.2f",
                 ratio);
     }
@@ -175,7 +163,7 @@ final class ApertureFindings {
         return Measurement.of(problem, method, all).stream()
                 .filter(point -> point.setting() <= COMPARED_AT)
                 .reduce((first, second) -> second)
-                .map(point -> point.error().middle())
+                .map(point -> point.medianError())
                 .orElse(Double.NaN);
     }
 }

@@ -57,7 +57,8 @@ final class ApertureStudy implements Study {
         this.program = program;
         sceneSettings = StudySetup.settings(studios);
         scenes = new LinkedHashMap<>();
-        studios.forEach((name, studio) -> scenes.put(name, new ScenePixels(studio, SCENE_PIXELS, 16 * mostSamples)));
+        studios.forEach((name, studio) -> scenes.put(
+                name, new ScenePixels(studio, SCENE_PIXELS, 16 * mostSamples, Double.POSITIVE_INFINITY, () -> false)));
         findings = new ApertureFindings(methods.keySet(), program, scenes.keySet());
     }
 

@@ -47,8 +47,7 @@ public record Chart(
     record Guide(String name, double factor) {}
 
     /** Seconds of one thread. */
-    static final Axis<Double> SECONDS = new Axis<>(
-            "seconds (one thread)", measurement -> measurement.seconds().middle());
+    static final Axis<Double> SECONDS = new Axis<>("seconds (one thread)", measurement -> measurement.medianSeconds());
 
     /** Seconds of one thread, upwards. */
     static final Axis<Spread> TIME = new Axis<>("seconds (one thread)", Measurement::seconds);
@@ -81,6 +80,16 @@ public record Chart(
         return across(label, Measurement::setting);
     }
 
+    /** The place of a measurement across. */
+    double x(Measurement point) {
+        return across.value.apply(point);
+    }
+
+    /** The place of a measurement upwards. */
+    Spread y(Measurement point) {
+        return up.value.apply(point);
+    }
+
     /** The measurements that this chart shows: those of its problem and of the parts of it, {@code problem:part}. */
     List<Measurement> shown(List<Measurement> all) {
         return all.stream()
@@ -92,8 +101,7 @@ public record Chart(
     /** Those of them that have a place on logarithmic axes. */
     public List<Measurement> drawn(List<Measurement> all) {
         return shown(all).stream()
-                .filter(point -> across.value().apply(point) > 0
-                        && up.value().apply(point).low() > 0)
+                .filter(point -> x(point) > 0 && y(point).low() > 0)
                 .toList();
     }
 }

@@ -15,7 +15,6 @@ import java.util.Comparator;
 import java.util.DoubleSummaryStatistics;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.ToDoubleFunction;
@@ -79,13 +78,10 @@ public final class ChartDrawing {
         curves(chart, shown).forEach((name, points) -> addCurve(chart, name, points, curves, renderer));
         XYPlot plot = new XYPlot(
                 curves,
-                new DecadeAxis(
-                        chart.across().label(),
-                        shown.stream().map(chart.across().value())),
+                new DecadeAxis(chart.across().label(), shown.stream().map(chart::x)),
                 new DecadeAxis(
                         chart.up().label(),
-                        shown.stream()
-                                .map(point -> chart.up().value().apply(point).low())),
+                        shown.stream().map(point -> chart.y(point).low())),
                 renderer);
         plot.setBackgroundPaint(Color.WHITE);
         plot.setDomainGridlinePaint(GRID);
@@ -113,8 +109,8 @@ public final class ChartDrawing {
             curves.computeIfAbsent(point.method(), method -> new ArrayList<>()).add(point);
         }
         curves.values()
-                .forEach(points -> points.sort(Comparator.comparingDouble(Measurement::rays)
-                        .thenComparing(chart.across().value())));
+                .forEach(points -> points.sort(
+                        Comparator.comparingDouble(Measurement::rays).thenComparing(chart::x)));
         return curves;
     }
 
@@ -129,8 +125,7 @@ public final class ChartDrawing {
         // points of one curve at one place are drawn as one, with bars from the smallest to the largest
         Map<Double, List<Spread>> places = new TreeMap<>();
         for (Measurement point : points) {
-            places.computeIfAbsent(chart.across().value().apply(point), x -> new ArrayList<>())
-                    .add(chart.up().value().apply(point));
+            places.computeIfAbsent(chart.x(point), x -> new ArrayList<>()).add(chart.y(point));
         }
         places.forEach((x, values) -> {
             Spread middle =
@@ -153,15 +148,11 @@ public final class ChartDrawing {
 
     private static String slope(Chart chart, List<Measurement> points) {
         PowerLaw law = PowerLaw.fit(
-                points.stream()
-                        .mapToDouble(point -> chart.across().value().apply(point))
-                        .toArray(),
-                points.stream()
-                        .mapToDouble(point -> chart.up().value().apply(point).middle())
-                        .toArray());
+                points.stream().mapToDouble(point -> chart.x(point)).toArray(),
+                points.stream().mapToDouble(point -> chart.y(point).middle()).toArray());
         return points.size() < FEWEST_FOR_SLOPE || !Double.isFinite(law.slope())
                 ? ""
-                : String.format(Locale.ROOT, "  (%.2f)", law.slope());
+                : Finding.text("  (%.2f)", law.slope());
     }
 
     private static Shape marker(int number) {
@@ -182,12 +173,12 @@ public final class ChartDrawing {
     /** The points that no other beats in both, from the cheapest on. */
     static List<Measurement> front(Chart chart, List<Measurement> shown) {
         List<Measurement> byCost = new ArrayList<>(shown);
-        byCost.sort(Comparator.comparing(chart.across().value())
-                .thenComparing(point -> chart.up().value().apply(point).middle()));
+        byCost.sort(Comparator.comparing(chart::x)
+                .thenComparing(point -> chart.y(point).middle()));
         List<Measurement> front = new ArrayList<>();
         double best = Double.POSITIVE_INFINITY;
         for (Measurement point : byCost) {
-            double error = chart.up().value().apply(point).middle();
+            double error = chart.y(point).middle();
             if (error < best) {
                 best = error;
                 front.add(point);
@@ -206,9 +197,8 @@ public final class ChartDrawing {
     public static Measurement nearest(
             Chart chart, List<Measurement> all, XYPlot plot, Rectangle2D area, Point2D place, double reach) {
         ToDoubleFunction<Measurement> distance = point -> place.distance(
-                plot.getDomainAxis().valueToJava2D(chart.across().value().apply(point), area, plot.getDomainAxisEdge()),
-                plot.getRangeAxis()
-                        .valueToJava2D(chart.up().value().apply(point).middle(), area, plot.getRangeAxisEdge()));
+                plot.getDomainAxis().valueToJava2D(chart.x(point), area, plot.getDomainAxisEdge()),
+                plot.getRangeAxis().valueToJava2D(chart.y(point).middle(), area, plot.getRangeAxisEdge()));
         return chart.drawn(all).stream()
                 .filter(point -> distance.applyAsDouble(point) <= reach)
                 .min(Comparator.comparingDouble(distance))
@@ -216,28 +206,18 @@ public final class ChartDrawing {
     }
 
     private static void addFront(Chart chart, List<Measurement> shown, XYPlot plot) {
-        XYIntervalSeries series = new XYIntervalSeries("Pareto front");
-        for (Measurement point : front(chart, shown)) {
-            double x = chart.across().value().apply(point);
-            double y = chart.up().value().apply(point).middle();
-            series.add(x, x, x, y, y, y);
-        }
-        XYIntervalSeriesCollection front = new XYIntervalSeriesCollection();
-        front.addSeries(series);
-        XYErrorRenderer renderer = new XYErrorRenderer();
-        renderer.setDrawXError(false);
-        renderer.setDrawYError(false);
-        renderer.setDefaultLinesVisible(true);
-        renderer.setDefaultShapesVisible(false);
+        XYSeries series = new XYSeries("Pareto front", false);
+        front(chart, shown)
+                .forEach(point -> series.add(chart.x(point), chart.y(point).middle()));
+        XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
         renderer.setSeriesPaint(0, FRONT);
         renderer.setSeriesStroke(0, new BasicStroke(9, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-        plot.setDataset(1, front);
+        plot.setDataset(1, new XYSeriesCollection(series));
         plot.setRenderer(1, renderer);
     }
 
     private static void addGuides(Chart chart, List<Measurement> shown, XYPlot plot) {
-        DoubleSummaryStatistics across =
-                shown.stream().mapToDouble(chart.across().value()::apply).summaryStatistics();
+        DoubleSummaryStatistics across = shown.stream().mapToDouble(chart::x).summaryStatistics();
         XYSeriesCollection guides = new XYSeriesCollection();
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
         for (Chart.Guide guide : chart.guides()) {

@@ -1,10 +1,8 @@
 package tompkins.study;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
+import java.util.function.IntFunction;
 import org.joml.Vector3d;
 import tompkins.camera.ThinLensCamera;
 import tompkins.ray.Colour;
@@ -28,10 +26,8 @@ import tompkins.trace.RenderPlan;
 final class DepthStudy implements Study {
 
     private static final String TWO_CORRIDORS = "two-corridors";
-    private static final String GLASS = "glass";
     private static final String LIMIT = "limit of depth";
-    private static final String PROGRAM =
-            String.format(Locale.ROOT, "the program: 1/%.0f of the light", 1 / Ray.FAINTEST);
+    private static final String PROGRAM = Finding.text("the program: 1/%.0f of the light", 1 / Ray.FAINTEST);
     private static final int[] DEPTHS = {1, 2, 5, 10, 20, 50, 66, 100, 200, 350, 500};
     private static final int REPEATS = 3;
     private static final double CLEARLY_LESS = 0.7;
@@ -42,13 +38,22 @@ final class DepthStudy implements Study {
     private static final int WIDTH = 320;
     private static final int HEIGHT = 4;
 
-    /** Corridors, by the name of their problem: the reflectances of the mirrors above and below the camera. */
-    private static final Map<String, double[]> CORRIDORS = new LinkedHashMap<>();
+    /**
+     * Something to look through.
+     *
+     * @param title of its chart
+     * @param share the program must follow no more than this share of the rays of a limit that is as exact
+     * @param limited finds the figures with a limit of depth alone
+     * @param program finds the program's figures, from its limit of depth
+     */
+    private record Problem(
+            String key, String title, double share, IntFunction<Figures> limited, IntFunction<Figures> program) {}
 
-    static {
-        CORRIDORS.put("R=0.90", new double[] {0.9, 0.9});
-        CORRIDORS.put(TWO_CORRIDORS, new double[] {0.99, 0.5});
-    }
+    private static final List<Problem> PROBLEMS = List.of(
+            corridors("R=0.90", "Corridor of mirrors, reflectance 0.90", 1, 0.9, 0.9),
+            corridors(
+                    TWO_CORRIDORS, "Two corridors in one picture, reflectances 0.99 and 0.50", CLEARLY_LESS, 0.99, 0.5),
+            new Problem("glass", "Through a sheet of glass of index 3", 1, DepthStudy::glass, DepthStudy::glass));
 
     @Override
     public String question() {
@@ -62,50 +67,41 @@ final class DepthStudy implements Study {
 
     @Override
     public String settings() {
-        return String.format(
-                Locale.ROOT,
-                "corridors %s 2 wide and %.0f long, %.0f degrees, a sheet of glass of index %.0f, %.0f degrees, %d x %d pixels",
-                CORRIDORS.keySet(),
-                LENGTH,
-                ANGLE,
-                INDEX,
-                ANGLE_THROUGH_GLASS,
-                WIDTH,
-                HEIGHT);
+        return Finding.text(
+                "corridors [R=0.90, two-corridors] 2 wide and %.0f long, %.0f degrees, a sheet of glass of index %.0f, %.0f degrees, %d x %d pixels",
+                LENGTH, ANGLE, INDEX, ANGLE_THROUGH_GLASS, WIDTH, HEIGHT);
     }
 
     @Override
     public List<Trial> trials() {
         List<Trial> trials = new ArrayList<>();
         int most = RenderSettings.DEFAULT.maximumDepth();
-        CORRIDORS.forEach((problem, reflectances) -> {
+        for (Problem problem : PROBLEMS) {
             for (int depth : DEPTHS) {
-                trials.add(new Trial(problem, LIMIT, depth, () -> limited(reflectances, depth)));
+                trials.add(new Trial(problem.key, LIMIT, depth, () -> problem.limited.apply(depth)));
             }
-            trials.add(new Trial(problem, PROGRAM, most, () -> programsCorridor(reflectances, most)));
-        });
-        for (int depth : DEPTHS) {
-            trials.add(new Trial(GLASS, LIMIT, depth, () -> glass(depth)));
+            trials.add(new Trial(problem.key, PROGRAM, most, () -> problem.program.apply(most)));
         }
-        trials.add(new Trial(GLASS, PROGRAM, most, () -> glass(most)));
         return trials;
     }
 
     /**
-     * A limit of depth alone. The mirrors are perfect, so that no ray gets faint, and what arrives is dimmed exactly: light
-     * that was reflected too often for the limit is missing altogether.
+     * Corridors with the reflectances of the mirrors above and below the camera. With a limit of depth alone the mirrors are
+     * perfect, so that no ray gets faint, and what arrives is dimmed exactly: light that was reflected too often for the
+     * limit is missing altogether.
      */
-    private static Figures limited(double[] reflectances, int depth) {
-        return measure(corridors(1, 1, depth), (direction, light) -> {
-            double exact = exact(reflectances, direction);
-            return light * exact - exact;
-        });
-    }
-
-    private static Figures programsCorridor(double[] reflectances, int depth) {
-        return measure(
-                corridors(reflectances[0], reflectances[1], depth),
-                (direction, light) -> light - exact(reflectances, direction));
+    private static Problem corridors(String key, String title, double share, double above, double below) {
+        return new Problem(
+                key,
+                title,
+                share,
+                depth -> measure(corridors(1, 1, depth), (direction, light) -> {
+                    double exact = exact(direction.y > 0 ? above : below, direction);
+                    return light * exact - exact;
+                }),
+                depth -> measure(
+                        corridors(above, below, depth),
+                        (direction, light) -> light - exact(direction.y > 0 ? above : below, direction)));
     }
 
     private static Figures glass(int depth) {
@@ -138,9 +134,9 @@ final class DepthStudy implements Study {
     }
 
     /** R^k, where k is how often light from the axis meets the mirrors at x = -1 and x = 1 before the wall. */
-    private static double exact(double[] reflectances, Vector3d direction) {
+    private static double exact(double reflectance, Vector3d direction) {
         double reflections = Math.floor((Math.abs(direction.x) / direction.z * LENGTH + 1) / 2);
-        return Math.pow(reflectances[direction.y > 0 ? 0 : 1], reflections);
+        return Math.pow(reflectance, reflections);
     }
 
     /** (1 - R)^2 (1 + R^2 + R^4 + ...): what is let through after 0, 2, 4, ... reflections inside. */
@@ -209,48 +205,43 @@ final class DepthStudy implements Study {
 
     @Override
     public List<Chart> charts() {
-        return List.of(
-                chart("R=0.90", "Corridor of mirrors, reflectance 0.90"),
-                chart(TWO_CORRIDORS, "Two corridors in one picture, reflectances 0.99 and 0.50"),
-                chart(GLASS, "Through a sheet of glass of index 3"));
-    }
-
-    private static Chart chart(String problem, String title) {
-        return new Chart(problem, title, Chart.across("rays", Measurement::rays), Chart.ERROR, true).withOwn(PROGRAM);
+        return PROBLEMS.stream()
+                .map(problem -> new Chart(
+                                problem.key, problem.title, Chart.across("rays", Measurement::rays), Chart.ERROR, true)
+                        .withOwn(PROGRAM))
+                .toList();
     }
 
     @Override
     public String answer(List<Measurement> all) {
-        double own = point(TWO_CORRIDORS, PROGRAM, all).rays();
-        return String.format(
-                Locale.ROOT,
+        double own = own(TWO_CORRIDORS, all).rays();
+        return Finding.text(
                 "In one corridor both ways cost the same, if one only knew the right depth beforehand. Where a picture holds dim"
                         + " and bright mirrors, no depth is right for both: the limit that is as exact follows %.1f times as"
                         + " many rays as the program, which ends each ray when it can bring less than 1/%.0f of the light. That"
                         + " is less than a step of an 8-bit picture. (Limits that leave nothing out are exact; an error of 0 has"
                         + " no place on a logarithmic axis.)",
-                cheapestLimit(TWO_CORRIDORS, all) / own,
-                1 / Ray.FAINTEST);
+                cheapestLimit(TWO_CORRIDORS, all) / own, 1 / Ray.FAINTEST);
     }
 
     @Override
     public List<Finding> findings(List<Measurement> all) {
         List<Finding> findings = new ArrayList<>();
-        for (Chart chart : charts()) {
-            Measurement own = point(chart.problem(), PROGRAM, all);
+        for (Problem problem : PROBLEMS) {
+            Measurement own = own(problem.key, all);
             findings.add(Finding.of(
                     own.maximum() <= Ray.FAINTEST,
-                    chart.title() + ": largest error of the program",
-                    String.format(Locale.ROOT, "at most 1/%.0f = %.2g", 1 / Ray.FAINTEST, Ray.FAINTEST),
+                    problem.title + ": largest error of the program",
+                    Finding.text("at most 1/%.0f = %.2g", 1 / Ray.FAINTEST, Ray.FAINTEST),
                     "%.2g",
                     own.maximum()));
-            double cheapest = cheapestLimit(chart.problem(), all);
+            double cheapest = cheapestLimit(problem.key, all);
             findings.add(Finding.of(
-                    own.rays() <= cheapest * (chart.problem().equals(TWO_CORRIDORS) ? CLEARLY_LESS : 1),
-                    chart.title() + ": rays of the program",
-                    chart.problem().equals(TWO_CORRIDORS)
-                            ? "at most 0.7 times those of the cheapest limit that is as exact"
-                            : "at most those of the cheapest limit that is as exact",
+                    own.rays() <= cheapest * problem.share,
+                    problem.title + ": rays of the program",
+                    Finding.text(
+                            "at most %sthose of the cheapest limit that is as exact",
+                            problem.share < 1 ? problem.share + " times " : ""),
                     "%.0f; the limit's %.0f",
                     own.rays(),
                     cheapest));
@@ -258,14 +249,14 @@ final class DepthStudy implements Study {
         return findings;
     }
 
-    private static Measurement point(String problem, String method, List<Measurement> all) {
-        return Measurement.of(problem, method, all).get(0);
+    private static Measurement own(String problem, List<Measurement> all) {
+        return Measurement.of(problem, PROGRAM, all).get(0);
     }
 
     private static double cheapestLimit(String problem, List<Measurement> all) {
-        double error = point(problem, PROGRAM, all).error().middle();
+        double error = own(problem, all).medianError();
         return Measurement.of(problem, LIMIT, all).stream()
-                .filter(limit -> limit.error().middle() <= error * (1 + 1e-9))
+                .filter(limit -> limit.medianError() <= error * (1 + 1e-9))
                 .mapToDouble(Measurement::rays)
                 .min()
                 .orElse(Double.POSITIVE_INFINITY);

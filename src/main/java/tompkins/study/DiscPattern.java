@@ -1,6 +1,8 @@
 package tompkins.study;
 
 import java.util.SplittableRandom;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
 import org.hipparchus.analysis.integration.gauss.GaussIntegrator;
 import org.hipparchus.analysis.integration.gauss.GaussIntegratorFactory;
 
@@ -20,29 +22,28 @@ final class DiscPattern extends SamplePattern {
     private double sine;
     private int[] pairs;
 
-    private DiscPattern(long seed, double[] radii, double[] angles, double[] weights, boolean pixelToo) {
+    private DiscPattern(
+            long seed,
+            int samples,
+            IntToDoubleFunction radius,
+            IntToDoubleFunction angle,
+            IntToDoubleFunction weight,
+            boolean pixelToo) {
         super(seed);
-        this.weights = weights;
-        discX = new double[radii.length];
-        discY = new double[radii.length];
-        for (int i = 0; i < radii.length; i++) {
-            discX[i] = radii[i] * Math.cos(angles[i]);
-            discY[i] = radii[i] * Math.sin(angles[i]);
-        }
-        pixelPlaces = pixelToo ? ShiftedPattern.additive(seed, radii.length, true) : null;
+        discX = table(samples, i -> radius.applyAsDouble(i) * Math.cos(angle.applyAsDouble(i)));
+        discY = table(samples, i -> radius.applyAsDouble(i) * Math.sin(angle.applyAsDouble(i)));
+        weights = table(samples, weight);
+        pixelPlaces = pixelToo ? ShiftedPattern.additive(seed, samples, true) : null;
+    }
+
+    private static double[] table(int samples, IntToDoubleFunction value) {
+        return IntStream.range(0, samples).mapToDouble(value).toArray();
     }
 
     /** {@link SamplingMethod#VOGEL} (Vogel 1979). */
     static DiscPattern vogel(long seed, int samples, boolean pixelToo) {
-        double[] radii = new double[samples];
-        double[] angles = new double[samples];
-        double[] weights = new double[samples];
-        for (int i = 0; i < samples; i++) {
-            radii[i] = Math.sqrt((i + 0.5) / samples);
-            angles[i] = i * GOLDEN_ANGLE;
-            weights[i] = 1;
-        }
-        return new DiscPattern(seed, radii, angles, weights, pixelToo);
+        return new DiscPattern(
+                seed, samples, i -> Math.sqrt((i + 0.5) / samples), i -> i * GOLDEN_ANGLE, i -> 1, pixelToo);
     }
 
     /** {@link SamplingMethod#GAUSS}: four times as many angles as radii, at least. */
@@ -50,16 +51,13 @@ final class DiscPattern extends SamplePattern {
         int rings = Math.max(1, (int) Math.round(Math.sqrt(samples) / 2));
         int spokes = samples / rings;
         GaussIntegrator rule = new GaussIntegratorFactory().legendre(rings, 0, 1);
-        double[] radii = new double[rings * spokes];
-        double[] angles = new double[rings * spokes];
-        double[] weights = new double[rings * spokes];
-        for (int i = 0; i < radii.length; i++) {
-            int ring = i % rings;
-            radii[i] = Math.sqrt(rule.getPoint(ring));
-            angles[i] = 2 * Math.PI * (i / rings) / spokes;
-            weights[i] = rule.getWeight(ring);
-        }
-        return new DiscPattern(seed, radii, angles, weights, pixelToo);
+        return new DiscPattern(
+                seed,
+                rings * spokes,
+                i -> Math.sqrt(rule.getPoint(i % rings)),
+                i -> 2 * Math.PI * (i / rings) / spokes,
+                i -> rule.getWeight(i % rings),
+                pixelToo);
     }
 
     @Override

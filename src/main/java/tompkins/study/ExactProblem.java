@@ -1,78 +1,67 @@
 package tompkins.study;
 
 import java.util.SplittableRandom;
+import java.util.function.Function;
 
 /** What a pixel may see through the lens, with the exact answer. */
 enum ExactProblem {
 
     /** A straight edge across the lens. */
-    EDGE("edge", "An edge seen through the lens", false) {
-        @Override
-        Instance instance(SplittableRandom random) {
-            double angle = 2 * Math.PI * random.nextDouble();
-            double cosine = Math.cos(angle);
-            double sine = Math.sin(angle);
-            double c = random.nextDouble(-0.9, 0.9);
-            return new Instance(place -> cosine * place.lensX + sine * place.lensY < c ? 1 : 0, DiscArea.below(c));
-        }
-    },
+    EDGE("edge", "An edge seen through the lens", false, random -> {
+        double angle = 2 * Math.PI * random.nextDouble();
+        double cosine = Math.cos(angle);
+        double sine = Math.sin(angle);
+        double c = random.nextDouble(-0.9, 0.9);
+        return new Instance(place -> cosine * place.lensX + sine * place.lensY < c ? 1 : 0, DiscArea.below(c));
+    }),
 
     /** A disc that covers a part of the lens. */
-    DISC("disc", "A disc seen through the lens", false) {
-        @Override
-        Instance instance(SplittableRandom random) {
-            double angle = 2 * Math.PI * random.nextDouble();
-            double distance = random.nextDouble(1);
-            double centreX = distance * Math.cos(angle);
-            double centreY = distance * Math.sin(angle);
-            double radius = random.nextDouble(0.3, 0.9);
-            return new Instance(
-                    place -> {
-                        double x = place.lensX - centreX;
-                        double y = place.lensY - centreY;
-                        return x * x + y * y < radius * radius ? 1 : 0;
-                    },
-                    DiscArea.overlap(distance, radius));
-        }
-    },
+    DISC("disc", "A disc seen through the lens", false, random -> {
+        double angle = 2 * Math.PI * random.nextDouble();
+        double distance = random.nextDouble(1);
+        double centreX = distance * Math.cos(angle);
+        double centreY = distance * Math.sin(angle);
+        double radius = random.nextDouble(0.3, 0.9);
+        return new Instance(
+                place -> {
+                    double x = place.lensX - centreX;
+                    double y = place.lensY - centreY;
+                    return x * x + y * y < radius * radius ? 1 : 0;
+                },
+                DiscArea.overlap(distance, radius));
+    }),
 
     /** A chequerboard. */
-    CHEQUER("chequer", "A chequerboard seen through the lens", false) {
-        @Override
-        Instance instance(SplittableRandom random) {
-            double angle = 2 * Math.PI * random.nextDouble();
-            double cosine = Math.cos(angle);
-            double sine = Math.sin(angle);
-            double side = random.nextDouble(0.5, 1);
-            double left = -3 + side * random.nextDouble();
-            double bottom = -3 + side * random.nextDouble();
-            return new Instance(
-                    place -> {
-                        int column = (int) ((cosine * place.lensX + sine * place.lensY - left) / side);
-                        int row = (int) ((cosine * place.lensY - sine * place.lensX - bottom) / side);
-                        return (column + row) % 2;
-                    },
-                    chequer(left, bottom, side));
-        }
-    },
+    CHEQUER("chequer", "A chequerboard seen through the lens", false, random -> {
+        double angle = 2 * Math.PI * random.nextDouble();
+        double cosine = Math.cos(angle);
+        double sine = Math.sin(angle);
+        double side = random.nextDouble(0.5, 1);
+        double left = -3 + side * random.nextDouble();
+        double bottom = -3 + side * random.nextDouble();
+        return new Instance(
+                place -> {
+                    int column = (int) ((cosine * place.lensX + sine * place.lensY - left) / side);
+                    int row = (int) ((cosine * place.lensY - sine * place.lensX - bottom) / side);
+                    return (column + row) % 2;
+                },
+                chequer(left, bottom, side));
+    }),
 
     /** An edge that sweeps over the lens from one side of the pixel to the other. */
-    SWEEP("edge-in-pixel", "An edge seen through the lens and the pixel", true) {
-        @Override
-        Instance instance(SplittableRandom random) {
-            double angle = 2 * Math.PI * random.nextDouble();
-            double cosine = Math.cos(angle);
-            double sine = Math.sin(angle);
-            double u = random.nextDouble(0.3, 1.5);
-            double v = random.nextDouble(0.3, 1.5);
-            double c = random.nextDouble(-0.9, 0.9);
-            return new Instance(
-                    place -> cosine * place.lensX + sine * place.lensY + u * (place.x - 0.5) + v * (place.y - 0.5) < c
-                            ? 1
-                            : 0,
-                    DiscArea.below(c, u, v));
-        }
-    };
+    SWEEP("edge-in-pixel", "An edge seen through the lens and the pixel", true, random -> {
+        double angle = 2 * Math.PI * random.nextDouble();
+        double cosine = Math.cos(angle);
+        double sine = Math.sin(angle);
+        double u = random.nextDouble(0.3, 1.5);
+        double v = random.nextDouble(0.3, 1.5);
+        double c = random.nextDouble(-0.9, 0.9);
+        return new Instance(
+                place -> cosine * place.lensX + sine * place.lensY + u * (place.x - 0.5) + v * (place.y - 0.5) < c
+                        ? 1
+                        : 0,
+                DiscArea.below(c, u, v));
+    });
 
     /** Something to be integrated. */
     @FunctionalInterface
@@ -95,14 +84,18 @@ enum ExactProblem {
     private final String key;
     private final String title;
     private final boolean pixelToo;
+    private final Function<SplittableRandom, Instance> instances;
 
-    ExactProblem(String key, String title, boolean pixelToo) {
+    ExactProblem(String key, String title, boolean pixelToo, Function<SplittableRandom, Instance> instances) {
         this.key = key;
         this.title = title;
         this.pixelToo = pixelToo;
+        this.instances = instances;
     }
 
-    abstract Instance instance(SplittableRandom random);
+    Instance instance(SplittableRandom random) {
+        return instances.apply(random);
+    }
 
     String key() {
         return key;

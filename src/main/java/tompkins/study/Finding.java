@@ -14,7 +14,12 @@ public record Finding(String criterion, String demanded, String found, boolean h
 
     /** A finding whose figures make a {@link String#format(String, Object...)} pattern. */
     static Finding of(boolean holds, String criterion, String demanded, String pattern, Object... figures) {
-        return new Finding(criterion, demanded, String.format(Locale.ROOT, pattern, figures), holds);
+        return new Finding(criterion, demanded, text(pattern, figures), holds);
+    }
+
+    /** A {@link String#format(String, Object...)} pattern with its figures, the same in all countries. */
+    static String text(String pattern, Object... figures) {
+        return String.format(Locale.ROOT, pattern, figures);
     }
 
     /** All in one line. */

@@ -20,16 +20,13 @@ final class Machine {
     }
 
     private static String processor() {
-        if (Files.isReadable(PROCESSORS)) {
-            try (Stream<String> lines = Files.lines(PROCESSORS)) {
-                return lines.filter(line -> line.startsWith("model name"))
-                        .findFirst()
-                        .map(line -> line.substring(line.indexOf(':') + 1).trim())
-                        .orElse("processor");
-            } catch (IOException unreadable) {
-                return "processor";
-            }
+        try (Stream<String> lines = Files.lines(PROCESSORS)) {
+            return lines.filter(line -> line.startsWith("model name"))
+                    .findFirst()
+                    .map(line -> line.substring(line.indexOf(':') + 1).trim())
+                    .orElse("processor");
+        } catch (IOException unreadable) {
+            return "processor";
         }
-        return "processor";
     }
 }

@@ -24,6 +24,16 @@ public record Measurement(
         double maximum,
         double floor) {
 
+    /** The error, or the figure in its place, in the middle of the runs. */
+    double medianError() {
+        return error.middle();
+    }
+
+    /** The time of one thread in the middle of the runs. */
+    double medianSeconds() {
+        return seconds.middle();
+    }
+
     /** The measurements of one method at one problem, of all those given and in their order. */
     static List<Measurement> of(String problem, String method, List<Measurement> all) {
         return all.stream()

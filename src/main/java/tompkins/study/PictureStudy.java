@@ -55,7 +55,7 @@ public final class PictureStudy {
                 .mapToObj(run -> small.withSettings(small.settings().withSeed(run)))
                 .toList();
         pinhole = !studio.camera().hasWideAperture();
-        pixels = ScenePixels.all(small, referenceSamples, Double.POSITIVE_INFINITY, cancelled);
+        pixels = new ScenePixels(small, ScenePixels.ALL, referenceSamples, Double.POSITIVE_INFINITY, cancelled);
     }
 
     /**

@@ -43,10 +43,10 @@ record PowerLaw(double slope, double factor, double rSquared) {
     /** The fall of the median error with a number; errors below three times the reference's own are left out. */
     static PowerLaw ofError(List<Measurement> points, ToDoubleFunction<Measurement> number) {
         List<Measurement> clear = points.stream()
-                .filter(point -> point.error().middle() > 3 * point.floor())
+                .filter(point -> point.medianError() > 3 * point.floor())
                 .toList();
         return fit(
                 clear.stream().mapToDouble(number).toArray(),
-                clear.stream().mapToDouble(point -> point.error().middle()).toArray());
+                clear.stream().mapToDouble(point -> point.medianError()).toArray());
     }
 }

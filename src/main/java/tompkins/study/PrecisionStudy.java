@@ -4,7 +4,6 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.SplittableRandom;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -151,18 +150,17 @@ final class PrecisionStudy implements Study {
     public String answer(List<Measurement> all) {
         Measurement single = Measurement.of(PIXELS, DirectionForm.SINGLE.title(), 1e4, all);
         Measurement own = Measurement.of(PIXELS, DirectionForm.HALF_ANGLE.title(), 1e4, all);
-        double singleNanoseconds = 1e9 * single.seconds().middle() / TIMED;
-        double ownNanoseconds = 1e9 * own.seconds().middle() / TIMED;
-        return String.format(
-                Locale.ROOT,
+        double singleNanoseconds = 1e9 * single.medianSeconds() / TIMED;
+        double ownNanoseconds = 1e9 * own.medianSeconds() / TIMED;
+        return Finding.text(
                 "In double precision, every form but the textbook's is good enough for the picture at any speed that can be"
                         + " asked for: a pixel is never missed by a hundredth of its width. Half angles alone also keep the"
                         + " direction in the scene, on which frequency and brightness depend, so the program uses them. Single"
                         + " precision is wrong by %.2g pixels at gamma 10^4 and saves %s: it takes %.1f ns for a direction,"
                         + " the program %.1f ns.",
-                single.error().middle(),
+                single.medianError(),
                 singleNanoseconds < ownNanoseconds
-                        ? String.format(Locale.ROOT, "%.1f ns", ownNanoseconds - singleNanoseconds)
+                        ? Finding.text("%.1f ns", ownNanoseconds - singleNanoseconds)
                         : "nothing",
                 singleNanoseconds,
                 ownNanoseconds);
@@ -178,27 +176,20 @@ final class PrecisionStudy implements Study {
         findings.add(slope(PIXELS, DirectionForm.MATRIX, 1, all));
         findings.add(slope(PIXELS, DirectionForm.HALF_ANGLE, 1, all));
         double worst = Measurement.of(PIXELS, DirectionForm.HALF_ANGLE.title(), Velocity.GUARANTEED_GAMMA, all)
-                .error()
-                .middle();
+                .medianError();
         findings.add(Finding.of(
                 worst < 0.01,
-                String.format(
-                        Locale.ROOT, "The program's largest error at gamma %.0g, in pixels", Velocity.GUARANTEED_GAMMA),
+                Finding.text("The program's largest error at gamma %.0g, in pixels", Velocity.GUARANTEED_GAMMA),
                 "below 0.01",
                 "%.2g",
                 worst));
         double law = 3 * FLOAT_ROUNDING * 1e4 / PIXEL;
-        double single = Measurement.of(PIXELS, DirectionForm.SINGLE.title(), 1e4, all)
-                .error()
-                .middle();
+        double single =
+                Measurement.of(PIXELS, DirectionForm.SINGLE.title(), 1e4, all).medianError();
         findings.add(Finding.of(
                 single >= law / 4 && single <= 4 * law,
                 "Single precision at gamma 1e4, in pixels",
-                String.format(
-                        Locale.ROOT,
-                        "%.2g to %.2g (4 times the law 3 u gamma/pixel angle, or a quarter)",
-                        law / 4,
-                        4 * law),
+                Finding.text("%.2g to %.2g (4 times the law 3 u gamma/pixel angle, or a quarter)", law / 4, 4 * law),
                 "%.2g",
                 single));
         return findings;
@@ -207,7 +198,7 @@ final class PrecisionStudy implements Study {
     /** The power of gamma with which the error of a form grows. */
     static PowerLaw law(String problem, DirectionForm form, List<Measurement> all) {
         List<Measurement> points = Measurement.of(problem, form.title(), all).stream()
-                .filter(point -> point.setting() >= 10 && point.error().middle() < 0.1)
+                .filter(point -> point.setting() >= 10 && point.medianError() < 0.1)
                 .toList();
         return PowerLaw.ofError(points, Measurement::setting);
     }
@@ -217,7 +208,7 @@ final class PrecisionStudy implements Study {
         return Finding.of(
                 Math.abs(slope - expected) <= 0.1,
                 form.title() + ": power of gamma with which the error grows, in " + problem,
-                String.format(Locale.ROOT, "%.1f to %.1f (theory: %d)", expected - 0.1, expected + 0.1, expected),
+                Finding.text("%.1f to %.1f (theory: %d)", expected - 0.1, expected + 0.1, expected),
                 "%.2f",
                 slope);
     }

@@ -3,7 +3,6 @@ package tompkins.study;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.CancellationException;
 import tompkins.image.LinearImage;
@@ -129,23 +128,17 @@ final class PreviewStudy implements Study {
             Measurement blocks = Measurement.of(name, BLOCKS, STRIDES[0], all);
             Measurement first = Measurement.of(name, PROGRAM, STRIDES[0], all);
             Measurement last = Measurement.of(name, PROGRAM, STRIDES[STRIDES.length - 1], all);
-            slowest = Math.max(slowest, first.seconds().middle());
-            left = Math.max(left, first.error().middle() / blocks.error().middle());
-            each.append(String.format(
-                    Locale.ROOT,
+            slowest = Math.max(slowest, first.medianSeconds());
+            left = Math.max(left, first.medianError() / blocks.medianError());
+            each.append(Finding.text(
                     " The first preview of %s comes after %.0f ms (in blocks %.0f ms), that of every second pixel after %.0f ms.",
-                    name,
-                    1e3 * first.seconds().middle(),
-                    1e3 * blocks.seconds().middle(),
-                    1e3 * last.seconds().middle()));
+                    name, 1e3 * first.medianSeconds(), 1e3 * blocks.medianSeconds(), 1e3 * last.medianSeconds()));
         }
-        return String.format(
-                        Locale.ROOT,
+        return Finding.text(
                         "A first picture is there after %.0f ms at most (the eye notices a delay from about 100 ms on), and each finer"
                                 + " one is better. The window interpolates between its pixels, which leaves at most %.0f %% of the error"
                                 + " of blocks.",
-                        1e3 * slowest,
-                        100 * left)
+                        1e3 * slowest, 100 * left)
                 + each;
     }
 
@@ -153,23 +146,20 @@ final class PreviewStudy implements Study {
     public List<Finding> findings(List<Measurement> all) {
         List<Finding> findings = new ArrayList<>();
         for (String name : studios.keySet()) {
-            double blocks =
-                    Measurement.of(name, BLOCKS, STRIDES[0], all).error().middle();
-            double first =
-                    Measurement.of(name, PROGRAM, STRIDES[0], all).error().middle();
+            double blocks = Measurement.of(name, BLOCKS, STRIDES[0], all).medianError();
+            double first = Measurement.of(name, PROGRAM, STRIDES[0], all).medianError();
             double last = Measurement.of(name, PROGRAM, STRIDES[STRIDES.length - 1], all)
-                    .error()
-                    .middle();
+                    .medianError();
             findings.add(Finding.of(
                     first < blocks,
                     name + ": error of the first preview, interpolated",
-                    String.format(Locale.ROOT, "below %.2g, that of blocks", blocks),
+                    Finding.text("below %.2g, that of blocks", blocks),
                     "%.2g",
                     first));
             findings.add(Finding.of(
                     last < first,
                     name + ": error of the preview at every second pixel",
-                    String.format(Locale.ROOT, "below %.2g, that of the first", first),
+                    Finding.text("below %.2g, that of the first", first),
                     "%.2g",
                     last));
         }

@@ -3,7 +3,6 @@ package tompkins.study;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
@@ -41,7 +40,8 @@ final class PromisedErrors {
     List<Trial> trials() {
         List<Trial> trials = new ArrayList<>();
         small.forEach((name, studio) -> {
-            ScenePixels pixels = ScenePixels.all(studio, referenceSamples, WANTED_REFERENCE_ERROR, () -> false);
+            ScenePixels pixels =
+                    new ScenePixels(studio, ScenePixels.ALL, referenceSamples, WANTED_REFERENCE_ERROR, () -> false);
             String lens = studio.camera().hasWideAperture() ? "wide apertures" : "pinholes";
             for (double promise : PROMISES) {
                 for (long run = seed; run < seed + SEEDS; run++) {
@@ -61,16 +61,14 @@ final class PromisedErrors {
     Chart chart() {
         return new Chart(
                         PROBLEM,
-                        String.format(
-                                Locale.ROOT,
-                                "Error found against error promised, all scenes (%.2f times is allowed)",
-                                TOLERANCE),
+                        Finding.text(
+                                "Error found against error promised, all scenes (%.2f times is allowed)", TOLERANCE),
                         Chart.setting("promised RMS error (--error)"),
                         Chart.ERROR,
                         false)
                 .withGuides(List.of(
                         new Chart.Guide("found = promised", 1),
-                        new Chart.Guide(String.format(Locale.ROOT, "%.2f times that", TOLERANCE), TOLERANCE)));
+                        new Chart.Guide(Finding.text("%.2f times that", TOLERANCE), TOLERANCE)));
     }
 
     /** The share of the photographs that keep what was promised. */
@@ -102,9 +100,8 @@ final class PromisedErrors {
         return List.of(
                 Finding.of(
                         kept >= SHARE * runs.size(),
-                        String.format(
-                                Locale.ROOT, "Photographs that err by at most %.2f times what was promised", TOLERANCE),
-                        String.format(Locale.ROOT, "%.0f %%", 100 * SHARE),
+                        Finding.text("Photographs that err by at most %.2f times what was promised", TOLERANCE),
+                        Finding.text("%.0f %%", 100 * SHARE),
                         "%d of %d; the worst errs by %.2f times (%s at %s)",
                         kept,
                         runs.size(),
@@ -114,14 +111,14 @@ final class PromisedErrors {
                 Finding.of(
                         reference <= MOST_REFERENCE_ERROR,
                         "Largest error of the references themselves, from the difference of their halves",
-                        String.format(Locale.ROOT, "at most %.4f, half of the smallest promise", MOST_REFERENCE_ERROR),
+                        Finding.text("at most %.4f, half of the smallest promise", MOST_REFERENCE_ERROR),
                         "%.5f",
                         reference));
     }
 
     /** The error, divided by what was promised, without that of the reference, which adds to it in squares. */
     private static double excess(Measurement point) {
-        double error = point.error().middle();
+        double error = point.medianError();
         return Math.sqrt(Math.max(0, error * error - point.floor() * point.floor())) / point.setting();
     }
 }

@@ -17,6 +17,8 @@ import tompkins.trace.SampleTracer;
 /** Pixels of a picture, spread evenly over it, whose light can be worked out with any pattern of samples. */
 final class ScenePixels {
 
+    static final int ALL = Integer.MAX_VALUE;
+
     private static final int MOST_REFERENCE_SAMPLES = 1 << 17;
 
     /** Samples of the reference for each pixel; half of them in each half. */
@@ -37,15 +39,12 @@ final class ScenePixels {
     /**
      * Some pixels of a picture.
      *
-     * @param pixels about how many
-     * @param referenceSamples samples per pixel of the reference
+     * @param pixels about how many; {@link #ALL} for all of them
+     * @param referenceSamples least number of samples per pixel of the reference
+     * @param wantedError the number is doubled until the reference errs by no more than this
+     * @param cancelled asked now and then whether to stop
      */
-    ScenePixels(Studio studio, int pixels, int referenceSamples) {
-        this(studio, pixels, referenceSamples, Double.POSITIVE_INFINITY, () -> false);
-    }
-
-    private ScenePixels(
-            Studio studio, int pixels, int referenceSamples, double wantedError, BooleanSupplier cancelled) {
+    ScenePixels(Studio studio, int pixels, int referenceSamples, double wantedError, BooleanSupplier cancelled) {
         plan = RenderPlan.of(studio);
         this.referenceSamples = referenceSamples;
         this.wantedError = wantedError;
@@ -54,18 +53,6 @@ final class ScenePixels {
         columns = (plan.width() + stride - 1) / stride;
         rows = (plan.height() + stride - 1) / stride;
         exposure = plan.exposure();
-    }
-
-    /**
-     * All pixels of a picture.
-     *
-     * @param referenceSamples least number of samples per pixel of the reference
-     * @param wantedError the number is doubled until the reference errs by no more than this
-     * @param cancelled asked now and then whether to stop
-     */
-    static ScenePixels all(Studio studio, int referenceSamples, double wantedError, BooleanSupplier cancelled) {
-        int pixels = studio.settings().width() * studio.settings().height();
-        return new ScenePixels(studio, pixels, referenceSamples, wantedError, cancelled);
     }
 
     private int count() {

@@ -4,7 +4,6 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
 import org.joml.Vector3d;
@@ -79,23 +78,21 @@ final class StabilityStudy implements Study {
     public List<Trial> trials() {
         List<Trial> trials = new ArrayList<>();
         for (Place place : PLACES) {
-            for (int method = 0; method < 2; method++) {
-                int which = method;
+            for (String method : List.of(STABLE, NAIVE)) {
                 for (int exponent = -1; exponent >= place.nearest; exponent--) {
                     double distance = Double.parseDouble("1e" + exponent);
-                    trials.add(new Trial(
-                            place.key, which == 0 ? STABLE : NAIVE, distance, () -> measure(place, which, distance)));
+                    trials.add(new Trial(place.key, method, distance, () -> measure(place, method, distance)));
                 }
             }
         }
         return trials;
     }
 
-    private Figures measure(Place place, int method, double distance) {
+    private Figures measure(Place place, String method, double distance) {
         SplittableRandom random = new SplittableRandom(seed);
         double[] errors = new double[CASES];
         for (int i = 0; i < CASES; i++) {
-            double error = place.worked.errors(distance, random)[method];
+            double error = place.worked.errors(distance, random)[method.equals(STABLE) ? 0 : 1];
             errors[i] = Math.min(NOTHING_LEFT, Double.isNaN(error) ? NOTHING_LEFT : Math.abs(error));
         }
         // what is exact to the last bit would have no place on a logarithmic axis
@@ -219,7 +216,7 @@ final class StabilityStudy implements Study {
             findings.add(Finding.of(
                     stable < GOOD && naive > MUCH * stable,
                     capital(place.title) + ": largest relative error",
-                    String.format(Locale.ROOT, "below %.0e; the textbook's is %.0f times larger or more", GOOD, MUCH),
+                    Finding.text("below %.0e; the textbook's is %.0f times larger or more", GOOD, MUCH),
                     "%.1g; the textbook's %.1g",
                     stable,
                     naive));
@@ -233,7 +230,7 @@ final class StabilityStudy implements Study {
 
     private static double worst(Place place, String method, List<Measurement> all) {
         return Measurement.of(place.key, method, all).stream()
-                .mapToDouble(point -> point.error().middle())
+                .mapToDouble(point -> point.medianError())
                 .max()
                 .orElse(Double.NaN);
     }

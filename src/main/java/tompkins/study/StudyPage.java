@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import tompkins.ray.Ray;
 import tompkins.render.Quality;
 import tompkins.sceneobject.ObjectTree;
@@ -36,8 +35,7 @@ public final class StudyPage {
      * @param program name and version of the program
      */
     public static String introduction(String program) {
-        return String.format(
-                Locale.ROOT,
+        return Finding.text(
                 """
                 # Speed and accuracy
 
@@ -100,8 +98,7 @@ public final class StudyPage {
         }
         text.append("\n| criterion | demanded | found | met |\n|---|---|---|---|\n");
         for (Finding finding : study.findings(all)) {
-            text.append(String.format(
-                    Locale.ROOT,
+            text.append(Finding.text(
                     "| %s | %s | %s | %s |\n",
                     finding.criterion(),
                     finding.demanded(),
@@ -109,7 +106,7 @@ public final class StudyPage {
                     finding.holds() ? "yes" : "**no: something is broken**"));
         }
         text.append("\nSettings: ").append(study.settings()).append(".\n");
-        text.append(String.format(Locale.ROOT, "Figures: [%s.csv](%s/%s.csv)\n", kind, name, kind));
+        text.append(Finding.text("Figures: [%s.csv](%s/%s.csv)\n", kind, name, kind));
     }
 
     /** Writes the page and says where it is. */

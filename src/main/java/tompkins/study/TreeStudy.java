@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.Supplier;
@@ -179,22 +178,16 @@ final class TreeStudy implements Study {
 
     @Override
     public String answer(List<Measurement> all) {
-        double gain = Double.NaN;
-        for (Measurement list : Measurement.of(SPHERES, LIST, all)) {
-            gain = list.seconds().middle() / seconds(TREE, list.setting(), all);
-        }
+        List<Measurement> lists = Measurement.of(SPHERES, LIST, all);
+        Measurement longest = lists.get(lists.size() - 1);
         double crossing = crossing(all);
-        return String.format(
-                Locale.ROOT,
+        return Finding.text(
                 "The time of a list grows with the number of objects, that of a tree far more slowly. The median of the tree is below that"
                         + " of the list from %s objects on; with %.0f objects the list takes %.1f times as long. The program builds"
                         + " a tree from %d objects on.",
-                crossing < Double.POSITIVE_INFINITY ? String.format(Locale.ROOT, "%.0f", crossing) : "no number of",
-                Measurement.of(SPHERES, LIST, all).stream()
-                        .mapToDouble(Measurement::setting)
-                        .max()
-                        .orElse(Double.NaN),
-                gain,
+                crossing < Double.POSITIVE_INFINITY ? Finding.text("%.0f", crossing) : "no number of",
+                longest.setting(),
+                longest.medianSeconds() / seconds(TREE, longest.setting(), all),
                 ObjectTree.SMALLEST_TREE);
     }
 
@@ -202,7 +195,7 @@ final class TreeStudy implements Study {
     private static double crossing(List<Measurement> all) {
         double crossing = Double.POSITIVE_INFINITY;
         for (Measurement list : Measurement.of(SPHERES, LIST, all)) {
-            boolean faster = seconds(TREE, list.setting(), all) < list.seconds().middle();
+            boolean faster = seconds(TREE, list.setting(), all) < list.medianSeconds();
             crossing = faster ? Math.min(crossing, list.setting()) : Double.POSITIVE_INFINITY;
         }
         return crossing;
@@ -213,7 +206,7 @@ final class TreeStudy implements Study {
         double slower = 0;
         double at = Double.NaN;
         for (Measurement list : Measurement.of(SPHERES, LIST, all)) {
-            double best = Math.min(list.seconds().middle(), seconds(TREE, list.setting(), all));
+            double best = Math.min(list.medianSeconds(), seconds(TREE, list.setting(), all));
             double ratio = seconds(PROGRAM, list.setting(), all) / best;
             if (list.setting() <= MANY && ratio > slower) {
                 slower = ratio;
@@ -225,7 +218,7 @@ final class TreeStudy implements Study {
                 Finding.of(
                         slower <= TOLERANCE,
                         "Median time of the program's choice, divided by the better of list and tree",
-                        String.format(Locale.ROOT, "at most %.1f for up to %d objects", TOLERANCE, MANY),
+                        Finding.text("at most %.1f for up to %d objects", TOLERANCE, MANY),
                         "%.2f (with %.0f objects)",
                         slower,
                         at),
@@ -238,6 +231,6 @@ final class TreeStudy implements Study {
     }
 
     private static double seconds(String method, double objects, List<Measurement> all) {
-        return Measurement.of(SPHERES, method, objects, all).seconds().middle();
+        return Measurement.of(SPHERES, method, objects, all).medianSeconds();
     }
 }
