@@ -83,11 +83,9 @@ final class AntialiasingStudy implements Study {
                         + " which is the cheapest picture there is.");
         for (String name : compared.keySet()) {
             for (Measurement centre : Measurement.of(name, PictureStudy.CENTRE, all)) {
-                double anywhere =
-                        Measurement.of(name, PictureStudy.ANYWHERE, all).get(0).medianError();
                 text.append(Finding.text(
                         " On %s its error is %.0f %% of that of a sample anywhere in the pixel.",
-                        name, 100 * centre.medianError() / anywhere));
+                        name, 100 * centre.medianError() / anywhere(name, all)));
             }
         }
         text.append(
@@ -109,17 +107,14 @@ final class AntialiasingStudy implements Study {
     public List<Finding> findings(List<Measurement> all) {
         List<Finding> findings = new ArrayList<>();
         for (String name : compared.keySet()) {
-            List<Measurement> centre = Measurement.of(name, PictureStudy.CENTRE, all);
-            if (!centre.isEmpty()) {
-                double anywhere =
-                        Measurement.of(name, PictureStudy.ANYWHERE, all).get(0).medianError();
-                double error = centre.get(0).medianError();
+            for (Measurement centre : Measurement.of(name, PictureStudy.CENTRE, all)) {
+                double anywhere = anywhere(name, all);
                 findings.add(Finding.of(
-                        error <= anywhere,
+                        centre.medianError() <= anywhere,
                         name + ": error of one sample in the centre of each pixel",
                         Finding.text("at most %.3g, that of one sample anywhere in it", anywhere),
                         "%.3g",
-                        error));
+                        centre.medianError()));
             }
             double saving = saving(name, all);
             findings.add(Finding.of(
@@ -131,6 +126,10 @@ final class AntialiasingStudy implements Study {
         }
         findings.addAll(PromisedErrors.findings(all));
         return findings;
+    }
+
+    private static double anywhere(String name, List<Measurement> all) {
+        return Measurement.of(name, PictureStudy.ANYWHERE, 1, all).medianError();
     }
 
     /** How many times fewer rays are needed for the same error, by the law fitted to the same number everywhere. */

@@ -18,6 +18,8 @@ final class PreviewStudy implements Study {
     private static final String BLOCKS = "coarse to fine, in blocks";
     private static final String PROGRAM = "coarse to fine, interpolated (the program)";
     private static final int[] STRIDES = {8, 4, 2};
+    private static final int FIRST = STRIDES[0];
+    private static final int LAST = STRIDES[STRIDES.length - 1];
     private static final int REPEATS = 5;
 
     private final Map<String, Studio> studios = new LinkedHashMap<>();
@@ -111,12 +113,10 @@ final class PreviewStudy implements Study {
 
     @Override
     public List<Chart> charts() {
-        List<Chart> charts = new ArrayList<>();
-        for (String name : studios.keySet()) {
-            charts.add(Chart.errorAgainstTime(name, name + ", previews at every 8th, 4th and 2nd pixel")
-                    .withOwn(PROGRAM));
-        }
-        return charts;
+        return studios.keySet().stream()
+                .map(name -> Chart.errorAgainstTime(name, name + ", previews at every 8th, 4th and 2nd pixel")
+                        .withOwn(PROGRAM))
+                .toList();
     }
 
     @Override
@@ -125,9 +125,9 @@ final class PreviewStudy implements Study {
         double left = 0;
         StringBuilder each = new StringBuilder();
         for (String name : studios.keySet()) {
-            Measurement blocks = Measurement.of(name, BLOCKS, STRIDES[0], all);
-            Measurement first = Measurement.of(name, PROGRAM, STRIDES[0], all);
-            Measurement last = Measurement.of(name, PROGRAM, STRIDES[STRIDES.length - 1], all);
+            Measurement blocks = Measurement.of(name, BLOCKS, FIRST, all);
+            Measurement first = Measurement.of(name, PROGRAM, FIRST, all);
+            Measurement last = Measurement.of(name, PROGRAM, LAST, all);
             slowest = Math.max(slowest, first.medianSeconds());
             left = Math.max(left, first.medianError() / blocks.medianError());
             each.append(Finding.text(
@@ -146,10 +146,9 @@ final class PreviewStudy implements Study {
     public List<Finding> findings(List<Measurement> all) {
         List<Finding> findings = new ArrayList<>();
         for (String name : studios.keySet()) {
-            double blocks = Measurement.of(name, BLOCKS, STRIDES[0], all).medianError();
-            double first = Measurement.of(name, PROGRAM, STRIDES[0], all).medianError();
-            double last = Measurement.of(name, PROGRAM, STRIDES[STRIDES.length - 1], all)
-                    .medianError();
+            double blocks = Measurement.of(name, BLOCKS, FIRST, all).medianError();
+            double first = Measurement.of(name, PROGRAM, FIRST, all).medianError();
+            double last = Measurement.of(name, PROGRAM, LAST, all).medianError();
             findings.add(Finding.of(
                     first < blocks,
                     name + ": error of the first preview, interpolated",

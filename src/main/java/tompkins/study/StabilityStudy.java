@@ -215,17 +215,13 @@ final class StabilityStudy implements Study {
             double naive = worst(place, NAIVE, all);
             findings.add(Finding.of(
                     stable < GOOD && naive > MUCH * stable,
-                    capital(place.title) + ": largest relative error",
+                    StudyPage.heading(place.title) + ": largest relative error",
                     Finding.text("below %.0e; the textbook's is %.0f times larger or more", GOOD, MUCH),
                     "%.1g; the textbook's %.1g",
                     stable,
                     naive));
         }
         return findings;
-    }
-
-    private static String capital(String text) {
-        return Character.toUpperCase(text.charAt(0)) + text.substring(1);
     }
 
     private static double worst(Place place, String method, List<Measurement> all) {

@@ -88,9 +88,8 @@ public final class StudyPage {
 
     /** Adds a study: writes its charts, and puts them and its findings on the page. */
     public void add(StudyKind kind, Study study, List<Measurement> all) throws IOException {
-        text.append("\n## ").append(heading(kind.toString())).append("\n\n");
-        text.append(study.question()).append("\n\n");
-        text.append(study.answer(all)).append("\n\n");
+        text.append(
+                "\n## " + heading(kind.toString()) + "\n\n" + study.question() + "\n\n" + study.answer(all) + "\n\n");
         for (Chart chart : study.charts()) {
             String file = name + "/" + kind + "-" + chart.problem() + ".png";
             StudyData.replace(folder.resolve(file), ChartDrawing.png(chart, all));
@@ -120,7 +119,8 @@ public final class StudyPage {
         return folder.resolve(name + ".md");
     }
 
-    private static String heading(String name) {
-        return Character.toUpperCase(name.charAt(0)) + name.substring(1);
+    /** A text that begins with a capital. */
+    static String heading(String text) {
+        return Character.toUpperCase(text.charAt(0)) + text.substring(1);
     }
 }

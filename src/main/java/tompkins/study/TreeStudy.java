@@ -39,6 +39,9 @@ final class TreeStudy implements Study {
     private final long seed;
     private final int mostObjects;
 
+    /** What was found of all methods, by number of objects. */
+    private final Map<Integer, Map<String, Figures>> races = new HashMap<>();
+
     /** The study, up to a number of objects. */
     TreeStudy(long seed, int mostObjects) {
         this.seed = seed;
@@ -67,9 +70,12 @@ final class TreeStudy implements Study {
                 if (objects > mostObjects) {
                     break;
                 }
-                Race race = new Race(objects);
                 for (String method : objects <= LONGEST_LIST ? METHODS : METHODS_FOR_MANY) {
-                    trials.add(new Trial(SPHERES, method, objects, () -> race.figures(method)));
+                    trials.add(new Trial(
+                            SPHERES,
+                            method,
+                            objects,
+                            () -> races.computeIfAbsent(objects, this::race).get(method)));
                 }
             }
         }
@@ -77,49 +83,32 @@ final class TreeStudy implements Study {
     }
 
     /** All methods with the same objects and rays, in turns, so that whatever else the machine does disturbs all alike. */
-    private final class Race {
-
-        private final int objects;
-        private Map<String, Figures> figures;
-
-        Race(int objects) {
-            this.objects = objects;
+    private Map<String, Figures> race(int objects) {
+        List<Primitive> primitives = spheres(objects);
+        Ray[] rays = rays();
+        Map<String, Supplier<ObjectTree>> methods = new LinkedHashMap<>();
+        if (objects <= LONGEST_LIST) {
+            methods.put(LIST, () -> new ObjectTree(primitives, Integer.MAX_VALUE));
         }
-
-        Figures figures(String method) {
-            if (figures == null) {
-                figures = measured();
-            }
-            return figures.get(method);
+        methods.put(TREE, () -> new ObjectTree(primitives, 1));
+        methods.put(PROGRAM, () -> new ObjectTree(primitives));
+        if (objects <= LONGEST_LIST) {
+            methods.values().forEach(method -> Stopwatch.warmUp(() -> search(method.get(), rays)));
         }
-
-        private Map<String, Figures> measured() {
-            List<Primitive> primitives = spheres(objects);
-            Ray[] rays = rays();
-            Map<String, Supplier<ObjectTree>> methods = new LinkedHashMap<>();
-            if (objects <= LONGEST_LIST) {
-                methods.put(LIST, () -> new ObjectTree(primitives, Integer.MAX_VALUE));
+        int repeats = objects <= MANY ? MANY_REPEATS : REPEATS;
+        Map<String, double[]> seconds = new HashMap<>();
+        for (int run = 0; run < repeats; run++) {
+            for (String method : methods.keySet()) {
+                seconds.computeIfAbsent(method, first -> new double[repeats])[run] =
+                        Stopwatch.seconds(() -> search(methods.get(method).get(), rays));
             }
-            methods.put(TREE, () -> new ObjectTree(primitives, 1));
-            methods.put(PROGRAM, () -> new ObjectTree(primitives));
-            if (objects <= LONGEST_LIST) {
-                methods.values().forEach(method -> Stopwatch.warmUp(() -> search(method.get(), rays)));
-            }
-            int repeats = objects <= MANY ? MANY_REPEATS : REPEATS;
-            Map<String, double[]> seconds = new HashMap<>();
-            for (int run = 0; run < repeats; run++) {
-                for (String method : methods.keySet()) {
-                    seconds.computeIfAbsent(method, first -> new double[repeats])[run] =
-                            Stopwatch.seconds(() -> search(methods.get(method).get(), rays));
-                }
-            }
-            Map<String, Figures> found = new HashMap<>();
-            methods.forEach((method, tree) -> {
-                int different = objects <= LONGEST_LIST ? differences(primitives, tree.get(), rays) : 0;
-                found.put(method, Figures.of(RAYS, Spread.of(seconds.get(method)), different));
-            });
-            return found;
         }
+        Map<String, Figures> figures = new HashMap<>();
+        methods.forEach((method, tree) -> {
+            int different = objects <= LONGEST_LIST ? differences(primitives, tree.get(), rays) : 0;
+            figures.put(method, Figures.of(RAYS, Spread.of(seconds.get(method)), different));
+        });
+        return figures;
     }
 
     private static double search(ObjectTree tree, Ray[] rays) {
