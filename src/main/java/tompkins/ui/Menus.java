@@ -43,6 +43,8 @@ final class Menus {
 
         void togglePlayPanel();
 
+        void showDocument(String page);
+
         void showKeys();
 
         void showAbout();
@@ -214,6 +216,10 @@ final class Menus {
 
     private JMenu helpMenu() {
         JMenu menu = menu("menu.help");
+        add(menu, "menu.tour", null, () -> commands.showDocument("tour.md"));
+        add(menu, "menu.manual", null, () -> commands.showDocument("window.md"));
+        add(menu, "menu.sceneFiles", null, () -> commands.showDocument("scene-files.md"));
+        menu.addSeparator();
         add(menu, "menu.keys", "F1", commands::showKeys);
         add(menu, "menu.cite", null, commands::showCitation);
         add(menu, "menu.about", null, commands::showAbout);

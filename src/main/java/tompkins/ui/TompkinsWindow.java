@@ -60,6 +60,7 @@ public final class TompkinsWindow {
     private final PlayPanel play;
     private final FileActions files;
     private final Menus menus;
+    private final HelpWindow help;
     private JDialog editor;
 
     private TompkinsWindow(Studio studio, Path file, CommandLineWriter commandLine) {
@@ -76,6 +77,7 @@ public final class TompkinsWindow {
         menus = new Menus(
                 files, new History(model, frame, this::pause, this::sayOtherScene), settings, new WindowCommands());
         frame.setJMenuBar(menus.bar());
+        help = new HelpWindow(frame, files::open);
         menus.bindOtherRedo(frame.getRootPane());
         frame.getRootPane().setTransferHandler(files.drop());
         bindPeekKey();
@@ -339,6 +341,11 @@ public final class TompkinsWindow {
         @Override
         public void togglePlayPanel() {
             play.setShown(!play.isShown());
+        }
+
+        @Override
+        public void showDocument(String page) {
+            help.show(HelpPage.of(page));
         }
 
         @Override

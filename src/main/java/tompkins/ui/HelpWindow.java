@@ -1,0 +1,245 @@
+package tompkins.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.net.URL;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Locale;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JDialog;
+import javax.swing.JEditorPane;
+import javax.swing.JFrame;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.KeyStroke;
+import javax.swing.ScrollPaneConstants;
+import javax.swing.SwingUtilities;
+import javax.swing.UIManager;
+import javax.swing.event.HyperlinkEvent;
+import javax.swing.text.BadLocationException;
+import javax.swing.text.Element;
+import javax.swing.text.html.HTMLDocument;
+import javax.swing.text.html.HTMLEditorKit;
+import javax.swing.text.html.StyleSheet;
+import tompkins.io.StudioReader;
+import tompkins.studio.Studio;
+import tompkins.ui.widget.Keys;
+import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Texts;
+
+/** Shows the documents that come with the program beside its window; links to scenes open them there. */
+final class HelpWindow {
+
+    /** Size at first, in sizes of the type. */
+    private static final double WIDTH = 54;
+
+    private static final double HEIGHT = 60;
+
+    /** Both sides of the text, with room for a scroll bar. */
+    private static final double MARGINS = 5;
+
+    private final JFrame owner;
+    private final Consumer<Studio> openScene;
+    private final JEditorPane text = new Text();
+    private final JButton back = new JButton(Texts.get("help.back"));
+    private final Deque<Place> past = new ArrayDeque<>();
+    private JDialog window;
+    private HelpPage page;
+
+    /** A page, and how far it was scrolled. */
+    private record Place(HelpPage page, Rectangle seen) {}
+
+    /**
+     * A window that is not shown yet.
+     *
+     * @param openScene shows the scene of a link
+     */
+    HelpWindow(JFrame owner, Consumer<Studio> openScene) {
+        this.owner = owner;
+        this.openScene = openScene;
+        text.setName("help.text");
+        text.setEditable(false);
+        text.putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
+        text.addHyperlinkListener(event -> {
+            if (event.getEventType() == HyperlinkEvent.EventType.ACTIVATED) {
+                follow(event.getURL(), event.getDescription());
+            }
+        });
+        back.setName("help.back");
+        back.addActionListener(event -> goBack());
+    }
+
+    /** Shows a page, from its top. */
+    void show(HelpPage wanted) {
+        if (window == null) {
+            window = new JDialog(owner);
+            window.setName("help");
+            window.setContentPane(content());
+            Keys.bindEscape(window.getRootPane(), () -> window.setVisible(false));
+            Keys.bind(window.getRootPane(), KeyStroke.getKeyStroke("alt LEFT"), this::goBack);
+            Rectangle room = owner.getGraphicsConfiguration().getBounds();
+            window.setSize(Math.min(room.width, Look.pixels(WIDTH)), Math.min(room.height, Look.pixels(HEIGHT)));
+            window.setLocationRelativeTo(owner);
+        }
+        goTo(wanted);
+        window.setVisible(true);
+        text.requestFocusInWindow();
+    }
+
+    private JPanel content() {
+        JPanel content = new JPanel(new BorderLayout());
+        JPanel bar = new JPanel(new BorderLayout());
+        bar.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 8));
+        bar.add(back, BorderLayout.LINE_START);
+        content.add(bar, BorderLayout.PAGE_START);
+        content.add(
+                new JScrollPane(
+                        text,
+                        ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS,
+                        ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED),
+                BorderLayout.CENTER);
+        return content;
+    }
+
+    private void goTo(HelpPage wanted) {
+        if (page != null && !wanted.equals(page)) {
+            past.push(new Place(page, text.getVisibleRect()));
+        }
+        put(wanted);
+        text.setCaretPosition(0);
+    }
+
+    private void goBack() {
+        if (!past.isEmpty()) {
+            Place place = past.pop();
+            put(place.page);
+            scrollTo(() -> place.seen);
+        }
+    }
+
+    private void put(HelpPage shown) {
+        page = shown;
+        HTMLEditorKit kit = new HTMLEditorKit();
+        StyleSheet style = new StyleSheet();
+        style.addStyleSheet(kit.getStyleSheet());
+        addRules(style);
+        HTMLDocument document = new HTMLDocument(style);
+        document.setBase(shown.url());
+        text.setEditorKit(kit);
+        text.setDocument(document);
+        text.setText(shown.html(Look.pixels(WIDTH - MARGINS)));
+        back.setEnabled(!past.isEmpty());
+        window.setTitle(heading(document));
+    }
+
+    private static String heading(HTMLDocument document) {
+        try {
+            String all = document.getText(0, document.getLength()).strip();
+            return Texts.get("help.title", all.lines().findFirst().orElse(""));
+        } catch (BadLocationException impossible) {
+            throw new IllegalStateException(impossible);
+        }
+    }
+
+    private static void addRules(StyleSheet style) {
+        String link = css("Component.linkColor");
+        String line = css("Tompkins.line");
+        style.addRule("body { margin: 4 16 16 16 }");
+        style.addRule("a { color: " + link + " }");
+        style.addRule("h1 { font-size: 160%; margin: 8 0 8 0 }");
+        style.addRule("h2 { font-size: 125%; margin: 16 0 4 0 }");
+        style.addRule("pre { margin: 8 0 8 16 }");
+        style.addRule("code { font-size: 100% }");
+        style.addRule("ul { margin: 4 0 4 24 }");
+        style.addRule("th, td { border: 1px solid " + line + "; padding: 3 }");
+    }
+
+    private static String css(String key) {
+        Color colour = UIManager.getColor(key);
+        return String.format(Locale.ROOT, "#%06x", colour.getRGB() & 0xffffff);
+    }
+
+    /** Opens a scene, or goes to another page or a heading. */
+    private void follow(URL url, String link) {
+        String file = link.replaceFirst("#.*", "");
+        String heading = link.substring(file.length()).replace("#", "");
+        if (file.endsWith(".json")) {
+            openScene.accept(scene(url));
+            return;
+        }
+        if (!file.isEmpty()) {
+            goTo(HelpPage.of(file));
+        }
+        if (!heading.isEmpty()) {
+            scrollTo(() -> placeOf(heading));
+        }
+    }
+
+    private static Studio scene(URL url) {
+        String name = url.getPath().replaceFirst(".*/", "");
+        try (InputStream in = url.openStream()) {
+            return StudioReader.read(new String(in.readAllBytes(), StandardCharsets.UTF_8), name, Path.of(""));
+        } catch (IOException missing) {
+            throw new UncheckedIOException(missing);
+        }
+    }
+
+    /** The part of the text that begins with a heading; where it is already if there is none of this name. */
+    private Rectangle placeOf(String heading) {
+        Element element = ((HTMLDocument) text.getDocument()).getElement(heading);
+        Rectangle seen = text.getVisibleRect();
+        if (element == null) {
+            return seen;
+        }
+        try {
+            int top = text.modelToView2D(element.getStartOffset()).getBounds().y;
+            return new Rectangle(0, top, 1, seen.height);
+        } catch (BadLocationException impossible) {
+            throw new IllegalStateException(impossible);
+        }
+    }
+
+    /** Scrolls to a place once the text has been laid out. */
+    private void scrollTo(Supplier<Rectangle> place) {
+        SwingUtilities.invokeLater(() -> {
+            window.validate();
+            text.scrollRectToVisible(place.get());
+        });
+    }
+
+    /** Text that takes the colours of a new look, with pictures that stay smooth when they are made smaller. */
+    private final class Text extends JEditorPane {
+
+        private static final long serialVersionUID = 1;
+
+        @Override
+        protected void paintComponent(Graphics graphics) {
+            ((Graphics2D) graphics)
+                    .setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BICUBIC);
+            super.paintComponent(graphics);
+        }
+
+        @Override
+        public void updateUI() {
+            super.updateUI();
+            if (page != null) {
+                Rectangle seen = getVisibleRect();
+                put(page);
+                scrollTo(() -> seen);
+            }
+        }
+    }
+}
