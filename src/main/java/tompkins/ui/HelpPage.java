@@ -19,7 +19,7 @@ import org.commonmark.renderer.html.HtmlRenderer;
 /**
  * A page of the documents that come with the program.
  *
- * @param url where it lies, in Markdown
+ * @param url where it lies, in Markdown or plain text
  */
 record HelpPage(URL url) {
 
@@ -41,12 +41,14 @@ record HelpPage(URL url) {
      * @param widest the most pixels in a row of a picture; wider ones are made smaller
      */
     String html(int widest) {
-        String markdown;
+        String content;
         try (InputStream in = url.openStream()) {
-            markdown = new String(in.readAllBytes(), StandardCharsets.UTF_8);
+            content = new String(in.readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException missing) {
             throw new UncheckedIOException(missing);
         }
+        // figures stay as they are, line by line
+        String markdown = url.getPath().endsWith(".md") ? content : content.indent(4);
         return HtmlRenderer.builder()
                 .extensions(EXTENSIONS)
                 .attributeProviderFactory(context -> (node, tag, attributes) -> {

@@ -107,6 +107,17 @@ class HelpWindowTest {
         }
     }
 
+    /** A page of all pages: they are inside the jar, with their figures. */
+    @Test
+    void figuresAreShownLineByLine() {
+        follow("speed-and-accuracy.md#aperture");
+        WindowDriver.await("the studies", () -> title().equals("Speed and accuracy - Tompkins"));
+
+        follow("speed-and-accuracy/stability.csv");
+
+        WindowDriver.await("the figures", () -> title().equals("# study: stability - Tompkins"));
+    }
+
     @Test
     void aNewLookIsTaken() {
         driver.menu("look.PROJECTOR");
