@@ -82,7 +82,9 @@ class DocumentLinksTest {
         return Files.exists(target) && (parts.length == 1 || anchors(target).contains(parts[1]));
     }
 
-    /** The names that headings get where pages are shown: small letters, hyphens for spaces, numbers for repetitions. */
+    /**
+     * The names that headings get where pages are shown: small letters, hyphens for spaces, numbers for repetitions.
+     */
     private static List<String> anchors(Path page) {
         try {
             Map<String, Integer> seen = new HashMap<>();

@@ -16,9 +16,9 @@ import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleTracer;
 
 /**
- * How many samples the wide aperture of Fig. 3(a) needs: those that the program takes for a promised error, against random points
- * of pixel and lens for the error that it reached. The error is that of some of the pixels, chosen at random, against many
- * more samples with another seed.
+ * How many samples the wide aperture of Fig. 3(a) needs: those that the program takes for a promised error, against
+ * random points of pixel and lens for the error that it reached. The error is that of some of the pixels, chosen at
+ * random, against many more samples with another seed.
  */
 final class Convergence {
 

@@ -19,8 +19,9 @@ import tompkins.studio.PaperStudios;
 import tompkins.trace.RenderPlan;
 
 /**
- * Begins Fig. 3(a) with 3840 x 2160 pixels and 64 samples in a process of its own, cancels it after a while and saves what is
- * there. Memory does not depend on how far the picture is: film, image and file are there from the first sample.
+ * Begins Fig. 3(a) with 3840 x 2160 pixels and 64 samples in a process of its own, cancels it after a while and saves
+ * what is there. Memory does not depend on how far the picture is: film, image and file are there from the first
+ * sample.
  */
 final class LargePicture {
 

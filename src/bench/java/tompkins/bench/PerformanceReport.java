@@ -23,8 +23,8 @@ import tompkins.studio.SceneFiles;
 import tompkins.studio.Studio;
 
 /**
- * Measures everything, prints the table of targets, and writes {@code docs/performance.md}. With the argument {@code quick} it
- * takes a minute or two to see that all works, and writes to {@code target/performance.md} instead.
+ * Measures everything, prints the table of targets, and writes {@code docs/performance.md}. With the argument
+ * {@code quick} it takes a minute or two to see that all works, and writes to {@code target/performance.md} instead.
  */
 final class PerformanceReport {
 
@@ -72,8 +72,8 @@ final class PerformanceReport {
     }
 
     /**
-     * The paper's two figures, alternating with one thread, two threads and POV-Ray. POV-Ray is compared at four times the
-     * size: at 640 x 480 a good part of its time is the start of its threads.
+     * The paper's two figures, alternating with one thread, two threads and POV-Ray. POV-Ray is compared at four times
+     * the size: at 640 x 480 a good part of its time is the start of its threads.
      */
     private void figures() throws InterruptedException {
         int rounds = quick ? 10 : 40;

@@ -30,7 +30,10 @@ final class Picture implements AutoCloseable {
         renderer = new Renderer(threads);
     }
 
-    /** Takes the picture some times, from the plan to the last pixel; the prepared scene is taken over, as the window does. */
+    /**
+     * Takes the picture some times, from the plan to the last pixel; the prepared scene is taken over, as the window
+     * does.
+     */
     void take(int times) throws InterruptedException {
         for (int i = 0; i < times; i++) {
             take();

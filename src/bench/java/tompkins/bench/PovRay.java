@@ -6,7 +6,9 @@ import java.nio.file.Path;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Renders the paper's scene with POV-Ray 3.7, if it is installed, and reads the time of tracing from what it prints. */
+/**
+ * Renders the paper's scene with POV-Ray 3.7, if it is installed, and reads the time of tracing from what it prints.
+ */
 final class PovRay {
 
     private static final Path SCENE = Path.of("src/bench/povray/figure.pov");

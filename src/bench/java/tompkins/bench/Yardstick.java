@@ -3,8 +3,8 @@ package tompkins.bench;
 import java.util.Locale;
 
 /**
- * What a figure of the paper takes elsewhere: with programs that are not run here, on the machine where they were measured, and
- * with POV-Ray, which was run there and is run here. How it does here tells how fast this machine is.
+ * What a figure of the paper takes elsewhere: with programs that are not run here, on the machine where they were
+ * measured, and with POV-Ray, which was run there and is run here. How it does here tells how fast this machine is.
  *
  * @param figure name of the figure
  * @param drTim milliseconds of Dr TIM

@@ -25,7 +25,9 @@ final class BundledScenes {
     private static final String FOLDER = "/scenes/";
     private static final String FIRST = "fig1b.json";
 
-    /** The topics that come first, for they show what the program is for; the others follow in the order of their files. */
+    /**
+     * The topics that come first, for they show what the program is for; the others follow in the order of their files.
+     */
     private static final List<String> FIRST_TOPICS = List.of("Figures of the paper", "Relativity");
 
     private BundledScenes() {}
@@ -56,7 +58,10 @@ final class BundledScenes {
         }
     }
 
-    /** All scenes as a menu lists them, by topic and then by the names of their files; those that cannot be read are left out. */
+    /**
+     * All scenes as a menu lists them, by topic and then by the names of their files; those that cannot be read are
+     * left out.
+     */
     static List<Studio> studios() {
         try {
             return all().stream()

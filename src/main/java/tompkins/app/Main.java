@@ -16,8 +16,8 @@ public final class Main {
     private Main() {}
 
     /**
-     * Runs the program and ends the Java machine with the exit code: 0, 1 (a failure such as a full disk), or 2 (a mistake
-     * in the arguments or in a scene).
+     * Runs the program and ends the Java machine with the exit code: 0, 1 (a failure such as a full disk), or 2 (a
+     * mistake in the arguments or in a scene).
      */
     public static void main(String[] arguments) {
         WatchedStream out = new WatchedStream(new FileOutputStream(FileDescriptor.out));

@@ -45,8 +45,8 @@ final class Photographer {
     }
 
     /**
-     * Takes the picture of a scene file into a folder, under its own name or, where that is taken, with a number. A photograph of the
-     * same scene is replaced, and nothing else.
+     * Takes the picture of a scene file into a folder, under its own name or, where that is taken, with a number. A
+     * photograph of the same scene is replaced, and nothing else.
      */
     void takeDefault(Path file, Path folder) throws IOException, InterruptedException {
         Studio studio = StudioReader.read(file);
@@ -74,7 +74,9 @@ final class Photographer {
         }
     }
 
-    /** The name of the picture of a scene, in a folder: {@code scene.png}, or {@code scene-again.png} for a photograph. */
+    /**
+     * The name of the picture of a scene, in a folder: {@code scene.png}, or {@code scene-again.png} for a photograph.
+     */
     static Path targetOf(Path scene, Path folder) {
         String name = scene.getFileName().toString();
         int dot = name.lastIndexOf('.');
@@ -112,7 +114,9 @@ final class Photographer {
         }
     }
 
-    /** Refuses a picture that could not be saved or held, before any time is spent on it; leaves everything as it was. */
+    /**
+     * Refuses a picture that could not be saved or held, before any time is spent on it; leaves everything as it was.
+     */
     static void requirePossible(Studio studio, Quality quality, Path target, boolean replace) {
         if (!replace && Files.exists(target)) {
             throw new MistakeException(target + ": there is a file of this name already; --force replaces it");
@@ -174,8 +178,8 @@ final class Photographer {
     }
 
     /**
-     * The format for a picture's file: the wish, if there is one; or that of the photograph that is taken again, if the file's
-     * name allows it; or the usual one for the name.
+     * The format for a picture's file: the wish, if there is one; or that of the photograph that is taken again, if the
+     * file's name allows it; or the usual one for the name.
      */
     static PictureFormat formatFor(Path file, PictureFormat wish, Path scene) {
         try {

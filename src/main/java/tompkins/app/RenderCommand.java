@@ -91,8 +91,9 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     /**
-     * Finds the mistakes of all scenes first: nobody wants to hear of the last one after the others took an hour. Keeps none of the
-     * scenes, which are read again when it is their turn: all at once they may be more than the memory holds.
+     * Finds the mistakes of all scenes first: nobody wants to hear of the last one after the others took an hour. Keeps
+     * none of the scenes, which are read again when it is their turn: all at once they may be more than the memory
+     * holds.
      */
     private void requireAllPossible() {
         Map<Path, Path> sources = new HashMap<>();

@@ -50,8 +50,8 @@ final class TompkinsCommand implements Callable<Integer> {
     private CommandSpec spec;
 
     /**
-     * The command line for some arguments. If they call a command it knows that one only: to look at all of them takes a tenth of
-     * a second of every start.
+     * The command line for some arguments. If they call a command it knows that one only: to look at all of them takes
+     * a tenth of a second of every start.
      */
     static CommandLine commandLine(String... arguments) {
         CommandLine commandLine = new CommandLine(new TompkinsCommand());

@@ -29,7 +29,9 @@ final class WatchedStream extends OutputStream {
         }
     }
 
-    /** The latest failure, or null if nothing was lost, or nobody wanted to read the rest, as with {@code | head -1}. */
+    /**
+     * The latest failure, or null if nothing was lost, or nobody wanted to read the rest, as with {@code | head -1}.
+     */
     IOException failure() {
         boolean closedPipe = failure != null
                 && failure.getMessage() != null

@@ -137,8 +137,8 @@ final class WindowCommandLine implements CommandLineWriter {
     }
 
     /**
-     * The whole path of a file, for any folder, as a shell takes it for one word; Windows has other shells, and other letters
-     * in names.
+     * The whole path of a file, for any folder, as a shell takes it for one word; Windows has other shells, and other
+     * letters in names.
      */
     private static String quoted(Path file) {
         String name = file.toAbsolutePath().toString();

@@ -28,8 +28,8 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
     }
 
     /**
-     * The distance of what is in focus in the middle of the picture: above 0 in front of the camera, below 0 behind it, not
-     * finite if nothing is.
+     * The distance of what is in focus in the middle of the picture: above 0 in front of the camera, below 0 behind it,
+     * not finite if nothing is.
      */
     double focusDistance();
 
@@ -40,8 +40,8 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
     double horizontalAngleDegrees();
 
     /**
-     * The same camera with another angle between the left and the right edge of the picture. The other angle changes with it,
-     * so that pixels keep their shape, as far as possible.
+     * The same camera with another angle between the left and the right edge of the picture. The other angle changes
+     * with it, so that pixels keep their shape, as far as possible.
      *
      * @throws tompkins.property.InvalidPropertyException if no picture is so wide
      */

@@ -7,8 +7,8 @@ import tompkins.property.InvalidPropertyException;
 import tompkins.property.Require;
 
 /**
- * The axes of a camera as unit vectors: right = up x forward, which in left-handed axes is x for a camera that looks along z
- * with y up.
+ * The axes of a camera as unit vectors: right = up x forward, which in left-handed axes is x for a camera that looks
+ * along z with y up.
  */
 record CameraAxes(Vector3dc right, Vector3dc up, Vector3dc forward) {
 

@@ -10,8 +10,8 @@ import tompkins.shutter.LensRay;
 public interface CameraRays {
 
     /**
-     * Makes the rays of some samples, in the camera frame. A sample that brings no light because it never crosses the shutter
-     * gets none.
+     * Makes the rays of some samples, in the camera frame. A sample that brings no light because it never crosses the
+     * shutter gets none.
      *
      * @param places the samples
      * @param rays receives the rays, which know their samples
@@ -27,8 +27,8 @@ public interface CameraRays {
     }
 
     /**
-     * What the shutter knows of the ray through the centre of the lens in a unit direction: focused where the camera is focused there
-     * if lens or shutter ask for that, otherwise, and where nothing is in focus, at infinity.
+     * What the shutter knows of the ray through the centre of the lens in a unit direction: focused where the camera is
+     * focused there if lens or shutter ask for that, otherwise, and where nothing is in focus, at infinity.
      */
     LensRay chiefRay(Vector3dc direction);
 

@@ -25,8 +25,8 @@ final class FocusSurface {
     }
 
     /**
-     * The inverse of the signed distance from the centre of the lens to the surface along a unit direction: of the nearest
-     * part in front, else of the nearest behind, 0 at infinity; NaN if the line misses the surface.
+     * The inverse of the signed distance from the centre of the lens to the surface along a unit direction: of the
+     * nearest part in front, else of the nearest behind, 0 at infinity; NaN if the line misses the surface.
      */
     double inverseDistance(Vector3dc centre, Vector3dc direction) {
         Ray line = Ray.from(centre.x(), centre.y(), centre.z(), direction.x(), direction.y(), direction.z(), 0);

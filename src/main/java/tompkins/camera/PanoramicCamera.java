@@ -12,8 +12,8 @@ import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpaceTimeTransformation;
 
 /**
- * A pinhole camera that sees in all directions: columns are even steps of longitude, rows even steps of latitude. Each pixel
- * has a detector of its own straight behind the pinhole, and is focused at one distance.
+ * A pinhole camera that sees in all directions: columns are even steps of longitude, rows even steps of latitude. Each
+ * pixel has a detector of its own straight behind the pinhole, and is focused at one distance.
  */
 @Meaning("A pinhole camera that sees all around: columns are steps of longitude, rows steps of latitude")
 public record PanoramicCamera(

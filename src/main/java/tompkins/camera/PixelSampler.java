@@ -4,18 +4,22 @@ import java.util.Arrays;
 import tompkins.ray.RayBlock;
 
 /**
- * Places in the pixel and on the lens for each sample of a pixel. They depend on the seed, the pixel and the number of the
- * sample alone, so that a picture does not depend on which thread took which sample. One for each thread.
+ * Places in the pixel and on the lens for each sample of a pixel. They depend on the seed, the pixel and the number of
+ * the sample alone, so that a picture does not depend on which thread took which sample. One for each thread.
  *
- * <p>The places are the points of a four-dimensional Sobol sequence, scrambled differently in each pixel (Owen scrambling by
- * hashing: Laine and Karras 2011): every power of two of first samples fills pixel and lens evenly.
- * Of the samplers that were compared it needs the least time for the same error of a picture (see the charts of the aperture
- * in docs/speed-and-accuracy.md). It works through a block in short loops, of which the compiler makes instructions for
- * several pixels at once: two thirds of the time of one pixel after the other, most of which goes into the lens.
+ * <p>The places are the points of a four-dimensional Sobol sequence, scrambled differently in each pixel (Owen
+ * scrambling by hashing: Laine and Karras 2011): every power of two of first samples fills pixel and lens evenly. Of
+ * the samplers that were compared it needs the least time for the same error of a picture (see the charts of the
+ * aperture in docs/speed-and-accuracy.md). It works through a block in short loops, of which the compiler makes
+ * instructions for several pixels at once: two thirds of the time of one pixel after the other, most of which goes into
+ * the lens.
  */
 public final class PixelSampler {
 
-    /** The number of the sample in the centre of the pixel and of the lens: the one that stands for all where one is enough. */
+    /**
+     * The number of the sample in the centre of the pixel and of the lens: the one that stands for all where one is
+     * enough.
+     */
     public static final int CENTRE = -1;
 
     private final int seed;
@@ -112,7 +116,9 @@ public final class PixelSampler {
         }
     }
 
-    /** A mixing of 32 bits in which every bit of the input changes half of the output (lowbias32 of C. Wellons, 2018). */
+    /**
+     * A mixing of 32 bits in which every bit of the input changes half of the output (lowbias32 of C. Wellons, 2018).
+     */
     static void hash(int[] values, int count) {
         for (int i = 0; i < count; i++) {
             int mixed = values[i];

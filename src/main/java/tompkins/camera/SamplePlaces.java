@@ -1,8 +1,8 @@
 package tompkins.camera;
 
 /**
- * The samples of a block: their pixels, and where they lie in the picture and on the lens. One for each thread, filled again for
- * each block.
+ * The samples of a block: their pixels, and where they lie in the picture and on the lens. One for each thread, filled
+ * again for each block.
  */
 public final class SamplePlaces {
 

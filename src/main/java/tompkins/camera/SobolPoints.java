@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.hipparchus.random.SobolSequenceGenerator;
 
 /**
- * Points of a four-dimensional Sobol sequence with Owen's scrambling. The sequence itself comes from a library, as 32-bit
- * fractions; each use scrambles it by its own hash, which keeps every power of two of points evenly spread.
+ * Points of a four-dimensional Sobol sequence with Owen's scrambling. The sequence itself comes from a library, as
+ * 32-bit fractions; each use scrambles it by its own hash, which keeps every power of two of points evenly spread.
  */
 final class SobolPoints {
 
@@ -13,8 +13,8 @@ final class SobolPoints {
     private static final double TWO_TO_32 = 0x1p32;
 
     /**
-     * For each dimension and each byte of a point's number, what each value of the byte adds to the fraction, with the bits
-     * reversed: scrambling works from the highest bit downwards, its hash from the lowest upwards.
+     * For each dimension and each byte of a point's number, what each value of the byte adds to the fraction, with the
+     * bits reversed: scrambling works from the highest bit downwards, its hash from the lowest upwards.
      */
     private static final int[][][] REVERSED_FRACTIONS = fractionsOfBytes();
 
@@ -108,7 +108,10 @@ final class SobolPoints {
         }
     }
 
-    /** Reverses the bits. In two loops of shifts: the compiler has no instruction for several numbers at once, and long loops stay slow. */
+    /**
+     * Reverses the bits. In two loops of shifts: the compiler has no instruction for several numbers at once, and long
+     * loops stay slow.
+     */
     private static void reverse(int[] values, int count) {
         for (int i = 0; i < count; i++) {
             int bits = values[i];

@@ -61,7 +61,10 @@ public record ThinLensCamera(
             0,
             AperturePlaneShutter.DEFAULT);
 
-    /** Checks all values; a plane in focus must not pass through the lens centre, and no surface may be of an unusable size. */
+    /**
+     * Checks all values; a plane in focus must not pass through the lens centre, and no surface may be of an unusable
+     * size.
+     */
     public ThinLensCamera {
         position = Require.place("position", position);
         viewDirection = Require.direction("viewDirection", viewDirection);

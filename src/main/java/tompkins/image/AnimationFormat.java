@@ -16,7 +16,9 @@ public enum AnimationFormat {
     /** H.264 video, made by the program ffmpeg where it is installed; not exact. */
     MP4("an MP4 video", List.of(".mp4")),
 
-    /** A folder of PNG pictures {@code frame0001.png}, {@code frame0002.png}, ..., each with its scene inside: exact. */
+    /**
+     * A folder of PNG pictures {@code frame0001.png}, {@code frame0002.png}, ..., each with its scene inside: exact.
+     */
     NUMBERED_PNG("a folder of numbered PNG pictures", List.of());
 
     /** The most frames a second; screens show no more. */

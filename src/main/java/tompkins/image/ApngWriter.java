@@ -14,8 +14,8 @@ import java.nio.file.StandardOpenOption;
 
 /**
  * An animated PNG (PNG specification, third edition, section 11.3.6): the chunks of ordinary PNG pictures, with the
- * data of all but the first renamed, and a frame control before each. The number of frames stands near the beginning and
- * is filled in at the end.
+ * data of all but the first renamed, and a frame control before each. The number of frames stands near the beginning
+ * and is filled in at the end.
  */
 final class ApngWriter extends AnimationWriter {
 

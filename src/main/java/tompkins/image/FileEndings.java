@@ -14,7 +14,9 @@ final class FileEndings {
         return endings.stream().anyMatch(name::endsWith);
     }
 
-    /** Refuses a file whose name has none of the endings, or is no more than an ending: many systems hide such files. */
+    /**
+     * Refuses a file whose name has none of the endings, or is no more than an ending: many systems hide such files.
+     */
     static void require(Path file, List<String> endings, String what) throws FileException {
         if (!match(file, endings)) {
             throw new FileException(file + ": the name of " + what + " must end in " + String.join(" or ", endings));

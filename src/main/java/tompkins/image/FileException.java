@@ -5,7 +5,10 @@ import java.io.IOException;
 import java.util.zip.ZipException;
 import javax.imageio.IIOException;
 
-/** A file could not be read or written. The message is one line: the file, the place in it, what is wrong, and what is allowed. */
+/**
+ * A file could not be read or written. The message is one line: the file, the place in it, what is wrong, and what is
+ * allowed.
+ */
 public final class FileException extends IOException {
 
     private static final long serialVersionUID = 1;

@@ -20,9 +20,9 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 
 /**
- * A file, or a folder of files, that appears in its place only when it is complete. Until {@link #commit} it lies, under
- * its own name, in a folder of its own beside that place: a name that cannot be had is refused at once, not after the work.
- * {@link #close} without it removes every trace, and what was there before stays.
+ * A file, or a folder of files, that appears in its place only when it is complete. Until {@link #commit} it lies,
+ * under its own name, in a folder of its own beside that place: a name that cannot be had is refused at once, not after
+ * the work. {@link #close} without it removes every trace, and what was there before stays.
  */
 public final class PendingFile implements Closeable {
 

@@ -123,8 +123,8 @@ public final class PhotographFile {
     }
 
     /**
-     * Tries whether the picture of a saved photograph is whole, by reading its last row; its scene, which comes first, may be
-     * found in spite of damage. Does nothing for a file that is no picture, such as a scene file.
+     * Tries whether the picture of a saved photograph is whole, by reading its last row; its scene, which comes first,
+     * may be found in spite of damage. Does nothing for a file that is no picture, such as a scene file.
      *
      * @throws FileException if the picture is damaged
      */

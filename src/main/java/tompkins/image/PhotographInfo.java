@@ -24,8 +24,8 @@ public record PhotographInfo(String title, String software, String sceneJson) {
      * Checks the texts.
      *
      * @throws InvalidPropertyException if the scene is too long
-     * @throws IllegalArgumentException if the scene does not begin as a JSON object, or a text holds a control character that
-     *     the formats cannot keep (the scene may hold tabs and line ends)
+     * @throws IllegalArgumentException if the scene does not begin as a JSON object, or a text holds a control
+     *     character that the formats cannot keep (the scene may hold tabs and line ends)
      */
     public PhotographInfo {
         requireText("title", title, "");

@@ -19,9 +19,9 @@ import javax.imageio.stream.ImageInputStream;
 import tompkins.ray.PixelPicture;
 
 /**
- * Reads pictures of any origin, for surfaces and masks: PNG, JPEG, GIF, BMP, TIFF and Radiance. Values are taken as they
- * are stored, divided by the largest for whole numbers: no tone curve is undone, orientation tags are
- * ignored, and only the first frame of an animation is read.
+ * Reads pictures of any origin, for surfaces and masks: PNG, JPEG, GIF, BMP, TIFF and Radiance. Values are taken as
+ * they are stored, divided by the largest for whole numbers: no tone curve is undone, orientation tags are ignored, and
+ * only the first frame of an animation is read.
  */
 public final class PictureFile {
 

@@ -56,7 +56,10 @@ record PngChunk(String type, byte[] data) {
         return new String(letters, StandardCharsets.ISO_8859_1);
     }
 
-    /** The rest of a chunk, whose length and type are already read; the place is the byte of the file with which it begins. */
+    /**
+     * The rest of a chunk, whose length and type are already read; the place is the byte of the file with which it
+     * begins.
+     */
     static PngChunk read(DataInputStream in, String type, int length, long place) throws IOException {
         byte[] data = in.readNBytes(length);
         if (data.length < length) {

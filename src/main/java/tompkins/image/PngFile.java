@@ -23,7 +23,10 @@ final class PngFile {
 
     static final String SCENE_KEYWORD = "tompkins.scene";
 
-    /** Which byte of a file tells the bits of a channel: after signature, length and name of the header, width and height. */
+    /**
+     * Which byte of a file tells the bits of a channel: after signature, length and name of the header, width and
+     * height.
+     */
     static final int BIT_DEPTH_AT = 24;
 
     private static final String NATIVE = "javax_imageio_png_1.0";

@@ -9,8 +9,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 
 /**
- * Photographs as Radiance pictures (G. Ward, "Real pixels", Graphics Gems II, 1991): three mantissas of 8 bits share one
- * exponent. The scene stands in comments of the header; a line of the scene that is long goes over several.
+ * Photographs as Radiance pictures (G. Ward, "Real pixels", Graphics Gems II, 1991): three mantissas of 8 bits share
+ * one exponent. The scene stands in comments of the header; a line of the scene that is long goes over several.
  */
 final class RadianceFile {
 

@@ -173,8 +173,8 @@ final class DescriptionReader {
 
     /**
      * Makes the record. A value that its constructor refuses is noted and replaced by that of the default, to find what
-     * else is wrong. After that only those are noted that are wrong by themselves, the others perhaps only beside the value that
-     * took the place of a wrong one.
+     * else is wrong. After that only those are noted that are wrong by themselves, the others perhaps only beside the
+     * value that took the place of a wrong one.
      */
     private Object make(
             Class<?> type, Object[] arguments, Object standard, JsonObject object, String path, Set<String> replaced) {

@@ -40,7 +40,9 @@ final class MeshCollector extends AbstractWritableObj {
         }
     }
 
-    /** The library keeps a float; the digits that it drops are taken from the line, unless that is continued elsewhere. */
+    /**
+     * The library keeps a float; the digits that it drops are taken from the line, unless that is continued elsewhere.
+     */
     private static double exact(float rounded, StringTokenizer words) {
         double exact = words.hasMoreTokens() ? Double.parseDouble(words.nextToken()) : rounded;
         if (!Double.isFinite(exact)) {

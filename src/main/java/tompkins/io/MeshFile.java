@@ -58,7 +58,9 @@ public final class MeshFile {
         return new MeshData(name, collector.vertices(), triangles, kept);
     }
 
-    /** What the collector refuses it says itself; the library tells of its own classes, so the line is shown instead. */
+    /**
+     * What the collector refuses it says itself; the library tells of its own classes, so the line is shown instead.
+     */
     private static String reason(Exception mistake, String line) {
         boolean clear = mistake instanceof IllegalArgumentException && !(mistake instanceof NumberFormatException);
         return clear
@@ -68,8 +70,8 @@ public final class MeshFile {
     }
 
     /**
-     * Remembers the line that was read last. Byte order marks, comments, and the normals and texture coordinates that a mesh
-     * does without never come to the library, which would stumble over some.
+     * Remembers the line that was read last. Byte order marks, comments, and the normals and texture coordinates that a
+     * mesh does without never come to the library, which would stumble over some.
      */
     static final class CurrentLine extends LineNumberReader {
 

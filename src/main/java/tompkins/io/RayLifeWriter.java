@@ -22,7 +22,9 @@ public final class RayLifeWriter {
 
     private RayLifeWriter() {}
 
-    /** The life of a ray in a studio as JSON. The part {@code scene} is missing if the ray never enters the scene frame. */
+    /**
+     * The life of a ray in a studio as JSON. The part {@code scene} is missing if the ray never enters the scene frame.
+     */
     public static String json(RayLife life, Studio studio) {
         StringWriter text = new StringWriter();
         ObjectWriteContext pretty = new ObjectWriteContext.Base() {

@@ -52,7 +52,8 @@ final class SceneFolder {
     /**
      * Where a file with a name relative to the folder lies, links followed; the noun says what file is meant.
      *
-     * @throws IOException with a message for the user, if the name leaves the folder, or no file that may be read has it
+     * @throws IOException with a message for the user, if the name leaves the folder, or no file that may be read has
+     *     it
      */
     Path find(String name, String noun) throws IOException {
         String allowed =

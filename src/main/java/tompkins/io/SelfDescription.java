@@ -8,7 +8,10 @@ import tompkins.image.PhotographInfo;
 import tompkins.property.OneLine;
 import tompkins.studio.Studio;
 
-/** What the file of a photograph says about itself: its title, the program that took it, and the scene, to take it again. */
+/**
+ * What the file of a photograph says about itself: its title, the program that took it, and the scene, to take it
+ * again.
+ */
 public final class SelfDescription {
 
     private static final String PROPERTIES = "Program.properties";

@@ -15,7 +15,10 @@ public final class Spelling {
 
     private Spelling() {}
 
-    /** The end of a message, {@code ; did you mean "..."?} with the likeliest of the known words; empty if none is like it. */
+    /**
+     * The end of a message, {@code ; did you mean "..."?} with the likeliest of the known words; empty if none is like
+     * it.
+     */
     public static String hint(String word, Collection<String> known) {
         String best = null;
         int fewest = Integer.MAX_VALUE;

@@ -32,8 +32,8 @@ public final class StudioWriter {
     }
 
     /**
-     * The text of a scene file that holds its pictures and small meshes, and so can be read anywhere. It only names large
-     * meshes, and the largest pictures if all together would be too long for a photograph.
+     * The text of a scene file that holds its pictures and small meshes, and so can be read anywhere. It only names
+     * large meshes, and the largest pictures if all together would be too long for a photograph.
      */
     public static String writeSelfContained(Studio studio) {
         return selfContained(studio).text;
@@ -71,11 +71,11 @@ public final class StudioWriter {
     }
 
     /**
-     * Saves a scene file. It names the pictures and meshes that lie under its folder, and holds the others. The file appears complete
-     * or not at all; what was there before stays until then.
+     * Saves a scene file. It names the pictures and meshes that lie under its folder, and holds the others. The file
+     * appears complete or not at all; what was there before stays until then.
      *
-     * @throws IOException with a message for the user, if the file cannot be written, or could not be read again: what is too
-     *     large to be held does not lie under its folder, or the text is too long for a scene file
+     * @throws IOException with a message for the user, if the file cannot be written, or could not be read again: what
+     *     is too large to be held does not lie under its folder, or the text is too long for a scene file
      */
     public static void save(Studio studio, Path file) throws IOException {
         SceneFolder folder = folderOf(file);

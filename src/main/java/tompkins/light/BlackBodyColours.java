@@ -7,11 +7,12 @@ import tompkins.ray.Colour;
 /**
  * The colours of a scene in the light of a black body, seen by a camera that moves.
  *
- * <p>Three numbers say nothing of what lies beyond the visible, and that is what a fast camera sees. So each colour stands for a
- * surface in the light of a black body of 6504 K, the colour temperature of a screen's white, that reflects as much of all
- * light below 494 nm, of all between 494 and 590 nm, and of all above as gives the colour. With these edges no
- * colour of a screen needs a negative amount of any band. Black-body radiation of temperature T, seen with Doppler factor D,
- * is that of temperature D T, because radiance divided by the cube of the frequency is the same in all frames.
+ * <p>Three numbers say nothing of what lies beyond the visible, and that is what a fast camera sees. So each colour
+ * stands for a surface in the light of a black body of 6504 K, the colour temperature of a screen's white, that
+ * reflects as much of all light below 494 nm, of all between 494 and 590 nm, and of all above as gives the colour. With
+ * these edges no colour of a screen needs a negative amount of any band. Black-body radiation of temperature T, seen
+ * with Doppler factor D, is that of temperature D T, because radiance divided by the cube of the frequency is the same
+ * in all frames.
  */
 final class BlackBodyColours {
 
@@ -48,7 +49,10 @@ final class BlackBodyColours {
     private static final int STEPS_PER_UNIT = 200;
     private static final int ENTRIES = (int) ((MOST - LEAST) * STEPS_PER_UNIT) + 1;
 
-    /** For each Doppler factor the nine numbers, row by row, that make the colour in the camera frame of that in the scene. */
+    /**
+     * For each Doppler factor the nine numbers, row by row, that make the colour in the camera frame of that in the
+     * scene.
+     */
     private static final double[] TABLE = table();
 
     private BlackBodyColours() {}
@@ -136,7 +140,9 @@ final class BlackBodyColours {
         return 1 / (1 + Math.exp((edge - wavelength) / SOFTNESS));
     }
 
-    /** The CIE 1931 colour-matching functions, after C. Wyman, P.-P. Sloan, P. Shirley, JCGT 2(2) (2013), equation (4). */
+    /**
+     * The CIE 1931 colour-matching functions, after C. Wyman, P.-P. Sloan, P. Shirley, JCGT 2(2) (2013), equation (4).
+     */
     private static Vector3d matching(double wavelength) {
         return new Vector3d(
                 0.362 * lobe(wavelength, 442.0, 0.0624, 0.0374)

@@ -3,8 +3,8 @@ package tompkins.light;
 import tompkins.ray.Colour;
 
 /**
- * What the motion of the camera does to the light of the scene, under the Lorentz transformation. The Doppler factor D is the
- * frequency in the camera frame divided by that in the scene frame.
+ * What the motion of the camera does to the light of the scene, under the Lorentz transformation. The Doppler factor D
+ * is the frequency in the camera frame divided by that in the scene frame.
  */
 public enum ColourLaw {
 
@@ -39,8 +39,8 @@ public enum ColourLaw {
     },
 
     /**
-     * Wavelengths are divided by D, and what is visible then becomes brighter or darker with them, as if the scene were lit by a
-     * black body of 6504 K (the model stands in docs/conventions.md).
+     * Wavelengths are divided by D, and what is visible then becomes brighter or darker with them, as if the scene were
+     * lit by a black body of 6504 K (the model stands in docs/conventions.md).
      */
     DOPPLER {
         @Override

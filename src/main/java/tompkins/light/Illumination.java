@@ -6,8 +6,8 @@ import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
 /**
- * The light sources of a frame, and the sum of what a surface sends back of their light. One for each thread, whose memory is
- * used again for every point: a colour for each source would be most of what a picture allocates.
+ * The light sources of a frame, and the sum of what a surface sends back of their light. One for each thread, whose
+ * memory is used again for every point: a colour for each source would be most of what a picture allocates.
  */
 public final class Illumination {
 

@@ -11,8 +11,8 @@ import tompkins.ray.Ray;
 
 /**
  * A small bright light that throws sharp shadows and highlights and does not fade with distance. The reflected light is
- * the sum of a diffuse part, proportional to the cosine between normal and light, and a highlight, a power of the cosine
- * between the mirrored light and the ray (Phong's model).
+ * the sum of a diffuse part, proportional to the cosine between normal and light, and a highlight, a power of the
+ * cosine between the mirrored light and the ray (Phong's model).
  */
 @Meaning("A small bright light that throws sharp shadows and highlights and does not fade with distance")
 public record PointLight(

@@ -9,8 +9,9 @@ public final class Powers {
     private Powers() {}
 
     /**
-     * {@code base} to the power of {@code exponent}, neither of them negative. A whole exponent is worked out by squaring: four
-     * times as fast as {@link Math#pow}, the same on every machine, and right to {@code exponent} times 2^-53.
+     * {@code base} to the power of {@code exponent}, neither of them negative. A whole exponent is worked out by
+     * squaring: four times as fast as {@link Math#pow}, the same on every machine, and right to {@code exponent} times
+     * 2^-53.
      */
     public static double power(double base, double exponent) {
         int whole = (int) exponent;

@@ -16,8 +16,8 @@ public final class Precise {
     }
 
     /**
-     * {@code 1 - x^2 - y^2 - z^2} summed in twice the working precision. The plain sum loses gamma^2 u of the result for
-     * a velocity (x, y, z); this one is right to 2 u, and it is above 0 only where the exact sum is.
+     * {@code 1 - x^2 - y^2 - z^2} summed in twice the working precision. The plain sum loses gamma^2 u of the result
+     * for a velocity (x, y, z); this one is right to 2 u, and it is above 0 only where the exact sum is.
      */
     public static double oneMinusSquares(double x, double y, double z) {
         double high = 1;

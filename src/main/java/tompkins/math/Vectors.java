@@ -31,8 +31,8 @@ public final class Vectors {
     }
 
     /**
-     * A unit vector perpendicular to {@code normal}: the x axis laid into the plane, or the z axis where the plane stands
-     * across x. A floor (normal along y) therefore has x and z as its axes.
+     * A unit vector perpendicular to {@code normal}: the x axis laid into the plane, or the z axis where the plane
+     * stands across x. A floor (normal along y) therefore has x and z as its axes.
      *
      * @param normal unit vector
      */
@@ -41,9 +41,9 @@ public final class Vectors {
     }
 
     /**
-     * The direction on a face that is up for one who looks at it from outside: the y axis laid into the face, or, where the
-     * face is level, z if it is seen from above and -z if it is seen from below. To the right is then normal x up, for x
-     * points to the right, y up and z away from the one who looks.
+     * The direction on a face that is up for one who looks at it from outside: the y axis laid into the face, or, where
+     * the face is level, z if it is seen from above and -z if it is seen from below. To the right is then normal x up,
+     * for x points to the right, y up and z away from the one who looks.
      *
      * @param normal unit vector out of the face
      */
@@ -56,8 +56,8 @@ public final class Vectors {
     }
 
     /**
-     * The side of an object around an axis on which to show the middle of a picture: that of -z, where a camera at the origin
-     * stands, or that of y where the axis itself runs along z.
+     * The side of an object around an axis on which to show the middle of a picture: that of -z, where a camera at the
+     * origin stands, or that of y where the axis itself runs along z.
      *
      * @param axis unit vector
      * @return a unit vector perpendicular to the axis

@@ -10,8 +10,8 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * Reads and builds descriptions without knowing them: they are records, sealed families of records, and lists of both. A new
- * one needs no line in scene files or in the editor.
+ * Reads and builds descriptions without knowing them: they are records, sealed families of records, and lists of both.
+ * A new one needs no line in scene files or in the editor.
  */
 public final class Descriptions {
 

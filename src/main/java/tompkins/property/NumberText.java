@@ -16,7 +16,8 @@ public final class NumberText {
     private NumberText() {}
 
     /**
-     * The number that a text writes, with spaces around it or without; what else Java takes for one, such as {@code 3d} or {@code 0x1p3}, is none.
+     * The number that a text writes, with spaces around it or without; what else Java takes for one, such as {@code 3d}
+     * or {@code 0x1p3}, is none.
      *
      * @throws NumberFormatException if the text is no number
      */

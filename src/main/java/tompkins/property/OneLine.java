@@ -2,7 +2,9 @@ package tompkins.property;
 
 import java.util.regex.Pattern;
 
-/** Texts that somebody else wrote, fit for one line of a terminal: it obeys control characters instead of showing them. */
+/**
+ * Texts that somebody else wrote, fit for one line of a terminal: it obeys control characters instead of showing them.
+ */
 public final class OneLine {
 
     private static final Pattern CONTROLS = Pattern.compile("[\\p{Cc}\\u2028\\u2029]+");

@@ -1,8 +1,8 @@
 package tompkins.ray;
 
 /**
- * Where and when a ray meets a boundary. A plain value of the hot path, made for the nearest boundary only. Whoever is given one
- * does not keep it: its memory is used again.
+ * Where and when a ray meets a boundary. A plain value of the hot path, made for the nearest boundary only. Whoever is
+ * given one does not keep it: its memory is used again.
  */
 public final class Hit {
 

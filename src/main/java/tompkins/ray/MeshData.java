@@ -3,8 +3,8 @@ package tompkins.ray;
 import java.util.Arrays;
 
 /**
- * Triangles with common corners, as numbers, with the file that they came from. Immutable: the arrays are handed over and
- * must not be changed afterwards.
+ * Triangles with common corners, as numbers, with the file that they came from. Immutable: the arrays are handed over
+ * and must not be changed afterwards.
  */
 public final class MeshData implements FileContent {
 
@@ -27,7 +27,8 @@ public final class MeshData implements FileContent {
      * @param coordinates x, y and z of each vertex
      * @param corners three numbers of vertices, counted from 0, for each triangle
      * @param file the bytes of the file, or none if there are too many to keep
-     * @throws IllegalArgumentException if an array does not come in threes, or a triangle names a vertex that is not there
+     * @throws IllegalArgumentException if an array does not come in threes, or a triangle names a vertex that is not
+     *     there
      */
     public MeshData(String name, double[] coordinates, int[] corners, byte[] file) {
         if (coordinates.length % 3 != 0 || corners.length % 3 != 0) {

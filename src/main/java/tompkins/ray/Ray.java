@@ -9,8 +9,8 @@ package tompkins.ray;
 public final class Ray {
 
     /**
-     * A ray whose {@link #weight} is below this is not followed: it brings less than a step of an 8-bit picture (see the charts
-     * of the depth in docs/speed-and-accuracy.md).
+     * A ray whose {@link #weight} is below this is not followed: it brings less than a step of an 8-bit picture (see
+     * the charts of the depth in docs/speed-and-accuracy.md).
      */
     public static final double FAINTEST = 1.0 / 1024;
 
@@ -183,7 +183,10 @@ public final class Ray {
         return bent(hit, dx, dy, dz, share);
     }
 
-    /** Makes this a ray that starts at a hit in the unit direction (toX, toY, toZ), to ask whether something is in the way. */
+    /**
+     * Makes this a ray that starts at a hit in the unit direction (toX, toY, toZ), to ask whether something is in the
+     * way.
+     */
     public Ray setShadow(Hit hit, double toX, double toY, double toZ) {
         startOn(hit);
         dx = toX;

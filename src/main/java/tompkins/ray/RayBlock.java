@@ -3,8 +3,9 @@ package tompkins.ray;
 import java.util.Arrays;
 
 /**
- * The rays of neighbouring samples, as arrays of numbers: what is done to all of them is done in short loops, which the compiler
- * turns into instructions for several rays at once. They start on nothing. One for each thread, filled again for each block.
+ * The rays of neighbouring samples, as arrays of numbers: what is done to all of them is done in short loops, which the
+ * compiler turns into instructions for several rays at once. They start on nothing. One for each thread, filled again
+ * for each block.
  */
 public final class RayBlock {
 
@@ -71,7 +72,9 @@ public final class RayBlock {
         return count;
     }
 
-    /** Begins anew with a number of rays that have just left the camera, one for each sample; the caller sets the rest. */
+    /**
+     * Begins anew with a number of rays that have just left the camera, one for each sample; the caller sets the rest.
+     */
     public void begin(int newCount) {
         count = newCount;
         for (int i = 0; i < count; i++) {

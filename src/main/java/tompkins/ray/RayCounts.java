@@ -6,7 +6,10 @@ public final class RayCounts {
     /** Samples that were taken; not those that a block left out because it was stopped. */
     public long samples;
 
-    /** Rays that were followed, those from the camera included; one that leaves what moves with the camera counts once per frame. */
+    /**
+     * Rays that were followed, those from the camera included; one that leaves what moves with the camera counts once
+     * per frame.
+     */
     public long rays;
 
     /** Tests whether a light is visible. */

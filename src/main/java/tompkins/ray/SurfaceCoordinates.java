@@ -1,8 +1,9 @@
 package tompkins.ray;
 
 /**
- * Coordinates (u, v) of a point on a surface, with their gradients in space: moving by a vector d on the surface changes u
- * by {@code gradientU . d}. What u and v are is said by each object; infinite planes use lengths, others run from 0 to 1.
+ * Coordinates (u, v) of a point on a surface, with their gradients in space: moving by a vector d on the surface
+ * changes u by {@code gradientU . d}. What u and v are is said by each object; infinite planes use lengths, others run
+ * from 0 to 1.
  *
  * @param u first coordinate
  * @param v second coordinate
@@ -20,8 +21,8 @@ public record SurfaceCoordinates(double u, double v, double uX, double uY, doubl
     }
 
     /**
-     * The spot is an ellipse: its short axis is the width of the ray, across the plane of incidence; its long axis is that
-     * divided by the cosine, along the ray's trace on the surface.
+     * The spot is an ellipse: its short axis is the width of the ray, across the plane of incidence; its long axis is
+     * that divided by the cosine, along the ray's trace on the surface.
      */
     private static double spread(Ray ray, Hit hit, double gradientX, double gradientY, double gradientZ) {
         double cosine = hit.cosine(ray);
@@ -38,7 +39,10 @@ public record SurfaceCoordinates(double u, double v, double uX, double uY, doubl
         return half * Math.sqrt(Math.max(0, squaredGradient) + stretched * stretched);
     }
 
-    /** The part of {@link #spreadU} that lies along the ray's trace on the surface, with the sign of the change that way. */
+    /**
+     * The part of {@link #spreadU} that lies along the ray's trace on the surface, with the sign of the change that
+     * way.
+     */
     public double alongU(Ray ray, Hit hit) {
         return along(ray, hit, uX, uY, uZ);
     }

@@ -10,14 +10,14 @@ import java.util.function.BooleanSupplier;
 
 /**
  * Takes samples where they are needed. A pinhole begins with the centre of each pixel, a wide aperture with
- * {@link #FIRST_SAMPLES}. Then, round by round, pixels get twice as many where one sample more lowers the picture's error
- * most. Which ones depends on the picture alone, so that the result does not depend on the number of threads.
+ * {@link #FIRST_SAMPLES}. Then, round by round, pixels get twice as many where one sample more lowers the picture's
+ * error most. Which ones depends on the picture alone, so that the result does not depend on the number of threads.
  */
 final class AdaptiveSchedule implements Schedule {
 
     /**
-     * Fewer samples miss what is small, and then take it for settled. With so many, photographs err by what was promised (see
-     * the chart of antialiasing, "error found against error promised", in docs/speed-and-accuracy.md).
+     * Fewer samples miss what is small, and then take it for settled. With so many, photographs err by what was
+     * promised (see the chart of antialiasing, "error found against error promised", in docs/speed-and-accuracy.md).
      */
     static final int FIRST_SAMPLES = 16;
 

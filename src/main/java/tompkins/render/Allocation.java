@@ -4,10 +4,11 @@ import java.util.function.BooleanSupplier;
 
 /**
  * Shares samples among pixels so that their number is least for a given variance. With the variance {@code r n^-p} of a
- * pixel of roughness r, one more sample gains {@code r n^-(p + 1)} (times p); the best is to raise all pixels until that
- * gain is the same threshold everywhere, to {@code n = (r/threshold)^(1/(p + 1))}.
+ * pixel of roughness r, one more sample gains {@code r n^-(p + 1)} (times p); the best is to raise all pixels until
+ * that gain is the same threshold everywhere, to {@code n = (r/threshold)^(1/(p + 1))}.
  *
- * <p>Sums over pixels are kept for steps of the gain, an eighth of an octave wide, so that each threshold is judged at once.
+ * <p>Sums over pixels are kept for steps of the gain, an eighth of an octave wide, so that each threshold is judged at
+ * once.
  */
 final class Allocation {
 
@@ -89,7 +90,10 @@ final class Allocation {
         return 0;
     }
 
-    /** The lowest threshold that takes no more than a number of samples, those taken before included; the highest if none does. */
+    /**
+     * The lowest threshold that takes no more than a number of samples, those taken before included; the highest if
+     * none does.
+     */
     double thresholdForSamples(double limit) {
         int step = 1;
         while (step < STEPS - 1 && samples(threshold(step)) > limit) {

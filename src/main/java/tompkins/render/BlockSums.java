@@ -7,9 +7,9 @@ import tompkins.ray.RayBlock;
 import tompkins.trace.SampleTaker;
 
 /**
- * Adds up the samples that a pass takes of a block of pixels, in double precision, and then gives the film their sums. The
- * film has single precision, and would lose the last digits of each of many samples. It gets a single sample at once. One
- * for each thread.
+ * Adds up the samples that a pass takes of a block of pixels, in double precision, and then gives the film their sums.
+ * The film has single precision, and would lose the last digits of each of many samples. It gets a single sample at
+ * once. One for each thread.
  */
 final class BlockSums implements SampleTaker {
 

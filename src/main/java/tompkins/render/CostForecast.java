@@ -22,14 +22,16 @@ public record CostForecast(double samplesPerPixel, double seconds) {
     /** So many are needed for their mean to be within some tens of percent of that of all. */
     private static final int FIRST_BLOCKS = 32;
 
-    /** Multiples of these two, without their whole parts, fill the unit interval evenly over the plane (Roberts 2018). */
+    /**
+     * Multiples of these two, without their whole parts, fill the unit interval evenly over the plane (Roberts 2018).
+     */
     private static final double ACROSS = 0.7548776662466927;
 
     private static final double DOWN = 0.5698402909980532;
 
     /**
-     * Takes a few blocks of pixels, spread over the picture, exactly as the picture would be taken, and then as many more as
-     * there is time for. What the blocks need, all need.
+     * Takes a few blocks of pixels, spread over the picture, exactly as the picture would be taken, and then as many
+     * more as there is time for. What the blocks need, all need.
      *
      * @return the forecast, or nothing if not even one sample was complete in that time
      */

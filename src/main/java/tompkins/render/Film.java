@@ -4,8 +4,8 @@ import java.util.Arrays;
 import tompkins.image.LinearImage;
 
 /**
- * The light that was collected so far. Each pixel is written by one thread at a time, in the order of its samples, so that
- * the sums are the same whatever the number of threads.
+ * The light that was collected so far. Each pixel is written by one thread at a time, in the order of its samples, so
+ * that the sums are the same whatever the number of threads.
  */
 final class Film {
 
@@ -55,7 +55,9 @@ final class Film {
         return row * width + column;
     }
 
-    /** Whether that many samples are the first half of those to come: what a pixel gets next must be added by itself. */
+    /**
+     * Whether that many samples are the first half of those to come: what a pixel gets next must be added by itself.
+     */
     static boolean isNewHalf(int samples) {
         return Integer.bitCount(samples) == 1;
     }
@@ -95,7 +97,10 @@ final class Film {
         return (int) Arrays.stream(samples).filter(count -> count != 0).count();
     }
 
-    /** Writes the means of a row, channel by channel, behind the first pixel of an array; NaN where there are no samples. */
+    /**
+     * Writes the means of a row, channel by channel, behind the first pixel of an array; NaN where there are no
+     * samples.
+     */
     void means(int row, double[] into) {
         for (int column = 0; column < width; column++) {
             int pixel = row * width + column;
@@ -107,8 +112,8 @@ final class Film {
     }
 
     /**
-     * The variance of the mean of a pixel with two samples or more, averaged over the channels: for n = a + b samples it is
-     * {@code D^2 a b/n^2}, where D is the difference between the means of the first a and of the other b.
+     * The variance of the mean of a pixel with two samples or more, averaged over the channels: for n = a + b samples
+     * it is {@code D^2 a b/n^2}, where D is the difference between the means of the first a and of the other b.
      */
     double halvesVariance(int pixel) {
         int count = samples[pixel];
@@ -123,8 +128,8 @@ final class Film {
     }
 
     /**
-     * The mean of the samples of each pixel. Between coarse pixels it is interpolated, which
-     * costs little and takes a third of the error away (see the charts of previews in docs/speed-and-accuracy.md).
+     * The mean of the samples of each pixel. Between coarse pixels it is interpolated, which costs little and takes a
+     * third of the error away (see the charts of previews in docs/speed-and-accuracy.md).
      */
     LinearImage image() {
         float[] rgb = new float[sums.length];

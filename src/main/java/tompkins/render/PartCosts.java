@@ -16,8 +16,8 @@ final class PartCosts {
     private double notedTracing;
 
     /**
-     * Notes the progress of the part being rendered. The speed since the previous note counts, unless that was a moment ago: within one part
-     * the machine may get several times faster.
+     * Notes the progress of the part being rendered. The speed since the previous note counts, unless that was a moment
+     * ago: within one part the machine may get several times faster.
      *
      * @param partSamples samples of the part so far
      * @param tracingSeconds how long they took
@@ -64,8 +64,8 @@ final class PartCosts {
     }
 
     /**
-     * Samples that are taken in a second, with the greatest speed so far: the machine gets faster while the program runs
-     * warm.
+     * Samples that are taken in a second, with the greatest speed so far: the machine gets faster while the program
+     * runs warm.
      */
     double rate() {
         return rate;

@@ -6,14 +6,15 @@ import java.util.List;
 import tompkins.camera.PixelSampler;
 
 /**
- * One pass over the picture. Coarse passes take the first sample of every 8th, 4th, 2nd pixel in both directions, and each
- * leaves out what the coarser ones took; later passes take further samples of all pixels.
+ * One pass over the picture. Coarse passes take the first sample of every 8th, 4th, 2nd pixel in both directions, and
+ * each leaves out what the coarser ones took; later passes take further samples of all pixels.
  *
  * @param stride distance between pixels, 1 for all of them
  * @param coarserStride stride of the pass before this one, or 0 if this is the first
  * @param firstSample number of the first sample
  * @param samples samples per pixel
- * @param inAll how many samples the pixel is divided among: those that it has after the pass, or is expected to have in the end
+ * @param inAll how many samples the pixel is divided among: those that it has after the pass, or is expected to have in
+ *     the end
  * @param chosen the pixels that get them, or null for all
  * @param share the share of the pixels that get them, of those that are rendered
  */
@@ -25,7 +26,8 @@ record Pass(int stride, int coarserStride, int firstSample, int samples, int inA
     private static final int LONG = 64;
 
     /**
-     * The passes that take the given number of samples of each pixel: 1, 1, 2, 4, ... 64, 64, ..., in the end an eighth of those before.
+     * The passes that take the given number of samples of each pixel: 1, 1, 2, 4, ... 64, 64, ..., in the end an eighth
+     * of those before.
      *
      * @param inAll samples that pixels may come to have, by passes after these
      * @param coarseFirst whether the first one is taken coarse to fine

@@ -55,8 +55,8 @@ public sealed interface Quality {
     record TargetError(double rootMeanSquare) implements Quality {
 
         /**
-         * Half a step of a picture of 8 bits: nobody sees less. For the same error, samples where they are needed take fewer
-         * rays than the same number everywhere (see the charts of antialiasing in docs/speed-and-accuracy.md).
+         * Half a step of a picture of 8 bits: nobody sees less. For the same error, samples where they are needed take
+         * fewer rays than the same number everywhere (see the charts of antialiasing in docs/speed-and-accuracy.md).
          */
         public static final TargetError DEFAULT = new TargetError(0.002);
 

@@ -1,6 +1,8 @@
 package tompkins.render;
 
-/** A picture could not be taken because of an error in the program or because memory ran out. Names the sample, if any. */
+/**
+ * A picture could not be taken because of an error in the program or because memory ran out. Names the sample, if any.
+ */
 public final class RenderFailedException extends RuntimeException {
 
     private static final long serialVersionUID = 1;

@@ -17,8 +17,8 @@ import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleTracer;
 
 /**
- * One picture on its way. The threads of the renderer take tiles from one counter, pass by pass; a thread that finds the
- * pass used up waits for the others, so that each pass is complete before the next begins.
+ * One picture on its way. The threads of the renderer take tiles from one counter, pass by pass; a thread that finds
+ * the pass used up waits for the others, so that each pass is complete before the next begins.
  */
 public final class RenderJob {
 
@@ -67,7 +67,9 @@ public final class RenderJob {
         passes.add(schedule.next(film, this::isStopped));
     }
 
-    /** What one thread does for this job. Whatever goes wrong is kept, so that nobody waits for a thread that has gone. */
+    /**
+     * What one thread does for this job. Whatever goes wrong is kept, so that nobody waits for a thread that has gone.
+     */
     void work() {
         RayCounts mine = new RayCounts();
         SampleTracer tracer = null;
@@ -239,7 +241,10 @@ public final class RenderJob {
         end.await((long) (seconds * 1e9), TimeUnit.NANOSECONDS);
     }
 
-    /** Seconds between the passes, in which the next one was planned; the same for a part of the picture as for all of it. */
+    /**
+     * Seconds between the passes, in which the next one was planned; the same for a part of the picture as for all of
+     * it.
+     */
     double planningSeconds() {
         synchronized (passLock) {
             return planningTime / 1e9;
@@ -261,7 +266,10 @@ public final class RenderJob {
         return plan;
     }
 
-    /** What was done; complete once the job has ended. Works out the error of the picture, if it is still wanted, which takes a moment. */
+    /**
+     * What was done; complete once the job has ended. Works out the error of the picture, if it is still wanted, which
+     * takes a moment.
+     */
     public RenderReport report() {
         long until = end.getCount() == 0 ? endTime : System.nanoTime();
         int sampledPixels = film.sampledPixels();

@@ -3,8 +3,8 @@ package tompkins.render;
 import java.util.function.Consumer;
 
 /**
- * Somebody who wants to know how a render goes on. Called by the threads of the renderer, and by the thread that closes it for
- * jobs that had not begun; must return quickly.
+ * Somebody who wants to know how a render goes on. Called by the threads of the renderer, and by the thread that closes
+ * it for jobs that had not begun; must return quickly.
  */
 public interface RenderListener {
 

@@ -81,15 +81,18 @@ public final class Renderer implements AutoCloseable {
     }
 
     /**
-     * Whether the film has to compare halves of a pixel's samples: not for a single sample, and not for the error estimate
-     * alone where the picture is so large that memory matters more.
+     * Whether the film has to compare halves of a pixel's samples: not for a single sample, and not for the error
+     * estimate alone where the picture is so large that memory matters more.
      */
     private static boolean needsHalves(RenderSettings settings, Quality quality) {
         return !(quality instanceof Quality.Samples fixed)
                 || (fixed.samples() > 1 && settings.pixels() <= MOST_PIXELS_WITH_ESTIMATE);
     }
 
-    /** The bytes of memory that a picture takes until it is saved: its film, the picture itself, and the levels of its file. */
+    /**
+     * The bytes of memory that a picture takes until it is saved: its film, the picture itself, and the levels of its
+     * file.
+     */
     public static long bytesOfMemory(RenderSettings settings, Quality quality) {
         int picture = 3 * Float.BYTES;
         int levels = 3 * Short.BYTES;

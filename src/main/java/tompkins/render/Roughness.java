@@ -6,12 +6,12 @@ import java.util.function.BooleanSupplier;
 
 /**
  * How hard each pixel is, and so how wrong it still may be. The variance of a pixel's mean is taken to fall as
- * {@code roughness n^-POWER} with the number n of its samples; the roughness is measured where samples are, and shared with
- * the eight neighbours: an edge that no sample of a pixel has met yet has been met next door.
+ * {@code roughness n^-POWER} with the number n of its samples; the roughness is measured where samples are, and shared
+ * with the eight neighbours: an edge that no sample of a pixel has met yet has been met next door.
  *
- * <p>Where a pixel has several samples, its roughness is that of the difference between the first and the second half of
- * them. Where it has the one in its centre, it is that of the second differences over its neighbours: an edge of height h
- * raises those of two pixels by h, and is wrong by h/sqrt(12) in one of them.
+ * <p>Where a pixel has several samples, its roughness is that of the difference between the first and the second half
+ * of them. Where it has the one in its centre, it is that of the second differences over its neighbours: an edge of
+ * height h raises those of two pixels by h, and is wrong by h/sqrt(12) in one of them.
  */
 final class Roughness {
 
@@ -45,7 +45,9 @@ final class Roughness {
         shared = withNeighbours(own());
     }
 
-    /** The roughness that a pixel's own samples show, with a border of one pixel; NaN there and where no samples are. */
+    /**
+     * The roughness that a pixel's own samples show, with a border of one pixel; NaN there and where no samples are.
+     */
     private float[] own() {
         float[] own = new float[(width + 2) * (height + 2)];
         Arrays.fill(own, Float.NaN);
@@ -91,8 +93,8 @@ final class Roughness {
     }
 
     /**
-     * The largest mean square, over the channels, of the second differences along rows, columns and diagonals; 0 where neighbours
-     * are missing.
+     * The largest mean square, over the channels, of the second differences along rows, columns and diagonals; 0 where
+     * neighbours are missing.
      *
      * @param at where the pixel to the left begins in each row
      */

@@ -3,8 +3,8 @@ package tompkins.render;
 import java.util.function.BooleanSupplier;
 
 /**
- * Decides which samples are taken. The next pass is asked for by one thread at a time, between passes; how far the picture is,
- * by any thread at any time.
+ * Decides which samples are taken. The next pass is asked for by one thread at a time, between passes; how far the
+ * picture is, by any thread at any time.
  */
 interface Schedule {
 

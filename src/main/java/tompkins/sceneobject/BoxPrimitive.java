@@ -5,7 +5,9 @@ import org.joml.Vector3dc;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
-/** A box in space, of any orientation. Its parts are its faces: 2 axis for the lower one, 2 axis + 1 for the upper one. */
+/**
+ * A box in space, of any orientation. Its parts are its faces: 2 axis for the lower one, 2 axis + 1 for the upper one.
+ */
 final class BoxPrimitive extends Primitive {
 
     private static final int NO_FACE = -1;

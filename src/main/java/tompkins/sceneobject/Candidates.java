@@ -5,8 +5,8 @@ import tompkins.ray.Ray;
 import tompkins.ray.RayBlock;
 
 /**
- * The few primitives that a block of neighbouring rays can meet, found once for all of them. Searching them gives the same
- * result as searching everything, several times faster. One for each thread, used again for every block.
+ * The few primitives that a block of neighbouring rays can meet, found once for all of them. Searching them gives the
+ * same result as searching everything, several times faster. One for each thread, used again for every block.
  */
 public final class Candidates {
 

@@ -34,9 +34,9 @@ final class ConePrimitive extends Primitive {
     }
 
     /**
-     * The points whose distance from the axis is {@code slope} times their height below the tip: a quadratic equation. Its
-     * discriminant cancels for slender and for flat cones. With the moment m = w x d, which is the same for all points of the ray,
-     * and the axis a it is {@code (slope |a x m|)^2 - (a.m)^2}.
+     * The points whose distance from the axis is {@code slope} times their height below the tip: a quadratic equation.
+     * Its discriminant cancels for slender and for flat cones. With the moment m = w x d, which is the same for all
+     * points of the ray, and the axis a it is {@code (slope |a x m|)^2 - (a.m)^2}.
      */
     @Override
     public double distance(Ray ray, double limit) {
@@ -83,7 +83,10 @@ final class ConePrimitive extends Primitive {
         return near < NO_HIT ? near : within(Math.max(one, other), start, startAlong, rayAlong, limit);
     }
 
-    /** {@code start + further}, if that lies in front, between tip and base, and not beyond the limit; else {@link #NO_HIT}. */
+    /**
+     * {@code start + further}, if that lies in front, between tip and base, and not beyond the limit; else
+     * {@link #NO_HIT}.
+     */
     private double within(double further, double start, double startAlong, double rayAlong, double limit) {
         double along = startAlong + further * rayAlong;
         double distance = start + further;

@@ -2,12 +2,17 @@ package tompkins.sceneobject;
 
 import java.util.Arrays;
 
-/** Looks for the best of all cuts through some boxes, across one axis between slices of equal width. One for each thread. */
+/**
+ * Looks for the best of all cuts through some boxes, across one axis between slices of equal width. One for each
+ * thread.
+ */
 final class Cuts {
 
     private static final int SLICES = 16;
 
-    /** Cost of visiting a node, in tests of a primitive: two boxes against a ray, and the memory that they come from. */
+    /**
+     * Cost of visiting a node, in tests of a primitive: two boxes against a ray, and the memory that they come from.
+     */
     private static final double COST_OF_NODE = 2;
 
     private final int[] counts = new int[SLICES];

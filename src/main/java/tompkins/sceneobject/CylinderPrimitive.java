@@ -9,8 +9,8 @@ import tompkins.ray.RayBlock;
 import tompkins.ray.SurfaceCoordinates;
 
 /**
- * A cylinder in space, with or without caps. The axis is stored as it is, not as a unit vector, and its cross products with
- * the ray are formed without cancellation: a ray that runs almost along the axis keeps all its digits.
+ * A cylinder in space, with or without caps. The axis is stored as it is, not as a unit vector, and its cross products
+ * with the ray are formed without cancellation: a ray that runs almost along the axis keeps all its digits.
  */
 final class CylinderPrimitive extends Primitive {
 
@@ -81,8 +81,8 @@ final class CylinderPrimitive extends Primitive {
     }
 
     /**
-     * By the distance between the ray's line and the axis, as in {@link #distance} but without the ends. Several short loops: the
-     * compiler makes no vector instructions of a long one.
+     * By the distance between the ray's line and the axis, as in {@link #distance} but without the ends. Several short
+     * loops: the compiler makes no vector instructions of a long one.
      */
     @Override
     boolean margins(RayBlock rays, double farthest, double[] margins) {

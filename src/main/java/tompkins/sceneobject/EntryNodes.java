@@ -3,8 +3,9 @@ package tompkins.sceneobject;
 import tompkins.ray.RayBlock;
 
 /**
- * Where a few neighbouring rays enter the tree: the way from its root down to the parts that they can meet is walked only once
- * for all of them. The result of each ray is that of a search of its own. One for each thread, used again for every few rays.
+ * Where a few neighbouring rays enter the tree: the way from its root down to the parts that they can meet is walked
+ * only once for all of them. The result of each ray is that of a search of its own. One for each thread, used again for
+ * every few rays.
  */
 public final class EntryNodes {
 

@@ -6,8 +6,9 @@ import tompkins.math.Vectors;
 import tompkins.ray.SurfaceCoordinates;
 
 /**
- * Coordinates on a flat face of an object: seen from outside, u runs from 0 at the left edge to 1 at the right one, and v from 0
- * at the lower edge to 1 at the upper one, where {@link Vectors#upOnFace} says what is up before the object is placed.
+ * Coordinates on a flat face of an object: seen from outside, u runs from 0 at the left edge to 1 at the right one, and
+ * v from 0 at the lower edge to 1 at the upper one, where {@link Vectors#upOnFace} says what is up before the object is
+ * placed.
  *
  * @param alongU the change of place over which u grows by 1, divided by the square of its length
  * @param alongV the same for v
@@ -29,7 +30,10 @@ record FaceCoordinates(Vector3dc alongU, Vector3dc alongV) {
                 placement.direction(up).div(height * placement.scale()));
     }
 
-    /** The coordinates of a point, given as seen from the middle of the face, or from any point that lies straight behind it. */
+    /**
+     * The coordinates of a point, given as seen from the middle of the face, or from any point that lies straight
+     * behind it.
+     */
     SurfaceCoordinates at(double x, double y, double z) {
         return new SurfaceCoordinates(
                 alongU.x() * x + alongU.y() * y + alongU.z() * z + 0.5,

@@ -8,7 +8,10 @@ import tompkins.ray.Ray;
 import tompkins.ray.SurfaceCoordinates;
 import tompkins.surface.Surface;
 
-/** A piece of a plane with coordinates (u, v): {@code x = corner + u U + v V}. What belongs to the piece, u and v decide. */
+/**
+ * A piece of a plane with coordinates (u, v): {@code x = corner + u U + v V}. What belongs to the piece, u and v
+ * decide.
+ */
 final class FlatPrimitive extends Primitive {
 
     /** Which part of the plane belongs to the piece. */

@@ -11,10 +11,10 @@ import tompkins.property.Require;
 import tompkins.surface.ColouredSurface;
 
 /**
- * Copies of an object at the places in the scene where the camera takes its sharp picture: for each point of a grid that is
- * fixed to the camera, the place of the event at which the central ray of the lens photographs it. They depend on the
- * camera's velocity and shutter; with a shutter that images stigmatically the camera sees the copies as a sharp, regular grid
- * (Courtial et al. 2016, Fig. 3).
+ * Copies of an object at the places in the scene where the camera takes its sharp picture: for each point of a grid
+ * that is fixed to the camera, the place of the event at which the central ray of the lens photographs it. They depend
+ * on the camera's velocity and shutter; with a shutter that images stigmatically the camera sees the copies as a sharp,
+ * regular grid (Courtial et al. 2016, Fig. 3).
  */
 @Meaning(
         "Copies of an object at the places that the moving camera photographs as a regular grid, as in Fig. 3 of the paper;"

@@ -9,9 +9,9 @@ import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
 /**
- * The primitives as a lamp sees them: a grid of directions, each with the primitives that stand there. A shadow ray asks only
- * those of its direction (the light buffer of Haines and Greenberg 1986). Built once for a scene and a lamp that stands outside
- * it.
+ * The primitives as a lamp sees them: a grid of directions, each with the primitives that stand there. A shadow ray
+ * asks only those of its direction (the light buffer of Haines and Greenberg 1986). Built once for a scene and a lamp
+ * that stands outside it.
  */
 public final class LightGrid {
 
@@ -92,8 +92,8 @@ public final class LightGrid {
     }
 
     /**
-     * The grid of a lamp, or null if none can be made: the lamp stands among the primitives, or there are too many of them,
-     * or none.
+     * The grid of a lamp, or null if none can be made: the lamp stands among the primitives, or there are too many of
+     * them, or none.
      */
     public static LightGrid of(Vector3dc position, ObjectTree objects) {
         List<Primitive> bounded = objects.bounded();
@@ -117,7 +117,9 @@ public final class LightGrid {
         return grid.complete ? grid : null;
     }
 
-    /** Range of the slopes to the right and up under which a box is seen; null if it reaches beside or behind the lamp. */
+    /**
+     * Range of the slopes to the right and up under which a box is seen; null if it reaches beside or behind the lamp.
+     */
     private static double[] extent(Bounds box, Vector3dc position, Vector3dc forward) {
         Vector3d right = Vectors.firstAxis(forward);
         Vector3d up = forward.cross(right, new Vector3d());
@@ -142,7 +144,9 @@ public final class LightGrid {
         return extent;
     }
 
-    /** Hands primitives down to the quarters of a square of cells that they can be seen in; false if they are too many. */
+    /**
+     * Hands primitives down to the quarters of a square of cells that they can be seen in; false if they are too many.
+     */
     private boolean fill(int column, int row, int depth, List<Occluder> occluders) {
         if (occluders.isEmpty()) {
             return true;

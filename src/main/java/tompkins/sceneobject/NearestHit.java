@@ -4,8 +4,8 @@ import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
 /**
- * The result of a search for the nearest primitive, with the memory that the search needs. One for each thread, used again
- * for every ray; it also counts the work that was done.
+ * The result of a search for the nearest primitive, with the memory that the search needs. One for each thread, used
+ * again for every ray; it also counts the work that was done.
  */
 public final class NearestHit {
 
@@ -44,7 +44,10 @@ public final class NearestHit {
         }
     }
 
-    /** Whether a candidate takes the place of what was found before: of equally near ones the one that is listed first stays. */
+    /**
+     * Whether a candidate takes the place of what was found before: of equally near ones the one that is listed first
+     * stays.
+     */
     static boolean isNearer(Primitive candidate, double candidateDistance, Primitive found, double distance) {
         return candidateDistance < distance
                 || (candidateDistance == distance

@@ -10,7 +10,10 @@ import tompkins.ray.Ray;
  */
 public final class ObjectTree {
 
-    /** From this number of primitives a tree is faster than a list (see the chart of the tree in docs/speed-and-accuracy.md). */
+    /**
+     * From this number of primitives a tree is faster than a list (see the chart of the tree in
+     * docs/speed-and-accuracy.md).
+     */
     public static final int SMALLEST_TREE = 20;
 
     private final Primitive[] listed;

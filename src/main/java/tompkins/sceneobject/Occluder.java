@@ -4,15 +4,18 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * A primitive as a lamp sees it. A long one is seen as a narrow band of directions, which tells most shadow rays that pass it
- * with a single product. Starts of shadow rays that are 1e10 times as far away as the primitive may miss it by rounding.
+ * A primitive as a lamp sees it. A long one is seen as a narrow band of directions, which tells most shadow rays that
+ * pass it with a single product. Starts of shadow rays that are 1e10 times as far away as the primitive may miss it by
+ * rounding.
  */
 final class Occluder {
 
     /** Widening of the band against rounding of directions. */
     private static final double MARGIN = 1e-9;
 
-    /** Least sine of the angle under which the lamp sees the axis, for the plane through both to be known well enough. */
+    /**
+     * Least sine of the angle under which the lamp sees the axis, for the plane through both to be known well enough.
+     */
     private static final double LEAST_SINE = 1e-3;
 
     /** Where no band is known the primitive is near every direction. */
@@ -45,7 +48,10 @@ final class Occluder {
         return known ? normal.normalize() : NO_BAND;
     }
 
-    /** The largest sine of the angle between that plane and a direction from the lamp to the primitive, or something more. */
+    /**
+     * The largest sine of the angle between that plane and a direction from the lamp to the primitive, or something
+     * more.
+     */
     private static double halfWidth(Primitive primitive, Vector3dc lamp, Vector3dc normal) {
         double least = primitive.least(normal.x(), normal.y(), normal.z()) - normal.dot(lamp);
         double most = -primitive.least(-normal.x(), -normal.y(), -normal.z()) - normal.dot(lamp);

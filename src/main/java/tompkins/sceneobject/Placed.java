@@ -9,7 +9,8 @@ import tompkins.property.Require;
 
 /**
  * An object that is scaled about the origin, then rotated about an axis through the origin, then moved. The sense of
- * rotation: an observer towards whom the axis points sees a turn from x to y about z as clockwise (axes are left-handed).
+ * rotation: an observer towards whom the axis points sees a turn from x to y about z as clockwise (axes are
+ * left-handed).
  */
 @Meaning("An object that is scaled about the origin, then rotated about an axis through the origin, then moved")
 public record Placed(

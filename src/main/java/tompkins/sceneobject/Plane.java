@@ -8,8 +8,8 @@ import tompkins.surface.ColouredSurface;
 import tompkins.surface.Surface;
 
 /**
- * An infinite plane. Coordinates: lengths from the point, u along the x axis laid into the plane (along z where the plane
- * stands across x), v across; on a floor u is x and v is z.
+ * An infinite plane. Coordinates: lengths from the point, u along the x axis laid into the plane (along z where the
+ * plane stands across x), v across; on a floor u is x and v is z.
  */
 @Meaning("An infinite plane; u and v are lengths from its point, on a floor along x and z")
 public record Plane(

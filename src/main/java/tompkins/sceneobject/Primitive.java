@@ -40,15 +40,15 @@ public abstract class Primitive implements Boundary {
     }
 
     /**
-     * Distance to the nearest hit that lies in front of the ray's start and not beyond {@code limit}; {@link #NO_HIT} if
-     * there is none. A ray that starts on this primitive does not hit its own start.
+     * Distance to the nearest hit that lies in front of the ray's start and not beyond {@code limit}; {@link #NO_HIT}
+     * if there is none. A ray that starts on this primitive does not hit its own start.
      */
     public abstract double distance(Ray ray, double limit);
 
     /**
      * Rules out many rays at once: those with a margin below 0 surely miss this primitive, even allowing for rounding.
-     * The others may hit or miss. It saves most calls of {@link #distance}. Here by a ball around the primitive; by something
-     * narrower where a shape knows it.
+     * The others may hit or miss. It saves most calls of {@link #distance}. Here by a ball around the primitive; by
+     * something narrower where a shape knows it.
      *
      * @param farthest a number that no |x| + |y| + |z| of a start exceeds
      * @param margins receives a number for each ray of the block
@@ -64,8 +64,8 @@ public abstract class Primitive implements Boundary {
     }
 
     /**
-     * The margins of a ball, by the distance of its centre from the line. Several short loops: the compiler makes no instructions
-     * for several rays at once of a long one.
+     * The margins of a ball, by the distance of its centre from the line. Several short loops: the compiler makes no
+     * instructions for several rays at once of a long one.
      */
     static boolean ballMargins(
             double x, double y, double z, double radius, RayBlock rays, double farthest, double[] margins) {
@@ -117,8 +117,8 @@ public abstract class Primitive implements Boundary {
     public abstract Bounds bounds();
 
     /**
-     * The least value of n.x over the primitive, or something less: it tells whether the primitive lies beyond a plane with
-     * the normal n (of any length).
+     * The least value of n.x over the primitive, or something less: it tells whether the primitive lies beyond a plane
+     * with the normal n (of any length).
      */
     public abstract double least(double nx, double ny, double nz);
 

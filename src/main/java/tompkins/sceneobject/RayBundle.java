@@ -3,11 +3,11 @@ package tompkins.sceneobject;
 import tompkins.ray.RayBlock;
 
 /**
- * A region that holds a number of rays: the space between five planes, worked out from the rays themselves. It is right for
- * whatever made the rays: lenses, shutters, changes of frame.
+ * A region that holds a number of rays: the space between five planes, worked out from the rays themselves. It is right
+ * for whatever made the rays: lenses, shutters, changes of frame.
  *
- * <p>A plane is kept as a normal n and a bound: no point of any ray has n.x above the bound. A primitive whose least n.x lies
- * above it cannot be hit.
+ * <p>A plane is kept as a normal n and a bound: no point of any ray has n.x above the bound. A primitive whose least
+ * n.x lies above it cannot be hit.
  */
 final class RayBundle {
 

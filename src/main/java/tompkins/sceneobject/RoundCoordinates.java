@@ -6,8 +6,9 @@ import tompkins.math.Vectors;
 import tompkins.ray.SurfaceCoordinates;
 
 /**
- * Coordinates on the mantle of an object around an axis. With the axis upwards and seen from outside, u runs once around, from
- * left to right, and v upwards; u is 1/2 on the side of {@link Vectors#middleAround}, and follows the object when it is placed.
+ * Coordinates on the mantle of an object around an axis. With the axis upwards and seen from outside, u runs once
+ * around, from left to right, and v upwards; u is 1/2 on the side of {@link Vectors#middleAround}, and follows the
+ * object when it is placed.
  *
  * @param axis unit vector, upwards
  * @param middle unit vector to the side where u is 1/2

@@ -24,7 +24,9 @@ public sealed interface SceneObject
     /** What the user calls the object. */
     String description();
 
-    /** The number of primitives that the object becomes, or a few more; no whole number holds that of copies of copies. */
+    /**
+     * The number of primitives that the object becomes, or a few more; no whole number holds that of copies of copies.
+     */
     default double primitiveCount() {
         return 1;
     }

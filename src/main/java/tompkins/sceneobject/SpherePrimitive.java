@@ -29,9 +29,9 @@ final class SpherePrimitive extends Primitive {
     }
 
     /**
-     * By the distance of the centre from the line, which does not cancel for far or huge spheres, where the discriminant
-     * {@code b^2 - c} of the quadratic equation loses all digits. A ray that starts on the sphere meets it again only at
-     * the other end of its chord.
+     * By the distance of the centre from the line, which does not cancel for far or huge spheres, where the
+     * discriminant {@code b^2 - c} of the quadratic equation loses all digits. A ray that starts on the sphere meets it
+     * again only at the other end of its chord.
      */
     @Override
     public double distance(Ray ray, double limit) {

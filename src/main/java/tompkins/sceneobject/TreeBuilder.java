@@ -5,9 +5,9 @@ import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.RecursiveTask;
 
 /**
- * Builds a bounding-volume tree by the surface-area heuristic: a cut is good if few primitives lie in boxes that many rays
- * meet. Cuts are chosen among sixteen along each axis. Halves of large trees are built in parallel; the tree is the same
- * whatever the number of threads.
+ * Builds a bounding-volume tree by the surface-area heuristic: a cut is good if few primitives lie in boxes that many
+ * rays meet. Cuts are chosen among sixteen along each axis. Halves of large trees are built in parallel; the tree is
+ * the same whatever the number of threads.
  */
 final class TreeBuilder {
 

@@ -60,8 +60,9 @@ final class TreeNode {
     }
 
     /**
-     * Distance at which a ray enters the box (below 0 if it starts inside), or {@link #MISSED} (Kay and Kajiya 1986). A ray along a plane of the box
-     * itself gives 0 times infinity, which is no number and which no comparison refuses: the box then counts as met.
+     * Distance at which a ray enters the box (below 0 if it starts inside), or {@link #MISSED} (Kay and Kajiya 1986). A
+     * ray along a plane of the box itself gives 0 times infinity, which is no number and which no comparison refuses:
+     * the box then counts as met.
      */
     double entry(double x, double y, double z, double inverseX, double inverseY, double inverseZ, double limit) {
         double enter = ((inverseX > 0 ? minX : maxX) - x) * inverseX;

@@ -11,8 +11,8 @@ import tompkins.surface.ColouredSurface;
 import tompkins.surface.Surface;
 
 /**
- * Triangles from an OBJ file, each flat. Coordinates: (0, 0) at the first corner of each triangle, (1, 0) and (0, 1) at the
- * others. Triangles without area are left out: no ray can meet them.
+ * Triangles from an OBJ file, each flat. Coordinates: (0, 0) at the first corner of each triangle, (1, 0) and (0, 1) at
+ * the others. Triangles without area are left out: no ray can meet them.
  */
 @Meaning("Triangles from an OBJ file; (u, v) is (0, 0), (1, 0) and (0, 1) at the corners of each")
 public record TriangleMesh(

@@ -8,8 +8,8 @@ import tompkins.property.Require;
 import tompkins.spacetime.SpaceTimeTransformation;
 
 /**
- * A shutter in any plane of the camera frame: with a point Q and the normal n, the time at the lens is
- * {@code t + (Q - E).n / d.n} for a ray with the unit direction d. A ray that is parallel to the plane never crosses it.
+ * A shutter in any plane of the camera frame: with a point Q and the normal n, the time at the lens is {@code t + (Q -
+ * E).n / d.n} for a ray with the unit direction d. A ray that is parallel to the plane never crosses it.
  */
 @Meaning("A shutter in any plane that moves with the camera")
 public record ArbitraryPlaneShutter(

@@ -6,13 +6,13 @@ import tompkins.property.Require;
 import tompkins.spacetime.SpaceTimeTransformation;
 
 /**
- * A shutter at the detector behind an ideal lens, as in an electronic camera: all light reaches the detector at the same
- * time. The ideal lens delays the light so that all ways from a point to its image take equally long; the delay is zero in
- * the centre.
+ * A shutter at the detector behind an ideal lens, as in an electronic camera: all light reaches the detector at the
+ * same time. The ideal lens delays the light so that all ways from a point to its image take equally long; the delay is
+ * zero in the centre.
  *
- * <p>With the distances |PC| from the detector point to the lens centre, |CI| and |EI|, the time is
- * {@code t - |PC| - (|CI| - |EI|)} for a point in front, and with the opposite sign of the bracket for one behind. Both are
- * {@code t - |PC| - (1 - |D|)/w}, and the quotient is {@code (2 m.r - w r^2)/(1 + |D|)}, where nothing cancels and nothing is
+ * <p>With the distances |PC| from the detector point to the lens centre, |CI| and |EI|, the time is {@code t - |PC| -
+ * (|CI| - |EI|)} for a point in front, and with the opposite sign of the bracket for one behind. Both are {@code t -
+ * |PC| - (1 - |D|)/w}, and the quotient is {@code (2 m.r - w r^2)/(1 + |D|)}, where nothing cancels and nothing is
  * infinite.
  */
 @Meaning("A shutter at the detector, behind an ideal lens that delays light so that images stay sharp in motion")

@@ -4,9 +4,9 @@ import tompkins.property.Meaning;
 import tompkins.spacetime.SpaceTimeTransformation;
 
 /**
- * The shutter for which the surface in focus is the fixed-point surface of the change of frame: the light leaves each of its
- * points I at the time at which the point has the same coordinates in both frames, so that the surface looks undistorted.
- * The time at the lens is later by the signed distance to I.
+ * The shutter for which the surface in focus is the fixed-point surface of the change of frame: the light leaves each
+ * of its points I at the time at which the point has the same coordinates in both frames, so that the surface looks
+ * undistorted. The time at the lens is later by the signed distance to I.
  */
 @Meaning(
         "Light leaves each point in focus when the point has the same place in both frames; the focus looks undistorted")

@@ -5,8 +5,8 @@ import tompkins.property.Require;
 import tompkins.spacetime.SpaceTimeTransformation;
 
 /**
- * A shutter on the surface on which the camera is focused: the light of all its points leaves at the same time of the camera
- * frame. The time at the lens is later by the signed distance to the point: {@code t + |D|/w}.
+ * A shutter on the surface on which the camera is focused: the light of all its points leaves at the same time of the
+ * camera frame. The time at the lens is later by the signed distance to the point: {@code t + |D|/w}.
  */
 @Meaning("A shutter on the surface that is in focus: light leaves all its points at the same camera time")
 public record FocusSurfaceShutter(

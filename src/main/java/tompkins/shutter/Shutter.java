@@ -3,8 +3,8 @@ package tompkins.shutter;
 import tompkins.spacetime.SpaceTimeTransformation;
 
 /**
- * A model of the shutter: it decides at what time each ray crosses the lens, and with it from which event the ray is traced.
- * Descriptions, immutable; all times in the camera frame, c = 1 (Courtial et al. 2016, section 3).
+ * A model of the shutter: it decides at what time each ray crosses the lens, and with it from which event the ray is
+ * traced. Descriptions, immutable; all times in the camera frame, c = 1 (Courtial et al. 2016, section 3).
  */
 public sealed interface Shutter
         permits AperturePlaneShutter,

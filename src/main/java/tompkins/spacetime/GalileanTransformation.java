@@ -5,8 +5,8 @@ import org.joml.Vector3dc;
 import tompkins.ray.Ray;
 
 /**
- * The change of frame of Newton's mechanics: {@code x' = x + beta t}, {@code t' = t}. Light takes its time, but there is no
- * relativity; its speed is 1 in the first frame only. For teaching, against {@link LorentzTransformation}.
+ * The change of frame of Newton's mechanics: {@code x' = x + beta t}, {@code t' = t}. Light takes its time, but there
+ * is no relativity; its speed is 1 in the first frame only. For teaching, against {@link LorentzTransformation}.
  */
 final class GalileanTransformation implements SpaceTimeTransformation {
 
@@ -38,10 +38,11 @@ final class GalileanTransformation implements SpaceTimeTransformation {
     }
 
     /**
-     * The tangent (d, dt) of the ray becomes (d + beta dt, dt). Its spatial part is no longer of length |dt|: the ray keeps
-     * both, as a unit direction and a slowness. The phase of a wave is the same in both frames: its frequency in the other one is
-     * {@code 1 - slowness beta.d} of what it is here, where a wave runs along its rays. The angles of a narrow
-     * bundle are divided by |d + beta dt|; that those in the plane of d and beta shrink by its inclination, too, is left out.
+     * The tangent (d, dt) of the ray becomes (d + beta dt, dt). Its spatial part is no longer of length |dt|: the ray
+     * keeps both, as a unit direction and a slowness. The phase of a wave is the same in both frames: its frequency in
+     * the other one is {@code 1 - slowness beta.d} of what it is here, where a wave runs along its rays. The angles of
+     * a narrow bundle are divided by |d + beta dt|; that those in the plane of d and beta shrink by its inclination,
+     * too, is left out.
      */
     @Override
     public Ray transform(Ray ray) {

@@ -10,13 +10,13 @@ import tompkins.ray.RayBlock;
  *
  * <pre>x' = x + u ((u.x)/(gamma + 1) + t),   t' = gamma t + u.x</pre>
  *
- * A direction d that is traced backwards in time is the spatial part of the 4-vector (d, -|d|), so it takes the minus sign:
- * {@code d' = d + u ((u.d)/(gamma + 1) - |d|)}. (Eq. 2 of the paper has a plus sign because it speaks of the direction in
- * which the light travels.) Example: beta = (0, 0, 0.9), looking along +x, gives (0.43589, 0, -0.9).
+ * A direction d that is traced backwards in time is the spatial part of the 4-vector (d, -|d|), so it takes the minus
+ * sign: {@code d' = d + u ((u.d)/(gamma + 1) - |d|)}. (Eq. 2 of the paper has a plus sign because it speaks of the
+ * direction in which the light travels.) Example: beta = (0, 0, 0.9), looking along +x, gives (0.43589, 0, -0.9).
  *
- * <p>Directions are evaluated by half angles: the difference of d and the direction of motion is stretched, not d itself,
- * which costs an error of a few gamma u (u = 2^-53) where the plain formula has gamma^2 u (see the charts of the precision in
- * docs/speed-and-accuracy.md).
+ * <p>Directions are evaluated by half angles: the difference of d and the direction of motion is stretched, not d
+ * itself, which costs an error of a few gamma u (u = 2^-53) where the plain formula has gamma^2 u (see the charts of
+ * the precision in docs/speed-and-accuracy.md).
  */
 public final class LorentzTransformation implements SpaceTimeTransformation {
 
@@ -163,7 +163,8 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
      * @param velocity its speed counts
      * @param along unit vector of the motion
      * @param direction the unit vector to turn
-     * @return the factor by which the direction grows before it is made of unit length again: small angles are divided by it
+     * @return the factor by which the direction grows before it is made of unit length again: small angles are divided
+     *     by it
      */
     public static double turn(Velocity velocity, Vector3dc along, Vector3d direction) {
         double gamma = velocity.gamma();

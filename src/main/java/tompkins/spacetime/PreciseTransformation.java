@@ -7,8 +7,9 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * The Lorentz transformation of events with sixty digits, for the few places where a double has not enough of them: a camera
- * that has flown a distance of 1e12 has passed the rods of a scene by less than their radius. Slow; for one event a picture.
+ * The Lorentz transformation of events with sixty digits, for the few places where a double has not enough of them: a
+ * camera that has flown a distance of 1e12 has passed the rods of a scene by less than their radius. Slow; for one
+ * event a picture.
  */
 final class PreciseTransformation {
 
@@ -18,7 +19,9 @@ final class PreciseTransformation {
     private final Dfp gamma;
     private final Dfp[] proper = new Dfp[3];
 
-    /** From the frame that moves with the given velocity, or its opposite (sign -1), into the frame in which it moves. */
+    /**
+     * From the frame that moves with the given velocity, or its opposite (sign -1), into the frame in which it moves.
+     */
     PreciseTransformation(Velocity velocity, double sign) {
         Vector3dc given = velocity.given();
         Dfp squaredLength = exact(given.x())

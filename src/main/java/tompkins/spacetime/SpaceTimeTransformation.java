@@ -13,8 +13,8 @@ public sealed interface SpaceTimeTransformation
     Event transform(Event event);
 
     /**
-     * The place of an event in the other frame, as seen from a place near it there: with all digits, however far from the
-     * origin both are. Slower than {@link #transform(Event)}.
+     * The place of an event in the other frame, as seen from a place near it there: with all digits, however far from
+     * the origin both are. Slower than {@link #transform(Event)}.
      */
     Vector3d placeFrom(Vector3dc near, Event event);
 

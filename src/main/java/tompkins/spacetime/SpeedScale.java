@@ -13,7 +13,10 @@ public enum SpeedScale {
     /** The Lorentz factor 1/sqrt(1 - beta^2), from 1. */
     @Meaning("The Lorentz factor 1/sqrt(1 - beta^2)")
     GAMMA("gamma", "1 or above"),
-    /** The rapidity artanh(beta), which adds up when velocities along one line are composed. 19.1 belongs to {@link Velocity#LARGEST_GAMMA}. */
+    /**
+     * The rapidity artanh(beta), which adds up when velocities along one line are composed. 19.1 belongs to
+     * {@link Velocity#LARGEST_GAMMA}.
+     */
     @Meaning("The rapidity artanh(beta), which adds up when velocities along one line are composed")
     RAPIDITY("rapidity", "from 0 to 19.1"),
     /** What the speed lacks to that of light, 1 - beta, for speeds that a decimal fraction cannot hold. */
@@ -43,8 +46,8 @@ public enum SpeedScale {
     }
 
     /**
-     * The end of the refusal of a velocity, if a number of it was written as one below 1 but has too many nines to be told from
-     * it; empty if there is none.
+     * The end of the refusal of a velocity, if a number of it was written as one below 1 but has too many nines to be
+     * told from it; empty if there is none.
      */
     public static String roundingHint(Stream<String> numbers) {
         return numbers.map(String::trim)

@@ -13,8 +13,8 @@ import tompkins.property.Require;
  * A velocity below that of light. What is stored is the proper velocity u = gamma beta: with it no formula divides by
  * beta^2, nothing is special at rest, and speeds that differ from 1 by less than a double can show keep all digits.
  *
- * <p>A velocity remembers in which form it was given (as three components, or as a speed on one of the {@link SpeedScale}s
- * with a direction), so that a scene file is written back as it was read.
+ * <p>A velocity remembers in which form it was given (as three components, or as a speed on one of the
+ * {@link SpeedScale}s with a direction), so that a scene file is written back as it was read.
  */
 public final class Velocity {
 
@@ -117,8 +117,8 @@ public final class Velocity {
     }
 
     /**
-     * The same speed along another direction of any length, which stays as it is given. Components become a number on a scale;
-     * on that of gamma where they are so near the speed of light that the scale may have no digits left.
+     * The same speed along another direction of any length, which stays as it is given. Components become a number on a
+     * scale; on that of gamma where they are so near the speed of light that the scale may have no digits left.
      *
      * @throws InvalidPropertyException if there is no direction
      */
@@ -188,7 +188,10 @@ public final class Velocity {
         return scale == SpeedScale.RAPIDITY ? value : Math.log1p(gammaMinusOne() + properSpeed);
     }
 
-    /** exp(-eta) = gamma - gamma beta: the frequency in the scene of light from straight ahead, divided by what the camera sees. */
+    /**
+     * exp(-eta) = gamma - gamma beta: the frequency in the scene of light from straight ahead, divided by what the
+     * camera sees.
+     */
     public double expMinusRapidity() {
         return 1 / (gamma + properSpeed);
     }

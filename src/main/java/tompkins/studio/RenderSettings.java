@@ -32,8 +32,8 @@ public record RenderSettings(
         ToneCurve toneCurve) {
 
     /**
-     * 640 x 480 with one sample per pixel: the cheapest picture, and of all with one sample the best, because it is taken
-     * in the centre (see the charts of antialiasing in docs/speed-and-accuracy.md).
+     * 640 x 480 with one sample per pixel: the cheapest picture, and of all with one sample the best, because it is
+     * taken in the centre (see the charts of antialiasing in docs/speed-and-accuracy.md).
      */
     public static final RenderSettings DEFAULT = new RenderSettings(640, 480, 1, 0, 1, 1000, ToneCurve.LINEAR);
 

@@ -95,7 +95,10 @@ public record Studio(
         return transformation.sceneFromCamera(velocity);
     }
 
-    /** Whether the motion changes brightness and colours: only relativity says how, and a camera at rest sees them as they are. */
+    /**
+     * Whether the motion changes brightness and colours: only relativity says how, and a camera at rest sees them as
+     * they are.
+     */
     public boolean shiftsColours() {
         return colours != ColourLaw.UNCHANGED && sceneFromCamera() instanceof LorentzTransformation;
     }

@@ -5,7 +5,9 @@ import java.util.List;
 import java.util.Map;
 import tompkins.studio.Studio;
 
-/** Whether samples are better shared evenly or put where they are needed, and whether the error is what was promised. */
+/**
+ * Whether samples are better shared evenly or put where they are needed, and whether the error is what was promised.
+ */
 final class AntialiasingStudy implements Study {
 
     private static final int PROMISED_PART = 3;

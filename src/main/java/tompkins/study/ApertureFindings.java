@@ -8,8 +8,8 @@ import java.util.List;
 
 /**
  * What the measurements of {@link ApertureStudy} must show. The limits follow from theory: independent places err as
- * N^(-1/2); one place in each cell as N^(-3/4) at an edge (Mitchell 1996), and as N^(-5/8) where the edge also sweeps over
- * the pixel.
+ * N^(-1/2); one place in each cell as N^(-3/4) at an edge (Mitchell 1996), and as N^(-5/8) where the edge also sweeps
+ * over the pixel.
  */
 final class ApertureFindings {
 

@@ -126,8 +126,8 @@ final class ApertureStudy implements Study {
     }
 
     /**
-     * Whether neighbouring pixels err independently: the variance of the mean error of pixels that see the same, divided by
-     * what it is without any correlation. It is 1 for independent pixels and their number if all err alike.
+     * Whether neighbouring pixels err independently: the variance of the mean error of pixels that see the same,
+     * divided by what it is without any correlation. It is 1 for independent pixels and their number if all err alike.
      */
     private Figures independence(SamplingMethod.Factory factory) {
         int samples = SAMPLES_OF_INDEPENDENCE;

@@ -33,7 +33,10 @@ import org.jfree.data.xy.XYIntervalSeriesCollection;
 import org.jfree.data.xy.XYSeries;
 import org.jfree.data.xy.XYSeriesCollection;
 
-/** Draws a {@link Chart}: a curve with error bars for each method, its slope, the Pareto front, and the reference's error. */
+/**
+ * Draws a {@link Chart}: a curve with error bars for each method, its slope, the Pareto front, and the reference's
+ * error.
+ */
 public final class ChartDrawing {
 
     private static final int WIDTH = 860;

@@ -86,9 +86,9 @@ final class DepthStudy implements Study {
     }
 
     /**
-     * Corridors with the reflectances of the mirrors above and below the camera. With a limit of depth alone the mirrors are
-     * perfect, so that no ray gets faint, and what arrives is dimmed exactly: light that was reflected too often for the
-     * limit is missing altogether.
+     * Corridors with the reflectances of the mirrors above and below the camera. With a limit of depth alone the
+     * mirrors are perfect, so that no ray gets faint, and what arrives is dimmed exactly: light that was reflected too
+     * often for the limit is missing altogether.
      */
     private static Problem corridors(String key, String title, double share, double above, double below) {
         return new Problem(

@@ -12,8 +12,8 @@ final class DiscArea {
     }
 
     /**
-     * The share of the disc and the unit square around 0 where {@code x + u s + v t} is below c, with (s, t) in the square:
-     * the second integral of {@link #below}, differenced.
+     * The share of the disc and the unit square around 0 where {@code x + u s + v t} is below c, with (s, t) in the
+     * square: the second integral of {@link #below}, differenced.
      */
     static double below(double c, double u, double v) {
         return (twice(c + (u + v) / 2) - twice(c + (u - v) / 2) - twice(c - (u - v) / 2) + twice(c - (u + v) / 2))

@@ -7,8 +7,8 @@ import org.hipparchus.analysis.integration.gauss.GaussIntegrator;
 import org.hipparchus.analysis.integration.gauss.GaussIntegratorFactory;
 
 /**
- * A pattern made for the disc, from a table, turned in each pixel. Where the place in the pixel varies too, the places are
- * those of {@link SamplingMethod#ADDITIVE}, paired with the points of the disc at random.
+ * A pattern made for the disc, from a table, turned in each pixel. Where the place in the pixel varies too, the places
+ * are those of {@link SamplingMethod#ADDITIVE}, paired with the points of the disc at random.
  */
 final class DiscPattern extends SamplePattern {
 

@@ -4,8 +4,8 @@ import java.util.SplittableRandom;
 import tompkins.camera.ConcentricMap;
 
 /**
- * Places in a pixel and on the lens, and how much each counts. Like the program's own sampler, a pattern depends on the seed
- * and the pixel, never on what was asked before.
+ * Places in a pixel and on the lens, and how much each counts. Like the program's own sampler, a pattern depends on the
+ * seed and the pixel, never on what was asked before.
  */
 abstract class SamplePattern {
 

@@ -14,8 +14,8 @@ import tompkins.image.FileException;
 import tompkins.image.PendingFile;
 
 /**
- * The figures of a study in a file of comma-separated values: lines about the study, the program and the machine, then one
- * line for each measurement, written as soon as it is made. A study that was stopped goes on from there.
+ * The figures of a study in a file of comma-separated values: lines about the study, the program and the machine, then
+ * one line for each measurement, written as soon as it is made. A study that was stopped goes on from there.
  */
 public final class StudyData {
 
@@ -59,8 +59,8 @@ public final class StudyData {
     }
 
     /**
-     * Makes the measurements that the file does not hold yet, and gives all of them in the order of the trials. What else the
-     * file holds is replaced.
+     * Makes the measurements that the file does not hold yet, and gives all of them in the order of the trials. What
+     * else the file holds is replaced.
      */
     public List<Measurement> complete(Listener listener) throws IOException {
         List<Trial> trials = study.trials();
@@ -80,7 +80,10 @@ public final class StudyData {
         return all;
     }
 
-    /** Whether the file is there and holds something else: figures of another machine, program or setting, or no figures. */
+    /**
+     * Whether the file is there and holds something else: figures of another machine, program or setting, or no
+     * figures.
+     */
     public boolean holdsOther() throws IOException {
         return Files.exists(file) && !isOwn(lines());
     }

@@ -9,8 +9,8 @@ import tompkins.render.Quality;
 import tompkins.sceneobject.ObjectTree;
 
 /**
- * A page with the charts of studies, what follows from them, and whether they are as they must be, in Markdown, beside a
- * folder with their files.
+ * A page with the charts of studies, what follows from them, and whether they are as they must be, in Markdown, beside
+ * a folder with their files.
  */
 public final class StudyPage {
 

@@ -34,7 +34,10 @@ public record StudySetup(long seed, Studio scene, Function<String, Studio> bundl
         return studios;
     }
 
-    /** The names of scenes, as settings give them: that of the user's own comes with a digest, which changes with the scene. */
+    /**
+     * The names of scenes, as settings give them: that of the user's own comes with a digest, which changes with the
+     * scene.
+     */
     static String settings(Map<String, Studio> studios) {
         return studios.entrySet().stream()
                 .map(entry -> entry.getKey().equals(OWN) ? OWN + " " + digest(entry.getValue()) : entry.getKey())

@@ -82,7 +82,9 @@ final class TreeStudy implements Study {
         return trials;
     }
 
-    /** All methods with the same objects and rays, in turns, so that whatever else the machine does disturbs all alike. */
+    /**
+     * All methods with the same objects and rays, in turns, so that whatever else the machine does disturbs all alike.
+     */
     private Map<String, Figures> race(int objects) {
         List<Primitive> primitives = spheres(objects);
         Ray[] rays = rays();

@@ -9,8 +9,9 @@ import tompkins.ray.Ray;
 import tompkins.spacetime.Velocity;
 
 /**
- * A sheet that changes the direction of light as a Galilean change of frame does: the traced direction n becomes n + beta,
- * in a medium n plus the slowness times beta (Oxburgh et al. 2014). In front of a camera with a Galilean transformation of the same velocity it undoes the aberration.
+ * A sheet that changes the direction of light as a Galilean change of frame does: the traced direction n becomes n +
+ * beta, in a medium n plus the slowness times beta (Oxburgh et al. 2014). In front of a camera with a Galilean
+ * transformation of the same velocity it undoes the aberration.
  */
 @Meaning("A sheet that changes the direction of light as a Galilean change of frame does")
 public record GalileoWindow(

@@ -10,10 +10,10 @@ import tompkins.spacetime.LorentzTransformation;
 import tompkins.spacetime.Velocity;
 
 /**
- * A sheet that changes the direction of light as a change of frame does (Oxburgh et al. 2014). In front of the lens of a
- * camera that moves with the same velocity it undoes the camera's aberration: the traced direction becomes the spatial part
- * of the inverse transformation, {@code d + u ((u.d)/(gamma + 1) + |d|)}. The window itself is at rest: it changes neither
- * the place, nor the time, nor the frequency of the light.
+ * A sheet that changes the direction of light as a change of frame does (Oxburgh et al. 2014). In front of the lens of
+ * a camera that moves with the same velocity it undoes the camera's aberration: the traced direction becomes the
+ * spatial part of the inverse transformation, {@code d + u ((u.d)/(gamma + 1) + |d|)}. The window itself is at rest: it
+ * changes neither the place, nor the time, nor the frequency of the light.
  */
 @Meaning("A sheet that changes the direction of light as a change of frame does, and so can undo the aberration")
 public record LorentzWindow(

@@ -9,11 +9,12 @@ public final class Refraction {
     private Refraction() {}
 
     /**
-     * The unit direction behind the boundary, or the mirrored direction where no light passes (total internal reflection).
+     * The unit direction behind the boundary, or the mirrored direction where no light passes (total internal
+     * reflection).
      *
-     * <p>With the ratio eta of the indices and the cosines c (before) and c' (behind), the direction is
-     * {@code eta d + (eta c - c') n} with n against d. The bracket cancels where the indices are nearly equal; it is
-     * evaluated as {@code (eta - 1)(eta + 1)/(eta c + c')}.
+     * <p>With the ratio eta of the indices and the cosines c (before) and c' (behind), the direction is {@code eta d +
+     * (eta c - c') n} with n against d. The bracket cancels where the indices are nearly equal; it is evaluated as
+     * {@code (eta - 1)(eta + 1)/(eta c + c')}.
      *
      * @param d unit direction of the ray
      * @param normal unit normal, on either side

@@ -9,8 +9,8 @@ import tompkins.ray.Ray;
 
 /**
  * The boundary of a transparent medium such as glass: light is bent by Snell's law and partly reflected by Fresnel's
- * equations, and needs more time inside; nothing is lost. Light sources shine through it unbent, so that glass throws no
- * shadow.
+ * equations, and needs more time inside; nothing is lost. Light sources shine through it unbent, so that glass throws
+ * no shadow.
  */
 @Meaning(
         "The boundary of a transparent medium such as glass: bends light and slows it down inside, reflects part of it,"
@@ -23,8 +23,8 @@ public record Refractive(
     public static final Refractive DEFAULT = new Refractive(1.5);
 
     /**
-     * After so many surfaces light that can leave is let out whole: a ray that grazes the inside of a sphere would otherwise
-     * run around in it until the recursion depth ends it, and its light would be lost.
+     * After so many surfaces light that can leave is let out whole: a ray that grazes the inside of a sphere would
+     * otherwise run around in it until the recursion depth ends it, and its light would be lost.
      */
     private static final int LONGEST_CAPTURE = 32;
 

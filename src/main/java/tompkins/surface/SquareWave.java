@@ -12,8 +12,9 @@ final class SquareWave {
     private SquareWave() {}
 
     /**
-     * The mean of the wave from {@code centre - half} to {@code centre + half}, by its integral, a triangle wave. Within
-     * the rounding of the coordinates also where the window is far narrower than a tile or holds millions of them.
+     * The mean of the wave from {@code centre - half} to {@code centre + half}, by its integral, a triangle wave.
+     * Within the rounding of the coordinates also where the window is far narrower than a tile or holds millions of
+     * them.
      */
     static double mean(double centre, double half) {
         // so wide, or so far away, that no number is left: the mean of the whole wave

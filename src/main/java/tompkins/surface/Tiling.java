@@ -8,9 +8,9 @@ import tompkins.ray.Ray;
 import tompkins.ray.SurfaceCoordinates;
 
 /**
- * A chequerboard of two surfaces. Far away a pixel sees many tiles, and single rays would draw a moire that is not there;
- * a filtered tiling shows the share of each surface in the spot that the ray lights, worked out exactly: the mean of the
- * product of two square waves over the spot's box.
+ * A chequerboard of two surfaces. Far away a pixel sees many tiles, and single rays would draw a moire that is not
+ * there; a filtered tiling shows the share of each surface in the spot that the ray lights, worked out exactly: the
+ * mean of the product of two square waves over the spot's box.
  */
 @Meaning("A chequerboard of two surfaces")
 public record Tiling(
@@ -89,7 +89,10 @@ public record Tiling(
         return (1 - waves) / 2;
     }
 
-    /** A spot that lies obliquely over the tiles fills little of the box around it, but most of the boxes around its parts. */
+    /**
+     * A spot that lies obliquely over the tiles fills little of the box around it, but most of the boxes around its
+     * parts.
+     */
     private static double wavesOfParts(
             double u, double v, double spreadU, double spreadV, double alongU, double alongV, int parts) {
         double partU = partSpread(spreadU, alongU, parts);

@@ -11,10 +11,11 @@ import tompkins.spacetime.SpaceTimeTransformation;
 /**
  * The way of a ray from the camera frame into the scene frame.
  *
- * <p>A camera that has been on its way for a long time is far from the origin of the scene frame, and so is everything that
- * it sees: with coordinates of order 1e7 a double has no digits left for rods of radius 0.02. Then the scene is described
- * from an origin of its own near the camera (a vector of doubles, subtracted exactly from the objects), rays are transformed
- * relative to the lens, and the rest between the lens and that origin is added, worked out once with sixty digits.
+ * <p>A camera that has been on its way for a long time is far from the origin of the scene frame, and so is everything
+ * that it sees: with coordinates of order 1e7 a double has no digits left for rods of radius 0.02. Then the scene is
+ * described from an origin of its own near the camera (a vector of doubles, subtracted exactly from the objects), rays
+ * are transformed relative to the lens, and the rest between the lens and that origin is added, worked out once with
+ * sixty digits.
  */
 final class FrameCrossing {
 

@@ -14,9 +14,9 @@ import tompkins.sceneobject.Primitive;
 import tompkins.surface.Refractive;
 
 /**
- * The medium around the lens: a camera may stand in glass or under water that moves with it. What it stands in is told by how often
- * a line through the lens leaves it. Open surfaces do not count, except infinite planes. Those of one medium are judged together:
- * two of them may be the faces of a plate.
+ * The medium around the lens: a camera may stand in glass or under water that moves with it. What it stands in is told
+ * by how often a line through the lens leaves it. Open surfaces do not count, except infinite planes. Those of one
+ * medium are judged together: two of them may be the faces of a plate.
  */
 final class LensMedium {
 
@@ -25,7 +25,10 @@ final class LensMedium {
 
     private LensMedium() {}
 
-    /** The slowness of light at a place among the primitives of the camera frame: the index of what is there, 1 in vacuum. */
+    /**
+     * The slowness of light at a place among the primitives of the camera frame: the index of what is there, 1 in
+     * vacuum.
+     */
     static double slowness(List<Primitive> primitives, Vector3dc place) {
         // a body may have many primitives, as a mesh has
         Map<List<Object>, List<Primitive>> bodies = primitives.stream()
@@ -73,7 +76,9 @@ final class LensMedium {
         return crossings.stream().mapToInt(Integer::intValue).sum();
     }
 
-    /** The same where that is most, and not less than 0: it has left no plate that it had not entered, or started in. */
+    /**
+     * The same where that is most, and not less than 0: it has left no plate that it had not entered, or started in.
+     */
     private static int mostLeft(Collection<Integer> crossings) {
         int most = 0;
         int left = 0;

@@ -4,9 +4,9 @@ import tompkins.light.ColourLaw;
 import tompkins.ray.Colour;
 
 /**
- * What becomes of the light of the scene on its way into the camera frame. It is metered: white light keeps its luminance in the
- * middle of the picture, since a fast camera would see all things ahead thousands of times too bright. What moves with the camera
- * is left as it is. Immutable, shared by all threads.
+ * What becomes of the light of the scene on its way into the camera frame. It is metered: white light keeps its
+ * luminance in the middle of the picture, since a fast camera would see all things ahead thousands of times too bright.
+ * What moves with the camera is left as it is. Immutable, shared by all threads.
  */
 final class LightShift {
 

@@ -15,8 +15,9 @@ import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
 
 /**
- * The scene, ready to be met by rays: its primitives in a tree, its lamps, and what each lamp sees. Nothing of it depends on
- * the camera, unless the scene holds image points; a film in which only the camera changes uses one for all its pictures.
+ * The scene, ready to be met by rays: its primitives in a tree, its lamps, and what each lamp sees. Nothing of it
+ * depends on the camera, unless the scene holds image points; a film in which only the camera changes uses one for all
+ * its pictures.
  */
 final class PreparedScene {
 

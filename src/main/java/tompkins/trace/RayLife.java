@@ -16,10 +16,11 @@ import tompkins.surface.Surface;
  *
  * @param cameraStart the event at which the ray starts, in the camera frame
  * @param cameraDirection unit direction in which it is traced, in the camera frame
- * @param sceneStart the event at which its main branch enters the scene frame, or null if it never does; where a ray splits, the
- *     main branch goes on with most of the light
+ * @param sceneStart the event at which its main branch enters the scene frame, or null if it never does; where a ray
+ *     splits, the main branch goes on with most of the light
  * @param sceneDirection unit direction in the scene frame, or null
- * @param frequencyRatio frequency of the light that the camera sees divided by that in the scene frame; 1 without crossing
+ * @param frequencyRatio frequency of the light that the camera sees divided by that in the scene frame; 1 without
+ *     crossing
  * @param hits everything that was hit, in the order of tracing: where a ray splits, first all of its weaker branch
  * @param reachesBackground whether the main branch goes on after all hits, and meets nothing more
  * @param colour the colour of the sample, before exposure

@@ -20,8 +20,8 @@ import tompkins.surface.Surface;
 import tompkins.surface.Tracer;
 
 /**
- * Follows rays among the objects of one frame: the nearest hit decides, and what leaves the objects goes beyond. One for each
- * thread and frame.
+ * Follows rays among the objects of one frame: the nearest hit decides, and what leaves the objects goes beyond. One
+ * for each thread and frame.
  */
 final class RayTracer implements Tracer, Visibility {
 
@@ -154,7 +154,10 @@ final class RayTracer implements Tracer, Visibility {
         return left == null ? sum : sum.plus(factor.times(beyond.colour(left)));
     }
 
-    /** Follows a ray whose nearest hit has just been searched. The memory is for its hits, of which each is over before the next. */
+    /**
+     * Follows a ray whose nearest hit has just been searched. The memory is for its hits, of which each is over before
+     * the next.
+     */
     private Ray follow(Ray start, boolean startHits, Hit memory) {
         Ray ray = start;
         boolean hits = startHits;

@@ -19,9 +19,9 @@ import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.studio.Studio;
 
 /**
- * What a picture needs, and no more: worked out once from a studio, used by all threads, and thrown away with the picture. A
- * camera at rest needs no change of frame, a pinhole no points on the lens, a studio without objects that move with the
- * camera no first search, a small scene no tree.
+ * What a picture needs, and no more: worked out once from a studio, used by all threads, and thrown away with the
+ * picture. A camera at rest needs no change of frame, a pinhole no points on the lens, a studio without objects that
+ * move with the camera no first search, a small scene no tree.
  */
 public final class RenderPlan {
 
@@ -62,13 +62,16 @@ public final class RenderPlan {
         return new RenderPlan(studio, null, false);
     }
 
-    /** The plan for the same picture by the plainest of searches, every primitive for every ray: what others must equal. */
+    /**
+     * The plan for the same picture by the plainest of searches, every primitive for every ray: what others must equal.
+     */
     static RenderPlan plain(Studio studio) {
         return new RenderPlan(studio, null, true);
     }
 
     /**
-     * The plan for a studio's picture, as {@link #of(Studio)}, which takes over the scene of an earlier plan if it is the same.
+     * The plan for a studio's picture, as {@link #of(Studio)}, which takes over the scene of an earlier plan if it is
+     * the same.
      *
      * @param previous the earlier plan, or null
      */
@@ -95,7 +98,10 @@ public final class RenderPlan {
         return new Event(place.x(), place.y(), place.z(), axis == null ? 0 : axis.time);
     }
 
-    /** The event, in the scene frame, at which a point that is fixed to the camera is photographed through the lens centre. */
+    /**
+     * The event, in the scene frame, at which a point that is fixed to the camera is photographed through the lens
+     * centre.
+     */
     private Event imagePoint(Vector3dc point) {
         Vector3d fromLens = point.sub(studio.camera().position(), new Vector3d());
         if (fromLens.length() == 0) {
@@ -136,7 +142,10 @@ public final class RenderPlan {
         return new PixelSampler(studio.settings().seed(), studio.camera().hasWideAperture());
     }
 
-    /** The unit direction, in the camera frame, of the ray through the centre of the lens for a point of the picture in pixels. */
+    /**
+     * The unit direction, in the camera frame, of the ray through the centre of the lens for a point of the picture in
+     * pixels.
+     */
     public Vector3dc chiefDirection(double x, double y) {
         return cameraRays.chiefDirection(x, y);
     }
@@ -176,7 +185,9 @@ public final class RenderPlan {
         return crossing.origin();
     }
 
-    /** The plan in sentences: what this picture needs, what it leaves out, and why; of its samples the quality tells. */
+    /**
+     * The plan in sentences: what this picture needs, what it leaves out, and why; of its samples the quality tells.
+     */
     public List<String> sentences() {
         return inSentences().sentences();
     }

@@ -17,8 +17,8 @@ import tompkins.sceneobject.NearestHit;
 public final class SampleTracer {
 
     /**
-     * Columns of the places on Morton's way through the block, on which those that follow each other are neighbours; the row
-     * of a place is the column of half its number.
+     * Columns of the places on Morton's way through the block, on which those that follow each other are neighbours;
+     * the row of a place is the column of half its number.
      */
     private static final int[] MORTON_COLUMNS =
             IntStream.range(0, RayBlock.MOST).map(SampleTracer::mortonColumn).toArray();
@@ -67,10 +67,10 @@ public final class SampleTracer {
     }
 
     /**
-     * Tells how many samples a pixel gets from now on; 1 before. Each stands for a part of the pixel, so that what is finer is
-     * not blurred twice, by the width of its ray and by the others. The part shrinks like samples^-0.75, as the error of the
-     * program's places at an edge does (see the charts of aperture in docs/speed-and-accuracy.md): what the width of rays blurs,
-     * which no difference between samples tells, stays below what the samples miss.
+     * Tells how many samples a pixel gets from now on; 1 before. Each stands for a part of the pixel, so that what is
+     * finer is not blurred twice, by the width of its ray and by the others. The part shrinks like samples^-0.75, as
+     * the error of the program's places at an edge does (see the charts of aperture in docs/speed-and-accuracy.md):
+     * what the width of rays blurs, which no difference between samples tells, stays below what the samples miss.
      *
      * @param samples 1 or more
      */
@@ -124,9 +124,9 @@ public final class SampleTracer {
     }
 
     /**
-     * Takes one sample of each pixel of a block. All rays of the block are made first and followed through what moves with the
-     * camera. For those that leave it, the few objects that they can meet are found at once, or else, for a few neighbours at a
-     * time, where they enter the tree. The colours are those of single samples.
+     * Takes one sample of each pixel of a block. All rays of the block are made first and followed through what moves
+     * with the camera. For those that leave it, the few objects that they can meet are found at once, or else, for a
+     * few neighbours at a time, where they enter the tree. The colours are those of single samples.
      *
      * @param left first column
      * @param top first row

@@ -38,7 +38,10 @@ import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
 
-/** Opens and saves scenes, saves and copies photographs. Scenes and pictures are read and written away from the event thread. */
+/**
+ * Opens and saves scenes, saves and copies photographs. Scenes and pictures are read and written away from the event
+ * thread.
+ */
 final class FileActions implements FileContentEditor.Choosers {
 
     private final JFrame frame;
@@ -94,7 +97,10 @@ final class FileActions implements FileContentEditor.Choosers {
         }
     }
 
-    /** Takes what was typed without Enter, so that it is not missing from what is saved; what is refused stays where it is. */
+    /**
+     * Takes what was typed without Enter, so that it is not missing from what is saved; what is refused stays where it
+     * is.
+     */
     private void takeEntries() {
         EntryField.takeAll(frame);
     }
@@ -114,8 +120,8 @@ final class FileActions implements FileContentEditor.Choosers {
     }
 
     /**
-     * A file chooser where a file was read or saved last for this scene; before, in the folder of the scene, or, without one,
-     * where a file was opened or saved last.
+     * A file chooser where a file was read or saved last for this scene; before, in the folder of the scene, or,
+     * without one, where a file was opened or saved last.
      */
     @Override
     public JFileChooser chooser() {
@@ -142,7 +148,9 @@ final class FileActions implements FileContentEditor.Choosers {
         leaveForAnother(() -> read(file));
     }
 
-    /** An example that was only looked at from elsewhere or in other motion comes back by undo: nothing to ask about. */
+    /**
+     * An example that was only looked at from elsewhere or in other motion comes back by undo: nothing to ask about.
+     */
     private void leaveForAnother(Runnable next) {
         Studio opened = model.opened();
         boolean looked = model.file() == null && model.studio().hasSameObjects(opened);

@@ -7,8 +7,8 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.EntryField;
 
 /**
- * Undo and redo as a person sees them: what stands in a field of the window without having been taken is the last thing that
- * was done, though the model knows nothing of it.
+ * Undo and redo as a person sees them: what stands in a field of the window without having been taken is the last thing
+ * that was done, though the model knows nothing of it.
  */
 final class History {
 

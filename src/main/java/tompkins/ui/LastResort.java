@@ -8,8 +8,8 @@ import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
 
 /**
- * Tells the user of what went wrong on the event thread and nobody expected: a program that was started with the mouse has no
- * console to tell it.
+ * Tells the user of what went wrong on the event thread and nobody expected: a program that was started with the mouse
+ * has no console to tell it.
  */
 final class LastResort implements Thread.UncaughtExceptionHandler {
 

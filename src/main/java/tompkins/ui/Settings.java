@@ -14,8 +14,8 @@ import tompkins.image.PendingFile;
 import tompkins.ui.widget.Look;
 
 /**
- * What the window remembers: its look, its size, and the files that were opened last. Kept in the folder for settings of the
- * user, or in the one that the system property {@code tompkins.settings} names.
+ * What the window remembers: its look, its size, and the files that were opened last. Kept in the folder for settings
+ * of the user, or in the one that the system property {@code tompkins.settings} names.
  */
 final class Settings {
 

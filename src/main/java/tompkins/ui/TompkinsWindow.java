@@ -98,8 +98,8 @@ public final class TompkinsWindow {
     }
 
     /**
-     * Opens a window, which shows its first picture as soon as that is there. Called by any thread; returns at once. The
-     * program ends when all its windows are closed.
+     * Opens a window, which shows its first picture as soon as that is there. Called by any thread; returns at once.
+     * The program ends when all its windows are closed.
      *
      * @param studio the scene to show
      * @param file where it was read from, or null
@@ -129,7 +129,10 @@ public final class TompkinsWindow {
         return window;
     }
 
-    /** Reads the examples and draws the icon away from the event thread, so that the first picture does not wait for them. */
+    /**
+     * Reads the examples and draws the icon away from the event thread, so that the first picture does not wait for
+     * them.
+     */
     private void prepareRest(Supplier<List<Studio>> examples) {
         Thread thread = new Thread(
                 () -> {
@@ -185,7 +188,10 @@ public final class TompkinsWindow {
         panel.revalidate();
     }
 
-    /** A size, or that of the screen of a window where that is smaller: large type, or a window of yesterday's screen, may not fit. */
+    /**
+     * A size, or that of the screen of a window where that is smaller: large type, or a window of yesterday's screen,
+     * may not fit.
+     */
     private static Dimension onScreen(Window window, int width, int height) {
         Rectangle screen = Screens.room(window);
         return new Dimension(Math.min(width, screen.width), Math.min(height, screen.height));

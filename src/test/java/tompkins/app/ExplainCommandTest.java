@@ -160,7 +160,10 @@ class ExplainCommandTest {
         assertThat(ProgramRun.of("explain", scene, "--size", "8x6").out()).contains(said);
     }
 
-    /** Nothing can be seen of a scene from which the camera flies away at D = 0.07; whoever gets the black picture is told so. */
+    /**
+     * Nothing can be seen of a scene from which the camera flies away at D = 0.07; whoever gets the black picture is
+     * told so.
+     */
     @Test
     void aPictureThatStaysDarkIsToldByAllThatTakeIt() throws IOException {
         Path scene = Files.writeString(folder.resolve("dark.json"), "{ \"velocity\": [0, 0, -0.99] }");

@@ -11,7 +11,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The program as a process of its own, with what it can have there alone: little memory, and an output that is lost. */
+/**
+ * The program as a process of its own, with what it can have there alone: little memory, and an output that is lost.
+ */
 class ProgramProcessTest {
 
     private static final String PROGRAM = "\"$JAVA\" -Xmx64m -Xshare:auto -XX:-UsePerfData " + Main.class.getName();

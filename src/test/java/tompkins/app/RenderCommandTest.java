@@ -13,7 +13,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What {@code tompkins render} takes, and takes again to the same bytes, and what it says of scenes it cannot save whole. */
+/**
+ * What {@code tompkins render} takes, and takes again to the same bytes, and what it says of scenes it cannot save
+ * whole.
+ */
 class RenderCommandTest {
 
     /** Place of the bits of a channel in a PNG file. */

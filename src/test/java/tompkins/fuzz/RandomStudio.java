@@ -65,7 +65,9 @@ import tompkins.surface.Surface;
 import tompkins.surface.Tiling;
 import tompkins.surface.WindowAxes;
 
-/** Valid studios that nobody would build: all types, sizes over many powers of ten. The same seed gives the same one. */
+/**
+ * Valid studios that nobody would build: all types, sizes over many powers of ten. The same seed gives the same one.
+ */
 public final class RandomStudio {
 
     private static final int TRIES = 1000;

@@ -19,9 +19,8 @@ import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleTracer;
 
 /**
- * Random studios render without an exception, without a colour that is no number, and soon. Long form:
- * {@code mvn test -Dtest=StudioFuzzTest -Dtompkins.fuzz=10000}; the first studio is that of
- * {@code -Dtompkins.fuzz.seed}.
+ * Random studios render without an exception, without a colour that is no number, and soon. Long form: {@code mvn test
+ * -Dtest=StudioFuzzTest -Dtompkins.fuzz=10000}; the first studio is that of {@code -Dtompkins.fuzz.seed}.
  */
 class StudioFuzzTest {
 
@@ -66,8 +65,8 @@ class StudioFuzzTest {
     }
 
     /**
-     * Blocks of rays, trees and grids of lamps are short cuts; they must not change a picture. Over twice as many powers of
-     * ten as a double has digits, rounding alone decides what is hit.
+     * Blocks of rays, trees and grids of lamps are short cuts; they must not change a picture. Over twice as many
+     * powers of ten as a double has digits, rounding alone decides what is hit.
      */
     @Test
     void blocksGiveTheColoursOfSingleSamples() throws InterruptedException {

@@ -179,7 +179,10 @@ class MeshFileTest {
                 .toList();
     }
 
-    /** The signed volume of what is closed is positive if its corners run counter-clockwise seen from outside: glass asks for that. */
+    /**
+     * The signed volume of what is closed is positive if its corners run counter-clockwise seen from outside: glass
+     * asks for that.
+     */
     @Test
     void theTrefoilHasItsOutsideOutside() throws IOException {
         MeshData trefoil =

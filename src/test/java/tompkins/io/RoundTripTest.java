@@ -236,7 +236,10 @@ class RoundTripTest {
                 .hasMessage(nowhere + ": cannot be written: there is no folder " + nowhere.getParent());
     }
 
-    /** Four characters of a photograph's text for three bytes of a picture: two of six million fit into 16 million, three do not. */
+    /**
+     * Four characters of a photograph's text for three bytes of a picture: two of six million fit into 16 million,
+     * three do not.
+     */
     @Test
     void photographOnlyNamesTheLargestOfTooManyPictures() {
         Studio studio = Studio.DEFAULT.withScene(List.of(

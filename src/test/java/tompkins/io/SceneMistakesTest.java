@@ -313,8 +313,8 @@ class SceneMistakesTest {
     }
 
     /**
-     * Random changes of valid files: either still a scene, or a message; never another exception. {@code -Dtompkins.fuzz=10000}
-     * makes it long.
+     * Random changes of valid files: either still a scene, or a message; never another exception.
+     * {@code -Dtompkins.fuzz=10000} makes it long.
      */
     @Test
     void mutatedFilesGiveASceneOrAMessage() {

@@ -58,7 +58,9 @@ class AberrationTest {
         assertThat(ray.sceneDirection().distance(Math.sqrt(1 - 0.81), 0, -0.9)).isLessThan(1e-15);
     }
 
-    /** Waves that run with speed 1 in the frame of the camera, from sources that come towards it with beta cos(angle). */
+    /**
+     * Waves that run with speed 1 in the frame of the camera, from sources that come towards it with beta cos(angle).
+     */
     @ParameterizedTest
     @CsvSource({"0.6, 0, 2.5", "0.6, 180, 0.625", "0.6, 90, 1", "0.9, 60, 1.8181818181818181"})
     void inNewtonsWorldFrequenciesShiftToo(double speed, double cameraDegrees, double expected) {

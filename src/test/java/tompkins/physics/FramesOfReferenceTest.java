@@ -68,7 +68,9 @@ class FramesOfReferenceTest {
         assertThat(different).isZero();
     }
 
-    /** Whether the past of the origin at a time, along a direction, meets a sphere that flies with -beta, contracted. */
+    /**
+     * Whether the past of the origin at a time, along a direction, meets a sphere that flies with -beta, contracted.
+     */
     private static boolean meets(
             Vector3dc direction, double time, Vector3dc restCentre, double radius, Vector3dc beta, double gamma) {
         Vector3d n = beta.normalize(new Vector3d());

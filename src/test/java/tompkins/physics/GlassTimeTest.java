@@ -164,7 +164,9 @@ class GlassTimeTest {
                 .isCloseTo(-4 / 3.0 * 2, within(1e-7));
     }
 
-    /** What the camera is not in does not slow its light: sheets, planes with the camera outside, and balls beside it. */
+    /**
+     * What the camera is not in does not slow its light: sheets, planes with the camera outside, and balls beside it.
+     */
     @Test
     void onlyWhatIsAroundTheLensIsItsMedium() {
         SceneObject ball = new Sphere("ball", new Vector3d(), 3, new Refractive(1.5));

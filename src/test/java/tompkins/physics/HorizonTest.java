@@ -59,7 +59,10 @@ class HorizonTest {
         return new Photograph(studio.withTransformation(law));
     }
 
-    /** The mean of a pixel from a fine grid of unfiltered samples: a Kronecker lattice, as an aligned grid would beat against the tiles. */
+    /**
+     * The mean of a pixel from a fine grid of unfiltered samples: a Kronecker lattice, as an aligned grid would beat
+     * against the tiles.
+     */
     private static double mean(SampleTracer sharp, int column, int row, int samples) {
         double mean = 0;
         for (int i = 0; i < samples; i++) {

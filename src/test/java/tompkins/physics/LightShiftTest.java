@@ -51,7 +51,9 @@ class LightShiftTest {
         return photograph.image();
     }
 
-    /** Isotropic radiation has gamma^2 (1 + beta^2/3) times the energy in the camera frame: Poynting, Larmor, von Laue. */
+    /**
+     * Isotropic radiation has gamma^2 (1 + beta^2/3) times the energy in the camera frame: Poynting, Larmor, von Laue.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {0.1, 0.5, 0.9})
     void searchlightHoldsTheEnergyOfRadiation(double beta) {
@@ -182,7 +184,10 @@ class LightShiftTest {
                 .isCloseTo(0x1p20 * Math.pow((1 - faster) / (1 + faster), 2), within(1e-9));
     }
 
-    /** In one pixel the light is more than 1e33 times as bright as in the scene, in the middle of the picture nearly dark. */
+    /**
+     * In one pixel the light is more than 1e33 times as bright as in the scene, in the middle of the picture nearly
+     * dark.
+     */
     @ParameterizedTest
     @EnumSource(value = ColourLaw.class, names = "UNCHANGED", mode = EnumSource.Mode.EXCLUDE)
     void nothingIsTooFast(ColourLaw law) {

@@ -196,7 +196,9 @@ class MovingObjectsTest {
         assertThat(rows).allSatisfy(row -> assertThat(row).isCloseTo(expected, within(1.5)));
     }
 
-    /** A rod that hangs a little beside the line of motion: the height of its ends in the picture tells their distance. */
+    /**
+     * A rod that hangs a little beside the line of motion: the height of its ends in the picture tells their distance.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {0.6, -0.6, 0.9})
     void rodOnTheLineOfMotionIsLongAheadAndShortBehind(double speed) {

@@ -94,7 +94,9 @@ class PenroseTest {
                 .isLessThan(1);
     }
 
-    /** Speed, angle of the sphere from the velocity and its angular radius in the scene, angular radius for the camera. */
+    /**
+     * Speed, angle of the sphere from the velocity and its angular radius in the scene, angular radius for the camera.
+     */
     @ParameterizedTest
     @CsvSource({
         "0.9, 90, 10, 4.39506",

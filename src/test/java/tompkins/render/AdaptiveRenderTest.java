@@ -148,8 +148,8 @@ class AdaptiveRenderTest {
     }
 
     /**
-     * The root mean square error: the difference from many samples of two other seeds, without the error of their mean, which
-     * is half of the difference between them.
+     * The root mean square error: the difference from many samples of two other seeds, without the error of their mean,
+     * which is half of the difference between them.
      */
     private static double trueError(Studio studio, RenderJob job) throws InterruptedException {
         float[] one = REFERENCES.computeIfAbsent(studio, of -> reference(of, 77));

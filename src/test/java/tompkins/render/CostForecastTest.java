@@ -15,7 +15,9 @@ import tompkins.io.StudioReader;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
-/** What is foretold comes true, within a factor of two. Samples are compared, not seconds: other programs run here too. */
+/**
+ * What is foretold comes true, within a factor of two. Samples are compared, not seconds: other programs run here too.
+ */
 class CostForecastTest {
 
     private static final Renderer RENDERER = new Renderer(2);
@@ -77,7 +79,9 @@ class CostForecastTest {
         assertThat(costs.seconds(400 * 175)).isEqualTo(0.5 + 2 + 63_500.0 / 4000, within(1e-9));
     }
 
-    /** A part that goes at 1000 samples in a second first and at 5000 then; the tenth of a second at 9000 tells nothing. */
+    /**
+     * A part that goes at 1000 samples in a second first and at 5000 then; the tenth of a second at 9000 tells nothing.
+     */
     @Test
     void aPartThatGetsFasterTellsTheSpeedOfItsEnd() {
         PartCosts costs = new PartCosts();
@@ -91,7 +95,9 @@ class CostForecastTest {
         assertThat(costs.rate()).as("the next part begins at 0").isEqualTo(5000);
     }
 
-    /** One of a part's 2560 samples took 4 s; a tenth of the next part's 1000 took 1 s; another part got none in 2 s. */
+    /**
+     * One of a part's 2560 samples took 4 s; a tenth of the next part's 1000 took 1 s; another part got none in 2 s.
+     */
     @Test
     void partsThatWereStoppedTellWhatTheyTook() {
         PartCosts costs = new PartCosts();

@@ -24,8 +24,8 @@ import tompkins.trace.SampleTaker;
 import tompkins.trace.SampleTracer;
 
 /**
- * Holds the work that pictures need, without a clock: it is counted exactly and must not grow. Rays and shadow rays follow
- * from the scene; nodes and tests are what the search makes of them. Who makes it better lowers the numbers.
+ * Holds the work that pictures need, without a clock: it is counted exactly and must not grow. Rays and shadow rays
+ * follow from the scene; nodes and tests are what the search makes of them. Who makes it better lowers the numbers.
  */
 class RenderWorkTest {
 

@@ -12,8 +12,8 @@ import tompkins.fuzz.RandomStudio;
 import tompkins.trace.RenderPlan;
 
 /**
- * Many renders, cancelled at random moments, leave nothing behind. Long form:
- * {@code mvn test -Dtest=SoakTest -Dtompkins.soak=1000}.
+ * Many renders, cancelled at random moments, leave nothing behind. Long form: {@code mvn test -Dtest=SoakTest
+ * -Dtompkins.soak=1000}.
  */
 class SoakTest {
 

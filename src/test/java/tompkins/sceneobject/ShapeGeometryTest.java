@@ -332,8 +332,8 @@ class ShapeGeometryTest {
     }
 
     /**
-     * From near and from far a cone keeps its form, and so do a needle and a cone that is nearly a disc: the way to a point is
-     * known to the rounding of the places.
+     * From near and from far a cone keeps its form, and so do a needle and a cone that is nearly a disc: the way to a
+     * point is known to the rounding of the places.
      */
     @ParameterizedTest
     @CsvSource({"1.5, 1", "1.5, 1e2", "1.5, 1e4", "1.5, 1e6", "1.5, 1e8", "1e-7, 3", "1e-7, 30", "1e7, 1e8", "1e7, 1e12"

@@ -15,9 +15,9 @@ import tompkins.studio.UniformBackground;
 import tompkins.surface.LuminousSurface;
 
 /**
- * Fig. 3 of the paper: through a wide aperture the white spheres are as sharp as through a pinhole with the detector-plane
- * shutter, and not with the aperture-plane shutter. The spheres alone are photographed, glowing before black, and the width of
- * each edge is the area of its grey pixels divided by its length.
+ * Fig. 3 of the paper: through a wide aperture the white spheres are as sharp as through a pinhole with the
+ * detector-plane shutter, and not with the aperture-plane shutter. The spheres alone are photographed, glowing before
+ * black, and the width of each edge is the area of its grey pixels divided by its length.
  */
 class SharpnessTest {
 

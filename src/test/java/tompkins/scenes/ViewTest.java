@@ -88,7 +88,10 @@ class ViewTest {
         assertThat(ball.width()).isCloseTo(ball.height(), within(1));
     }
 
-    /** Penrose: a cap of the sky with the area of the ball reaches as far as the ball itself. A shortened one would reach farther. */
+    /**
+     * Penrose: a cap of the sky with the area of the ball reaches as far as the ball itself. A shortened one would
+     * reach farther.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {0, 0.5, 0.8})
     void fiveBallsAreWholeAndRound(double speed) {
@@ -120,7 +123,10 @@ class ViewTest {
         }
     }
 
-    /** Terrell: a cube far away looks turned by the angle whose sine is beta; nearer, the rear side is a little narrower. */
+    /**
+     * Terrell: a cube far away looks turned by the angle whose sine is beta; nearer, the rear side is a little
+     * narrower.
+     */
     @ParameterizedTest
     @CsvSource({"object-box, 0", "object-box, 0.9", "terrell-cube, 0", "terrell-cube, 0.6", "terrell-cube, 0.8"})
     void cubeLooksTurned(String scene, double speed) {

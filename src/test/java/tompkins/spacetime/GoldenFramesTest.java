@@ -120,8 +120,8 @@ class GoldenFramesTest {
     }
 
     /**
-     * A circle of directions n . d = cos(a) is the plane of a 4-vector (n, cos(a)), which changes its frame as an event does:
-     * Penrose's circle without a formula of its own.
+     * A circle of directions n . d = cos(a) is the plane of a 4-vector (n, cos(a)), which changes its frame as an event
+     * does: Penrose's circle without a formula of its own.
      */
     @Test
     void outlineOfASphereIsACircle() {

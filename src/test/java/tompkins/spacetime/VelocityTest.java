@@ -15,8 +15,6 @@ import tompkins.property.NumberText;
 class VelocityTest {
 
     private static final double SMALL = 1e-15;
-    private static final Vector3d UP = new Vector3d(0, 1, 0);
-
     /** The same speed, 0.6, on every scale: gamma 1.25, rapidity ln 2. */
     @ParameterizedTest
     @CsvSource({"BETA, 0.6", "GAMMA, 1.25", "RAPIDITY, 0.6931471805599453", "ONE_MINUS_BETA, 0.4"})

@@ -29,8 +29,8 @@ class RefractiveTest {
     private static final double WEAK = 1.05 / 1024;
 
     /**
-     * Glass of index 1.5 reflects 4 % at 0 degrees, 39 % at 80, 90 % at 89 (by the equations of Fresnel): a
-     * ray that is too weak to be split goes the way of most of its light, with all of it.
+     * Glass of index 1.5 reflects 4 % at 0 degrees, 39 % at 80, 90 % at 89 (by the equations of Fresnel): a ray that is
+     * too weak to be split goes the way of most of its light, with all of it.
      */
     @ParameterizedTest
     @CsvSource({"0, false", "80, false", "89, true"})

@@ -17,7 +17,10 @@ import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 
-/** A window with the velocity of the camera takes back what the change of frame does to directions and to bundles of light. */
+/**
+ * A window with the velocity of the camera takes back what the change of frame does to directions and to bundles of
+ * light.
+ */
 class WindowBundleTest {
 
     private static final Velocity VELOCITY = Velocity.of(0.1, -0.2, 0.6);
@@ -48,8 +51,9 @@ class WindowBundleTest {
     }
 
     /**
-     * The velocity in the axes of the surface is turned with them; its own length is 1 to the last digit of a double. The window
-     * and the change of frame are stretched by factors of the order of gamma, and so is what rounding leaves.
+     * The velocity in the axes of the surface is turned with them; its own length is 1 to the last digit of a double.
+     * The window and the change of frame are stretched by factors of the order of gamma, and so is what rounding
+     * leaves.
      */
     @ParameterizedTest
     @ValueSource(doubles = {1e-9, 0.6, 0.9999999999999999})

@@ -14,8 +14,9 @@ import tompkins.studio.SceneFiles;
 import tompkins.studio.Studio;
 
 /**
- * Everything that makes the search fast (trees, candidates of a block of rays, grids of lamps) leaves every colour as it is,
- * to the last bit: compared with the plainest search, one sample after the other and every primitive for every ray.
+ * Everything that makes the search fast (trees, candidates of a block of rays, grids of lamps) leaves every colour as
+ * it is, to the last bit: compared with the plainest search, one sample after the other and every primitive for every
+ * ray.
  */
 class FastSearchTest {
 

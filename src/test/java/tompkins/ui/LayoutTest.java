@@ -49,7 +49,9 @@ import tompkins.ui.panel.PlayPanel;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
-/** Every component lies inside its parent and shows all of its text, at all sizes of type, in all looks, in long words. */
+/**
+ * Every component lies inside its parent and shows all of its text, at all sizes of type, in all looks, in long words.
+ */
 class LayoutTest {
 
     private static final Locale LONG_WORDS = new Locale("en", "XA");

@@ -28,7 +28,9 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.studio.Studio;
 
-/** The chart of the picture on show, in a real window: it grows while it is measured, and a click on a point is taken. */
+/**
+ * The chart of the picture on show, in a real window: it grows while it is measured, and a click on a point is taken.
+ */
 @Timeout(300)
 class QualityWindowTest {
 

@@ -114,8 +114,9 @@ public final class WindowDriver implements AutoCloseable {
     }
 
     /**
-     * Waits until what the robot did has been handled, first for keys and buttons that it let go. Not {@link Robot#waitForIdle}:
-     * some displays let that wait for ten seconds now and then, although nothing is going on.
+     * Waits until what the robot did has been handled, first for keys and buttons that it let go. Not
+     * {@link Robot#waitForIdle}: some displays let that wait for ten seconds now and then, although nothing is going
+     * on.
      */
     private void settle(long releasesBefore, int releases) {
         Toolkit.getDefaultToolkit().sync();

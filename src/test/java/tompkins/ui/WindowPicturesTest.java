@@ -30,8 +30,8 @@ import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.picture.PictureCanvas;
 
 /**
- * The pictures of the window in {@code docs/pictures}: with {@code -Dtompkins.regenerate=true} and a display they are taken
- * again; without, they must be there and small.
+ * The pictures of the window in {@code docs/pictures}: with {@code -Dtompkins.regenerate=true} and a display they are
+ * taken again; without, they must be there and small.
  */
 @Timeout(300)
 class WindowPicturesTest {

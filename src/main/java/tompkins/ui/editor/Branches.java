@@ -8,8 +8,8 @@ import tompkins.property.Descriptions;
 import tompkins.ui.model.Records;
 
 /**
- * Tells what a tree of the studio shows as branches from what a form shows: branches are lists, and whatever may hold lists
- * at any depth, such as groups of objects.
+ * Tells what a tree of the studio shows as branches from what a form shows: branches are lists, and whatever may hold
+ * lists at any depth, such as groups of objects.
  */
 final class Branches {
 

@@ -57,8 +57,8 @@ final class FamilyEditor implements ValueEditor {
     }
 
     /**
-     * A standard value of a type, with those parts of the shown value that it has, too, and that are not as usual, if they go
-     * together. Numbers and choices of yes or no mean another thing in another type.
+     * A standard value of a type, with those parts of the shown value that it has, too, and that are not as usual, if
+     * they go together. Numbers and choices of yes or no mean another thing in another type.
      */
     private Object alike(Class<?> type) {
         Object standard = Descriptions.standard(type);

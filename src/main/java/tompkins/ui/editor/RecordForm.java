@@ -16,8 +16,8 @@ import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Wording;
 
 /**
- * A form for a record, made from its components: names become labels, meanings tooltips, types controls. A value that the
- * record does not accept is marked where it was entered.
+ * A form for a record, made from its components: names become labels, meanings tooltips, types controls. A value that
+ * the record does not accept is marked where it was entered.
  */
 public final class RecordForm {
 

@@ -99,7 +99,8 @@ public final class BackgroundTask implements Progress {
     }
 
     /**
-     * Starts work that finds something and changes nothing, so that it can be cancelled up to its end. Called by the event thread.
+     * Starts work that finds something and changes nothing, so that it can be cancelled up to its end. Called by the
+     * event thread.
      *
      * @param done takes on the event thread what was found
      */

@@ -60,7 +60,10 @@ public final class SaveDialog {
         }
     }
 
-    /** Whether a name has the ending of another kind of file; a dot may also stand before a number, as in {@code beta0.9}. */
+    /**
+     * Whether a name has the ending of another kind of file; a dot may also stand before a number, as in
+     * {@code beta0.9}.
+     */
     private static boolean isOfAnotherKind(Path typed, FormatFilter<?> format) {
         return !format.isFolder()
                 && !format.fits(typed)

@@ -16,8 +16,8 @@ import tompkins.surface.LorentzWindow;
 import tompkins.surface.Surface;
 
 /**
- * The window in front of the lens: the first object that moves with the camera and has the surface of a Lorentz or a Galileo
- * window. If its velocity is that of the camera, it stays so when the camera's changes.
+ * The window in front of the lens: the first object that moves with the camera and has the surface of a Lorentz or a
+ * Galileo window. If its velocity is that of the camera, it stays so when the camera's changes.
  */
 public final class FrontWindow {
 
@@ -94,7 +94,10 @@ public final class FrontWindow {
         return following(studio, studio.withVelocity(velocity));
     }
 
-    /** A studio after a change; a window that matched before and was not changed itself has the velocity of the camera again. */
+    /**
+     * A studio after a change; a window that matched before and was not changed itself has the velocity of the camera
+     * again.
+     */
     public static Studio following(Studio before, Studio after) {
         Optional<Surface> window = of(after);
         boolean follows = matches(before) && !matches(after) && window.equals(of(before));

@@ -15,8 +15,8 @@ public final class Shutters {
     private Shutters() {}
 
     /**
-     * The studio with another shutter model, opened so that the light in the middle of the picture crosses the lens when it
-     * did before: what changes in the picture is the model's doing alone.
+     * The studio with another shutter model, opened so that the light in the middle of the picture crosses the lens
+     * when it did before: what changes in the picture is the model's doing alone.
      */
     public static Studio replaced(Studio studio, Class<?> model) {
         Camera camera = studio.camera();

@@ -12,8 +12,8 @@ import java.util.function.UnaryOperator;
 import tompkins.studio.Studio;
 
 /**
- * The studio that the window shows, with all that it was before. A panel never changes a studio: it proposes another one.
- * Used by the event thread alone.
+ * The studio that the window shows, with all that it was before. A panel never changes a studio: it proposes another
+ * one. Used by the event thread alone.
  */
 public final class StudioModel {
 
@@ -82,8 +82,8 @@ public final class StudioModel {
     }
 
     /**
-     * Takes another studio while a slider is dragged or an animation runs: all changes of one gesture are undone in one step,
-     * with those of other gestures between them, up to a change that belongs to none.
+     * Takes another studio while a slider is dragged or an animation runs: all changes of one gesture are undone in one
+     * step, with those of other gestures between them, up to a change that belongs to none.
      */
     public void adjust(Studio studio, Object duringGesture) {
         change(current.with(studio), duringGesture);
@@ -100,8 +100,8 @@ public final class StudioModel {
     }
 
     /**
-     * A studio was saved to a file: the present one, or one that it was a little while before. All steps since the scene was
-     * opened, and those taken back, belong to that file from now on.
+     * A studio was saved to a file: the present one, or one that it was a little while before. All steps since the
+     * scene was opened, and those taken back, belong to that file from now on.
      */
     public void saved(Studio written, Path file) {
         Step before = current;

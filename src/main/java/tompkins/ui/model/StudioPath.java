@@ -41,8 +41,8 @@ public record StudioPath(List<Object> steps) {
     }
 
     /**
-     * The way to the same part in a whole that has changed, also where it has another place in a list now. A part that its
-     * list has lost leads to the one before it; a way that ends leads to its end.
+     * The way to the same part in a whole that has changed, also where it has another place in a list now. A part that
+     * its list has lost leads to the one before it; a way that ends leads to its end.
      */
     public StudioPath followed(Object before, Object now) {
         StudioPath path = ROOT;

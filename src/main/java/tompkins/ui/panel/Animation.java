@@ -41,7 +41,10 @@ public record Animation(NumberProperty property, double from, double to, double 
                 : share == 1 ? to : Math.max(Math.min(from, to), Math.min(Math.max(from, to), between));
     }
 
-    /** The time of a value, at an end of its own for those that it does not reach; of two times the one nearer to another. */
+    /**
+     * The time of a value, at an end of its own for those that it does not reach; of two times the one nearer to
+     * another.
+     */
     double time(double value, double near) {
         double share = from == to ? 0 : Math.max(0, Math.min(1, (value - from) / (to - from)));
         return switch (course) {

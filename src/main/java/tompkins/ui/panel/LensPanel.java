@@ -104,7 +104,10 @@ public final class LensPanel {
         return panel;
     }
 
-    /** Says of the picture on the screen if its one sample leaves a wide aperture without effect, or if it has others than the scene says. */
+    /**
+     * Says of the picture on the screen if its one sample leaves a wide aperture without effect, or if it has others
+     * than the scene says.
+     */
     public void show(Picture picture) {
         boolean sharp =
                 picture.studio().camera().hasWideAperture() && picture.quality().equals(new Quality.Samples(1));

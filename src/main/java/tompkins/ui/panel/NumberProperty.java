@@ -21,7 +21,8 @@ import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Wording;
 
 /**
- * A number of the studio that an animation can change. Two are equal if they are called the same and stand in the same place.
+ * A number of the studio that an animation can change. Two are equal if they are called the same and stand in the same
+ * place.
  *
  * @param name what the user calls it
  * @param path where it stands
@@ -66,7 +67,10 @@ public record NumberProperty(
                         studio.camera().withShutter(studio.camera().shutter().openedAt(value))));
     }
 
-    /** Speed and opening time first, then the other decimal numbers of camera, lights and objects, {@link #MOST} at most. */
+    /**
+     * Speed and opening time first, then the other decimal numbers of camera, lights and objects, {@link #MOST} at
+     * most.
+     */
     static List<NumberProperty> of(Studio studio) {
         List<NumberProperty> properties = new ArrayList<>();
         properties.add(speed(SpeedScale.BETA));

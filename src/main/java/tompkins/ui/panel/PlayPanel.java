@@ -220,7 +220,10 @@ public final class PlayPanel {
         }
     }
 
-    /** Values that show something: speeds from rest, times through the scene, other numbers from their value to twice it. */
+    /**
+     * Values that show something: speeds from rest, times through the scene, other numbers from their value to twice
+     * it.
+     */
     private void suggestValues() {
         NumberProperty property = property();
         double now = property.get().applyAsDouble(model.studio());

@@ -11,7 +11,10 @@ import tompkins.surface.Surface;
 import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Range;
 
-/** How large a scene is, so that sliders have sensible ends. Remembers it while the scene stays, for it may have many objects. */
+/**
+ * How large a scene is, so that sliders have sensible ends. Remembers it while the scene stays, for it may have many
+ * objects.
+ */
 final class SceneSize {
 
     private List<SceneObject> scene;
@@ -46,7 +49,9 @@ final class SceneSize {
         return largest;
     }
 
-    /** A slider for times: a little more than light needs through the scene, and far enough for the time that is set. */
+    /**
+     * A slider for times: a little more than light needs through the scene, and far enough for the time that is set.
+     */
     Range times(Studio studio) {
         double time = Math.abs(studio.camera().shutter().openingTime());
         double end = Numbers.niceCeiling(Math.max(1.2 * of(studio), time));

@@ -22,8 +22,8 @@ import tompkins.shutter.FocusSurfaceShutter;
 import tompkins.shutter.LensHologramShutter;
 
 /**
- * A tiny drawing of a camera from the side, detector to the left, lens in the middle, the surface in focus to the right, with
- * the shutter in the accent colour.
+ * A tiny drawing of a camera from the side, detector to the left, lens in the middle, the surface in focus to the
+ * right, with the shutter in the accent colour.
  */
 final class ShutterIcon implements Icon {
 

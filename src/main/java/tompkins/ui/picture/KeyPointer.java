@@ -12,8 +12,8 @@ import tompkins.ui.widget.FocusFollower;
 import tompkins.ui.widget.Keys;
 
 /**
- * What the mouse can do on a picture, with the keys: the arrows move a ring, pixel by pixel or with Shift by ten, and Enter
- * clicks in it. With Ctrl, the arrows to the left and right move the divider.
+ * What the mouse can do on a picture, with the keys: the arrows move a ring, pixel by pixel or with Shift by ten, and
+ * Enter clicks in it. With Ctrl, the arrows to the left and right move the divider.
  */
 final class KeyPointer {
 

@@ -3,7 +3,9 @@ package tompkins.ui.picture;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 
-/** A thread that works on the newest thing that it is given; what it has not begun when a newer one comes is dropped. */
+/**
+ * A thread that works on the newest thing that it is given; what it has not begun when a newer one comes is dropped.
+ */
 final class NewestFirst<T> implements AutoCloseable {
 
     /** As much as the threads of the renderer have: here, too, rays may be followed through deep recursions. */
@@ -16,8 +18,8 @@ final class NewestFirst<T> implements AutoCloseable {
     private boolean closed;
 
     /**
-     * A thread with a name that does the given work. It outlives work that throws, so that the next thing is done all the same;
-     * {@code failed} is told, by the thread, of the thing and of what went wrong.
+     * A thread with a name that does the given work. It outlives work that throws, so that the next thing is done all
+     * the same; {@code failed} is told, by the thread, of the thing and of what went wrong.
      */
     NewestFirst(String name, Consumer<T> work, BiConsumer<T, Throwable> failed) {
         this.work = work;

@@ -21,7 +21,9 @@ import javax.swing.JPanel;
 import javax.swing.UIManager;
 import tompkins.ui.widget.Texts;
 
-/** Shows the photograph as large as the window allows, alone or beside another one, and knows what lies under the mouse. */
+/**
+ * Shows the photograph as large as the window allows, alone or beside another one, and knows what lies under the mouse.
+ */
 @SuppressWarnings("serial") // never written to a stream
 public final class PictureCanvas extends JPanel {
 
@@ -323,7 +325,9 @@ public final class PictureCanvas extends JPanel {
         return new Point2D.Double(column + 0.5, row + 0.5);
     }
 
-    /** The picture that is seen at a point of this component, beyond the divider the other one; null if there is none. */
+    /**
+     * The picture that is seen at a point of this component, beyond the divider the other one; null if there is none.
+     */
     public Picture shownAt(Point point) {
         Point2D place = pictureAt(point);
         if (place == null) {

@@ -15,7 +15,9 @@ import tompkins.trace.RenderPlan;
 import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Texts;
 
-/** Follows the ray of the pixel under the mouse, on a thread of its own: what it hits, where and when, in both frames. */
+/**
+ * Follows the ray of the pixel under the mouse, on a thread of its own: what it hits, where and when, in both frames.
+ */
 public final class PixelProbe implements AutoCloseable {
 
     /**
@@ -28,7 +30,8 @@ public final class PixelProbe implements AutoCloseable {
      * @param inScene where and when, in the scene frame; null if nothing was hit
      * @param inCamera the same event in the camera frame; null if nothing was hit
      * @param angleDegrees angle between the look direction and the camera's velocity, in the camera frame; NaN at rest
-     * @param sceneAngleDegrees the same angle in the scene frame; NaN at rest, and for a ray that ends in the camera frame
+     * @param sceneAngleDegrees the same angle in the scene frame; NaN at rest, and for a ray that ends in the camera
+     *     frame
      * @param frequencyRatio frequency in the camera frame divided by that in the scene frame
      */
     public record Reading(

@@ -14,8 +14,9 @@ import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
 /**
- * Makes the picture of the newest studio, away from the event thread. While a slider is dragged each picture gets as far as
- * a frame of a smooth motion allows, then the next one takes its place; when the hand rests the picture is completed.
+ * Makes the picture of the newest studio, away from the event thread. While a slider is dragged each picture gets as
+ * far as a frame of a smooth motion allows, then the next one takes its place; when the hand rests the picture is
+ * completed.
  */
 public final class RenderController implements AutoCloseable {
 
@@ -26,8 +27,8 @@ public final class RenderController implements AutoCloseable {
     private static final Duration FRAME = Duration.ofMillis(30);
 
     /**
-     * A picture that has nothing to show after this time gives way all the same. The next one gets twice the time, for something
-     * has to be seen.
+     * A picture that has nothing to show after this time gives way all the same. The next one gets twice the time, for
+     * something has to be seen.
      */
     private static final Duration LONGEST_WAIT = Duration.ofMillis(80);
 

@@ -8,8 +8,8 @@ import java.util.function.UnaryOperator;
 import javax.swing.SwingUtilities;
 
 /**
- * Turns pictures into images no larger than the canvas, on a thread of its own, and hands the newest to the event thread.
- * However fast pictures come, the event thread has one at a time to paint.
+ * Turns pictures into images no larger than the canvas, on a thread of its own, and hands the newest to the event
+ * thread. However fast pictures come, the event thread has one at a time to paint.
  */
 public final class ScreenPictures implements AutoCloseable {
 

@@ -27,8 +27,8 @@ import org.joml.Vector3dc;
 import tompkins.property.NumberText;
 
 /**
- * A small sphere with an arrow for a direction, seen from behind and above the camera: x to the right, y up, z away. The arrow
- * can be dragged; arrow keys turn it by 5 degrees. Past the rim, or with Shift, it points towards the viewer.
+ * A small sphere with an arrow for a direction, seen from behind and above the camera: x to the right, y up, z away.
+ * The arrow can be dragged; arrow keys turn it by 5 degrees. Past the rim, or with Shift, it points towards the viewer.
  */
 @SuppressWarnings("serial") // never written to a stream
 public final class DirectionSphere extends JPanel {

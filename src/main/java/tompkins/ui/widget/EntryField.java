@@ -15,9 +15,9 @@ import javax.swing.text.JTextComponent;
 import tompkins.property.InvalidPropertyException;
 
 /**
- * A field for a value that is written as text. It is taken when Enter is pressed (with Ctrl where Enter begins another line) or
- * the focus leaves. A wrong value is marked with what is allowed. Wrong or unfinished, what was typed stays until it is put right,
- * taken back, or the value that the field shows changes elsewhere.
+ * A field for a value that is written as text. It is taken when Enter is pressed (with Ctrl where Enter begins another
+ * line) or the focus leaves. A wrong value is marked with what is allowed. Wrong or unfinished, what was typed stays
+ * until it is put right, taken back, or the value that the field shows changes elsewhere.
  */
 public final class EntryField {
 
@@ -81,7 +81,10 @@ public final class EntryField {
         return field;
     }
 
-    /** The fields in a container, and in the windows that it owns; also those that are folded away, or in a window that is hidden. */
+    /**
+     * The fields in a container, and in the windows that it owns; also those that are folded away, or in a window that
+     * is hidden.
+     */
     public static Stream<EntryField> in(Container container) {
         Stream<Component> inside = Stream.of(container.getComponents());
         Stream<Component> owned =

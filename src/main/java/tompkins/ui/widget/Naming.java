@@ -23,7 +23,9 @@ public final class Naming {
         accessible.setAccessibleDescription(tip);
     }
 
-    /** Gives a component the text of a key as its name, and that of the key with {@code Tip} behind it as its tooltip. */
+    /**
+     * Gives a component the text of a key as its name, and that of the key with {@code Tip} behind it as its tooltip.
+     */
     public static void name(JComponent component, String key) {
         name(component, Texts.get(key), Texts.get(key + "Tip"));
     }

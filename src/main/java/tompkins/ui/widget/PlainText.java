@@ -3,8 +3,8 @@ package tompkins.ui.widget;
 import javax.swing.JComponent;
 
 /**
- * Text that is shown as it stands. Swing takes what begins like HTML for HTML, and loads the pictures that it names; but names
- * and titles come from scenes, and scenes from anybody.
+ * Text that is shown as it stands. Swing takes what begins like HTML for HTML, and loads the pictures that it names;
+ * but names and titles come from scenes, and scenes from anybody.
  */
 public final class PlainText {
 

@@ -28,7 +28,9 @@ public final class SpeedText {
             Map.entry("\u03b7", SpeedScale.RAPIDITY),
             Map.entry("oneminusbeta", SpeedScale.ONE_MINUS_BETA));
 
-    /** So much of a speed is seen in its field, and so much of the speeds of an animation is steady enough to be read. */
+    /**
+     * So much of a speed is seen in its field, and so much of the speeds of an animation is steady enough to be read.
+     */
     private static final int CHARACTERS = 9;
 
     private SpeedText() {}
@@ -42,7 +44,10 @@ public final class SpeedText {
         return Numbers.fitting(value, CHARACTERS);
     }
 
-    /** A velocity in units of c: its components, or near the speed of light, of which they tell nothing, speed times direction. */
+    /**
+     * A velocity in units of c: its components, or near the speed of light, of which they tell nothing, speed times
+     * direction.
+     */
     public static String vector(Velocity velocity) {
         return isNearlyLight(velocity)
                 ? "(" + of(velocity, SpeedScale.BETA) + ") \u00b7 " + Numbers.brief(velocity.direction())

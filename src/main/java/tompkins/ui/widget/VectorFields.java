@@ -70,8 +70,8 @@ public final class VectorFields {
     }
 
     /**
-     * Shows a direction as a unit vector, so that nobody takes it for a velocity; but as it was typed if it was typed here,
-     * so that a second number does not change the first.
+     * Shows a direction as a unit vector, so that nobody takes it for a velocity; but as it was typed if it was typed
+     * here, so that a second number does not change the first.
      */
     public void showDirection(Vector3dc direction) {
         show(direction.equals(typed) ? direction : roundedUnit(direction));

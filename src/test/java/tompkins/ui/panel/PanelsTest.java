@@ -335,7 +335,10 @@ class PanelsTest {
         return Shutters.replaced(focused, shutter).camera().shutter();
     }
 
-    /** Light from the focus crosses the lens at time 0, as before; of a focus behind the camera that is the time in advance. */
+    /**
+     * Light from the focus crosses the lens at time 0, as before; of a focus behind the camera that is the time in
+     * advance.
+     */
     @ParameterizedTest
     @ValueSource(doubles = {10, -5})
     void theFocusSurfaceOpensForTheLightFromTheFocus(double focus) {
