@@ -24,6 +24,9 @@ public final class StudioWriter {
 
     private static final String A_FILE = "a file";
 
+    /** More characters than the keys of a file inside a scene, and the spaces before them, take. */
+    private static final int LONGEST_FRAME = 1000;
+
     private StudioWriter() {}
 
     /** The text of a scene file that names its pictures and meshes; they must lie beside it when it is read. */
@@ -36,32 +39,37 @@ public final class StudioWriter {
      * large meshes, and the largest pictures if all together would be too long for a photograph.
      */
     public static String writeSelfContained(Studio studio) {
-        return selfContained(studio).text;
+        Set<String> named = Set.copyOf(filesOnlyNamed(studio));
+        return text(studio, content -> isKept(content) && !named.contains(content.name()));
     }
 
     /** The names of the files that {@link #writeSelfContained} only names; each once. */
     public static List<String> filesOnlyNamed(Studio studio) {
-        return List.copyOf(selfContained(studio).named);
+        Set<String> named = new LinkedHashSet<>();
+        Map<String, Long> held = new HashMap<>();
+        Predicate<FileContent> none = content -> {
+            held.merge(content.name(), lengthInside(content), Long::sum);
+            return false;
+        };
+        long length = text(studio, notingLarge(named, none)).length()
+                + held.values().stream().mapToLong(Long::longValue).sum();
+        while (length > PhotographInfo.LONGEST_SCENE && !held.isEmpty()) {
+            String largest = Collections.max(held.entrySet(), Map.Entry.comparingByValue())
+                    .getKey();
+            length -= held.remove(largest);
+            named.add(largest);
+        }
+        return List.copyOf(named);
     }
 
-    private record SelfContained(String text, Set<String> named) {}
+    /** How much longer a text is at most for holding a file instead of naming it: four characters for three bytes. */
+    private static long lengthInside(FileContent content) {
+        return 4L * ((content.file().length + 2) / 3) + LONGEST_FRAME;
+    }
 
-    private static SelfContained selfContained(Studio studio) {
-        Set<String> named = new LinkedHashSet<>();
-        while (true) {
-            Map<String, Integer> held = new HashMap<>();
-            Predicate<FileContent> fits = content -> {
-                held.merge(content.name(), content.file().length, Integer::sum);
-                return !named.contains(content.name());
-            };
-            String text = text(studio, notingLarge(named, fits));
-            held.keySet().removeAll(named);
-            if (text.length() <= PhotographInfo.LONGEST_SCENE || held.isEmpty()) {
-                return new SelfContained(text, named);
-            }
-            named.add(Collections.max(held.entrySet(), Map.Entry.comparingByValue())
-                    .getKey());
-        }
+    /** The text of a scene file that holds whatever is kept of its files, however long: no other scene has the same. */
+    public static String writeComplete(Studio studio) {
+        return text(studio, StudioWriter::isKept);
     }
 
     /** The text that {@link #save} writes to a file. */

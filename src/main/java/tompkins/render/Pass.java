@@ -25,6 +25,9 @@ record Pass(int stride, int coarserStride, int firstSample, int samples, int inA
     /** Later passes are at most so long, or as long as an eighth of what is done: the picture is seen to get better. */
     private static final int LONG = 64;
 
+    /** A tile of such a pass takes some seconds; nothing of it is seen before. */
+    private static final int LONGEST = 4096;
+
     /**
      * The passes that take the given number of samples of each pixel: 1, 1, 2, 4, ... 64, 64, ..., in the end an eighth
      * of those before.
@@ -42,7 +45,7 @@ record Pass(int stride, int coarserStride, int firstSample, int samples, int inA
         }
         int done = 1;
         while (done < samples) {
-            int next = Math.min(Math.min(done, Math.max(LONG, done / 8)), samples - done);
+            int next = Math.min(Math.min(done, Math.min(LONGEST, Math.max(LONG, done / 8))), samples - done);
             passes.add(new Pass(1, 0, done, next, inAll, null, 1));
             done += next;
         }

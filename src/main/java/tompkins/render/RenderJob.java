@@ -46,7 +46,7 @@ public final class RenderJob {
     private volatile boolean cancelled;
     private volatile boolean complete;
     private volatile long endTime;
-    private long planningTime;
+    private final LongAdder planningTime = new LongAdder();
 
     RenderJob(
             RenderPlan plan,
@@ -152,9 +152,10 @@ public final class RenderJob {
                 next = schedule.next(film, this::isStopped);
             } catch (CancellationException stopped) {
                 return;
+            } finally {
+                planningTime.add(System.nanoTime() - start);
             }
             synchronized (passLock) {
-                planningTime += System.nanoTime() - start;
                 if (next == null) {
                     complete = true;
                 } else {
@@ -246,9 +247,7 @@ public final class RenderJob {
      * it.
      */
     double planningSeconds() {
-        synchronized (passLock) {
-            return planningTime / 1e9;
-        }
+        return planningTime.sum() / 1e9;
     }
 
     /** The first sample that failed, or null. */

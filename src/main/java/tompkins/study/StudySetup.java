@@ -47,7 +47,7 @@ public record StudySetup(long seed, Studio scene, Function<String, Studio> bundl
 
     private static String digest(Studio studio) {
         CRC32 checksum = new CRC32();
-        checksum.update(StudioWriter.writeSelfContained(studio).getBytes(StandardCharsets.UTF_8));
+        checksum.update(StudioWriter.writeComplete(studio).getBytes(StandardCharsets.UTF_8));
         return String.format(Locale.ROOT, "%08x", checksum.getValue());
     }
 }

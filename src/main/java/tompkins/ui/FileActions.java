@@ -153,7 +153,10 @@ final class FileActions implements FileContentEditor.Choosers {
      */
     private void leaveForAnother(Runnable next) {
         Studio opened = model.opened();
-        boolean looked = model.file() == null && model.studio().hasSameObjects(opened);
+        boolean looked = model.file() == null
+                && model.studio().hasSameObjects(opened)
+                && model.studio().title().equals(opened.title())
+                && model.studio().remarks().equals(opened.remarks());
         if (looked) {
             next.run();
         } else {

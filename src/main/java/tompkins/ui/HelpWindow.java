@@ -38,6 +38,7 @@ import tompkins.io.StudioReader;
 import tompkins.studio.Studio;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Screens;
 import tompkins.ui.widget.Texts;
 
 /** Shows the documents that come with the program beside its window; links to scenes open them there. */
@@ -90,10 +91,10 @@ final class HelpWindow {
             window.setContentPane(content());
             Keys.bindEscape(window.getRootPane(), () -> window.setVisible(false));
             Keys.bind(window.getRootPane(), KeyStroke.getKeyStroke("alt LEFT"), this::goBack);
-            Rectangle room = owner.getGraphicsConfiguration().getBounds();
-            window.setSize(Math.min(room.width, Look.pixels(WIDTH)), Math.min(room.height, Look.pixels(HEIGHT)));
+            window.setSize(Look.pixels(WIDTH), Look.pixels(HEIGHT));
             window.setLocationRelativeTo(owner);
         }
+        Screens.keepOnScreen(window);
         goTo(wanted);
         window.setVisible(true);
         text.requestFocusInWindow();
@@ -178,6 +179,7 @@ final class HelpWindow {
         String heading = link.substring(file.length()).replace("#", "");
         if (file.endsWith(".json")) {
             openScene.accept(scene(url));
+            owner.toFront();
             return;
         }
         if (!file.isEmpty()) {

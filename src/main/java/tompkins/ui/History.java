@@ -2,6 +2,9 @@ package tompkins.ui;
 
 import java.awt.Window;
 import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.EntryField;
@@ -44,15 +47,19 @@ final class History {
 
     /** Takes back what was typed last: what is right becomes a step first, so that it can be taken again. */
     void undo() {
-        boolean typed = !pending().isEmpty();
+        Map<EntryField, String> typed =
+                pending().stream().collect(Collectors.toMap(Function.identity(), EntryField::shown));
         Studio before = model.studio();
         takeEntries();
-        List<EntryField> refused = pending();
-        boolean nothingTaken = typed && model.studio() == before;
-        if (refused.isEmpty() && !nothingTaken) {
+        boolean isStep = typed.isEmpty() || model.studio() != before;
+        if (isStep && pending().isEmpty()) {
             step(model::undo);
         }
-        refused.forEach(EntryField::revert);
+        pending().forEach(EntryField::revert);
+        if (!isStep) {
+            // of the animation, say, which is no part of the scene
+            typed.forEach(EntryField::enter);
+        }
     }
 
     void redo() {

@@ -305,12 +305,8 @@ public final class TompkinsWindow {
         private void fitEditor() {
             Dimension made = editor.getSize();
             editor.pack();
-            editor.setSize(onScreen(
-                    editor, Math.max(made.width, editor.getWidth()), Math.max(made.height, editor.getHeight())));
-            Rectangle screen = Screens.room(editor);
-            editor.setLocation(
-                    Math.max(screen.x, Math.min(editor.getX(), screen.x + screen.width - editor.getWidth())),
-                    Math.max(screen.y, Math.min(editor.getY(), screen.y + screen.height - editor.getHeight())));
+            editor.setSize(Math.max(made.width, editor.getWidth()), Math.max(made.height, editor.getHeight()));
+            Screens.keepOnScreen(editor);
         }
 
         @Override

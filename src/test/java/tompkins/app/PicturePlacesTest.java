@@ -63,14 +63,14 @@ class PicturePlacesTest {
         Path target = folder.resolve("mine.png");
         Thread other = new Thread(() -> {
             try {
-                Thread.sleep(1000);
+                Thread.sleep(3000);
                 Files.writeString(target, "from somebody else");
             } catch (IOException | InterruptedException failure) {
                 throw new IllegalStateException(failure);
             }
         });
         other.start();
-        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", target, "--size", "64x48", "--seconds", 3);
+        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", target, "--size", "64x48", "--seconds", 5);
         other.join();
 
         Path numbered = folder.resolve("mine-2.png");

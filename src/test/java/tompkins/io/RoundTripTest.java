@@ -9,10 +9,12 @@ import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -263,6 +265,36 @@ class RoundTripTest {
         Studio thrice = Studio.DEFAULT.withScene(List.of(poster, poster, poster));
         assertThat(StudioWriter.filesOnlyNamed(thrice)).containsExactly("poster.png");
         assertThat(StudioWriter.writeSelfContained(thrice)).hasSizeLessThan(1000);
+    }
+
+    /** A study tells scenes apart by this text, also by what they hold that is too large for a photograph. */
+    @Test
+    void theCompleteTextHoldsEveryPicture() {
+        byte[] one = new byte[14_000_000];
+        byte[] other = one.clone();
+        other[13_999_999] = 1;
+
+        assertThat(StudioWriter.writeComplete(posterOf(one)))
+                .hasSizeGreaterThan(18_000_000)
+                .isNotEqualTo(StudioWriter.writeComplete(posterOf(other)));
+    }
+
+    private static Studio posterOf(byte[] file) {
+        PixelPicture picture = new PixelPicture("poster.png", 1, 1, new float[4], file);
+        return Studio.DEFAULT.withScene(
+                List.of(new Sphere("poster", new Vector3d(), 1, new PictureSurface(picture, true))));
+    }
+
+    /** Each picture is looked at once, not once for each that is left out. */
+    @Test
+    @Timeout(20)
+    void manyLargePicturesAreSoonToldFromSmallOnes() {
+        List<SceneObject> posters = IntStream.range(0, 40)
+                .mapToObj(number -> (SceneObject) poster("poster-" + number + ".png", 3_000_000))
+                .toList();
+
+        assertThat(StudioWriter.filesOnlyNamed(Studio.DEFAULT.withScene(posters)))
+                .hasSize(36);
     }
 
     private static Sphere poster(String name, int bytes) {

@@ -38,7 +38,7 @@ class HelpWindowTest {
         driver = new WindowDriver(folder, Studios.sphere(), null, List.of());
         driver.menu("menu.tour");
         text = driver.find(JEditorPane.class, "help.text");
-        WindowDriver.await("the tour", () -> text.isShowing() && title().equals("A guided tour - Tompkins"));
+        WindowDriver.await("the tour", () -> text.isShowing() && title().equals("A guided tour \u2013 Tompkins"));
     }
 
     private String title() {
@@ -80,9 +80,10 @@ class HelpWindowTest {
         follow("conventions.md#rays-run-backwards");
 
         WindowDriver.await(
-                "the chapter", () -> title().equals("Conventions - Tompkins") && firstLine("Rays run backwards"));
+                "the chapter", () -> title().equals("Conventions \u2013 Tompkins") && firstLine("Rays run backwards"));
         driver.key(KeyEvent.VK_LEFT, KeyEvent.VK_ALT);
-        WindowDriver.await("the tour", () -> title().equals("A guided tour - Tompkins") && sees("Rays run backwards"));
+        WindowDriver.await(
+                "the tour", () -> title().equals("A guided tour \u2013 Tompkins") && sees("Rays run backwards"));
         assertThat(driver.find(JButton.class, "help.back").isEnabled()).isFalse();
     }
 
@@ -111,11 +112,11 @@ class HelpWindowTest {
     @Test
     void figuresAreShownLineByLine() {
         follow("speed-and-accuracy.md#aperture");
-        WindowDriver.await("the studies", () -> title().equals("Speed and accuracy - Tompkins"));
+        WindowDriver.await("the studies", () -> title().equals("Speed and accuracy \u2013 Tompkins"));
 
         follow("speed-and-accuracy/stability.csv");
 
-        WindowDriver.await("the figures", () -> title().equals("# study: stability - Tompkins"));
+        WindowDriver.await("the figures", () -> title().equals("# study: stability \u2013 Tompkins"));
     }
 
     @Test
@@ -126,7 +127,7 @@ class HelpWindowTest {
         driver.menu("look.LIGHT");
         assertThat(WindowDriver.onEventThread(() -> text.getPreferredSize().height))
                 .isLessThan(large);
-        assertThat(title()).isEqualTo("A guided tour - Tompkins");
+        assertThat(title()).isEqualTo("A guided tour \u2013 Tompkins");
     }
 
     @Test

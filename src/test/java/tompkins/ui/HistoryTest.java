@@ -87,9 +87,11 @@ class HistoryTest {
         driver.menu("menu.playPanel");
         JTextField to = field("to");
         WindowDriver.await("the panel", to::isShowing);
+        String before = to.getText();
         driver.typeWithoutEnter(to, "0.7");
         undo();
         assertThat(driver.studio().velocity().speed()).isEqualTo(0.5);
+        assertThat(to.getText()).isEqualTo(before).isNotEqualTo("0.7");
     }
 
     @Test

@@ -82,7 +82,7 @@ class SaveDialogTest {
                         .anyMatch(
                                 message -> message.getText()
                                         .equals(
-                                                "The name typed.jpg must end in one of .png, .tif, .tiff, .hdr, .pic, or have no ending.")));
+                                                "The name typed.jpg has the ending of another kind of file; it must end in .png, .tif, .tiff, .hdr, .pic, or have no ending.")));
         driver.answer("OK");
         Path version = folder.resolve("beta0.9");
         driver.choose(version);

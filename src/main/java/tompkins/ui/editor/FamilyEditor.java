@@ -1,7 +1,8 @@
 package tompkins.ui.editor;
 
 import java.lang.reflect.RecordComponent;
-import java.util.Optional;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -25,6 +26,11 @@ final class FamilyEditor implements ValueEditor {
     private final Updating updating = new Updating();
     private Class<?> shownType;
     private Object shown;
+
+    /** What was made last by choosing a type, and the parts of the values from which it came, the latest first. */
+    private Object made;
+
+    private final List<Part> parts = new ArrayList<>();
     private RecordForm form;
 
     FamilyEditor(Class<?> family, String name, Note note, Consumer<Object> commit) {
@@ -51,19 +57,28 @@ final class FamilyEditor implements ValueEditor {
 
     private void choose() {
         Class<?> chosen = (Class<?>) types.getSelectedItem();
-        if (chosen != shownType && !note.attempt(() -> commit.accept(alike(chosen)))) {
+        if (chosen == shownType) {
+            return;
+        }
+        parts.addAll(0, ownParts());
+        made = alike(chosen);
+        if (!note.attempt(() -> commit.accept(made))) {
             updating.during(() -> types.setSelectedItem(shownType));
         }
     }
 
     /**
-     * A standard value of a type, with those parts of the shown value that it has, too, and that are not as usual, if
-     * they go together. Numbers and choices of yes or no mean another thing in another type.
+     * A standard value of a type, with those parts of the shown value, or of those from which it was made, that it has,
+     * too, if they go together.
      */
     private Object alike(Class<?> type) {
         Object standard = Descriptions.standard(type);
         Object[] values = Descriptions.components(type).stream()
-                .map(component -> ownPart(component).orElse(Descriptions.value(component, standard)))
+                .map(component -> parts.stream()
+                        .filter(part -> part.fits(component))
+                        .findFirst()
+                        .map(Part::value)
+                        .orElse(Descriptions.value(component, standard)))
                 .toArray();
         try {
             return Descriptions.make(type, values);
@@ -72,19 +87,30 @@ final class FamilyEditor implements ValueEditor {
         }
     }
 
-    private Optional<Object> ownPart(RecordComponent component) {
+    /** The parts that are not as usual. */
+    private List<Part> ownParts() {
         Object usual = Descriptions.standard(shownType);
         return Descriptions.components(shownType).stream()
-                .filter(own -> own.getName().equals(component.getName()))
-                .filter(own -> own.getGenericType().equals(component.getGenericType()))
-                .filter(own -> !own.getType().isPrimitive())
                 .filter(own -> !Descriptions.value(own, shown).equals(Descriptions.value(own, usual)))
-                .map(own -> Descriptions.value(own, shown))
-                .findFirst();
+                .map(own -> new Part(own, Descriptions.value(own, shown)))
+                .toList();
+    }
+
+    /** A part of a value. Numbers and choices of yes or no mean another thing in another type. */
+    private record Part(RecordComponent component, Object value) {
+
+        boolean fits(RecordComponent other) {
+            return other.getName().equals(component.getName())
+                    && other.getGenericType().equals(component.getGenericType())
+                    && (!other.getType().isPrimitive() || other.getDeclaringRecord() == component.getDeclaringRecord());
+        }
     }
 
     @Override
     public void show(Object value) {
+        if (!value.equals(made)) {
+            parts.clear();
+        }
         shown = value;
         if (value.getClass() != shownType) {
             shownType = value.getClass();

@@ -89,9 +89,9 @@ public final class StudioModel {
         change(current.with(studio), duringGesture);
     }
 
-    /** The next change begins a step of its own. */
-    public void endGesture() {
-        gestures.clear();
+    /** The next change of this gesture begins a step of its own. */
+    public void endGesture(Object gesture) {
+        gestures.remove(gesture);
     }
 
     /** Takes a studio that was read from a file, as a step that can be undone. */

@@ -53,7 +53,7 @@ public final class PlayPanel {
             Texts.get("play.scrubberTip"),
             Range.even(0, 1),
             (share, drag) -> moveTo(share),
-            () -> {});
+            drag -> {});
     private final JLabel value = new JLabel();
     private final Note note = new Note("");
     private final NumberField fromField;
@@ -277,7 +277,7 @@ public final class PlayPanel {
             timer.start();
         } else {
             timer.stop();
-            model.endGesture();
+            model.endGesture(gesture);
         }
     }
 

@@ -18,6 +18,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import javax.swing.AbstractAction;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
@@ -45,7 +46,7 @@ public final class DirectionSphere extends JPanel {
     private transient Vector3dc direction = new Vector3d(0, 0, 1);
 
     /** A sphere that tells of new directions with the gesture that they belong to, and of the end of a gesture. */
-    public DirectionSphere(BiConsumer<Vector3dc, Object> turned, Runnable released) {
+    public DirectionSphere(BiConsumer<Vector3dc, Object> turned, Consumer<Object> released) {
         this.turned = turned;
         setOpaque(false);
         Naming.name(this, Texts.get("direction.name"), Texts.get("direction.tip"));
@@ -64,7 +65,7 @@ public final class DirectionSphere extends JPanel {
 
             @Override
             public void mouseReleased(MouseEvent event) {
-                released.run();
+                released.accept(gesture);
             }
         };
         addMouseListener(mouse);
@@ -77,7 +78,7 @@ public final class DirectionSphere extends JPanel {
 
             @Override
             public void focusLost(FocusEvent event) {
-                released.run();
+                released.accept(gesture);
                 repaint();
             }
         });

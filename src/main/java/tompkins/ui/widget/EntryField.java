@@ -115,6 +115,17 @@ public final class EntryField {
         }
     }
 
+    /** What the field showed before something was typed. */
+    public String shown() {
+        return displayed;
+    }
+
+    /** Takes a text as if it had been typed. */
+    public void enter(String text) {
+        field.setText(text);
+        commit();
+    }
+
     /** Whether something was typed that is not taken, because it was refused or is not finished. */
     public boolean isPending() {
         return isWrong() || !field.getText().equals(displayed);

@@ -5,6 +5,7 @@ import java.awt.GraphicsConfiguration;
 import java.awt.Insets;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
+import java.awt.Window;
 
 /** The screens, of which there may be several, such as a projector beside that of a laptop. */
 public final class Screens {
@@ -21,5 +22,14 @@ public final class Screens {
                 bounds.y + taken.top,
                 bounds.width - taken.left - taken.right,
                 bounds.height - taken.top - taken.bottom);
+    }
+
+    /** Moves a window, and makes it smaller if need be, so that all of it is on its screen. */
+    public static void keepOnScreen(Window window) {
+        Rectangle screen = room(window);
+        window.setSize(Math.min(window.getWidth(), screen.width), Math.min(window.getHeight(), screen.height));
+        window.setLocation(
+                Math.max(screen.x, Math.min(window.getX(), screen.x + screen.width - window.getWidth())),
+                Math.max(screen.y, Math.min(window.getY(), screen.y + screen.height - window.getHeight())));
     }
 }

@@ -1,6 +1,7 @@
 package tompkins.ui.widget;
 
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import javax.accessibility.AccessibleContext;
 import javax.swing.JSlider;
 
@@ -21,9 +22,10 @@ public final class ValueSlider {
      * A slider.
      *
      * @param moved takes the value and the gesture it belongs to
-     * @param released called when the hand lets go
+     * @param released told of the gesture when the hand lets go
      */
-    public ValueSlider(String name, String tip, Range range, BiConsumer<Double, Object> moved, Runnable released) {
+    public ValueSlider(
+            String name, String tip, Range range, BiConsumer<Double, Object> moved, Consumer<Object> released) {
         this.range = range;
         Naming.name(slider, name, tip);
         slider.addChangeListener(event -> updating.unless(() -> {
@@ -32,7 +34,7 @@ public final class ValueSlider {
                 moved.accept(valueAt(position), gesture);
             }
             if (!slider.getValueIsAdjusting()) {
-                released.run();
+                released.accept(gesture);
             }
         }));
     }

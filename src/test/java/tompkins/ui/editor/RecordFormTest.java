@@ -19,6 +19,10 @@ import tompkins.camera.Camera;
 import tompkins.light.LightSource;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
+import tompkins.ray.Colour;
+import tompkins.sceneobject.Disc;
+import tompkins.sceneobject.Group;
+import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.shutter.Shutter;
@@ -29,6 +33,7 @@ import tompkins.surface.LuminousSurface;
 import tompkins.surface.Surface;
 import tompkins.ui.Components;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Wording;
 
 class RecordFormTest {
@@ -138,5 +143,32 @@ class RecordFormTest {
         assertThat(Wording.label("maximumDepth")).isEqualTo("Maximum depth");
         assertThat(Wording.label("surfaceAlongX")).isEqualTo("Surface along X");
         assertThat(Wording.label(Sphere.class)).isEqualTo("Sphere");
+    }
+
+    /** Whoever walks through the list of kinds by key chooses each of them, also those that have no surface. */
+    @Test
+    void onTheWayThroughTheKindsNothingIsLost() {
+        Sphere red = new Sphere("ball", new Vector3d(1, 2, 3), 4, new LuminousSurface(new Colour(1, 0, 0), false));
+        List<Object> committed = new ArrayList<>();
+        FamilyEditor[] editor = new FamilyEditor[1];
+        editor[0] = new FamilyEditor(SceneObject.class, "kind", new Note(""), value -> {
+            committed.add(value);
+            editor[0].show(value);
+        });
+        editor[0].show(red);
+        JComboBox<?> kinds = (JComboBox<?>) Components.all((Container) editor[0].component())
+                .filter(JComboBox.class::isInstance)
+                .findFirst()
+                .orElseThrow();
+
+        for (Class<?> kind : List.of(Plane.class, Group.class, Disc.class, Sphere.class)) {
+            kinds.setSelectedItem(kind);
+        }
+
+        assertThat(committed).hasSize(4);
+        Disc disc = (Disc) committed.get(2);
+        assertThat(disc.centre()).isEqualTo(red.centre());
+        assertThat(disc.surface()).isEqualTo(red.surface());
+        assertThat(committed.get(3)).isEqualTo(red);
     }
 }

@@ -59,8 +59,21 @@ class StudioModelTest {
     void twoDragsOfOneSliderAreTwoSteps() {
         Object drag = new Object();
         model.adjust(speed(0.1), drag);
-        model.endGesture();
+        model.endGesture(drag);
         model.adjust(speed(0.2), drag);
+        model.undo();
+        assertThat(model.studio()).isEqualTo(speed(0.1));
+    }
+
+    /** Such as the keys of a slider while an animation runs, whose ticks make no steps. */
+    @Test
+    void theEndOfOneGestureIsNotThatOfAnother() {
+        Object animation = new Object();
+        Object drag = new Object();
+        model.adjust(speed(0.1), animation);
+        model.adjust(speed(0.2), drag);
+        model.endGesture(drag);
+        model.adjust(speed(0.3), animation);
         model.undo();
         assertThat(model.studio()).isEqualTo(speed(0.1));
     }

@@ -16,7 +16,7 @@ class DirectionSphereTest {
     void theArrowFollowsTheMouse() {
         Vector3d[] turned = new Vector3d[1];
         DirectionSphere sphere =
-                new DirectionSphere((direction, gesture) -> turned[0] = new Vector3d(direction), () -> {});
+                new DirectionSphere((direction, gesture) -> turned[0] = new Vector3d(direction), gesture -> {});
         sphere.setSize(100, 100);
         for (Vector3d wanted : List.of(new Vector3d(0, 1, 0), new Vector3d(0.6, 0, 0.8), new Vector3d(0, 0, 1))) {
             Point2D point = sphere.pointOf(wanted);
