@@ -141,7 +141,8 @@ final class StudyCommand implements Callable<Integer> {
             madeBefore |= Files.exists(file);
             if (data(kind, studies.get(kind), page).holdsOther()) {
                 throw new MistakeException(
-                        file + ": holds figures of other settings or of another machine;" + " --force replaces them");
+                        file
+                                + ": holds figures of other settings, another machine or another version; --force replaces them");
             }
         }
         if (Files.exists(page.file()) && !madeBefore) {

@@ -111,7 +111,9 @@ class StudyCommandTest {
 
         assertThat(other.code()).isEqualTo(Failures.MISTAKE);
         assertThat(other.err().strip())
-                .isEqualTo(figures + ": holds figures of other settings or of another machine; --force replaces them");
+                .isEqualTo(
+                        figures
+                                + ": holds figures of other settings, another machine or another version; --force replaces them");
         assertThat(figures).hasContent(before);
         assertThat(ProgramRun.of("study", "stability", "-o", folder, "--seed", 2, "--force")
                         .code())
