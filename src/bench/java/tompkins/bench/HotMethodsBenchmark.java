@@ -65,7 +65,8 @@ public class HotMethodsBenchmark {
             Random random = new Random(1);
             for (int i = 0; i < RAYS; i++) {
                 Vector3d to = new Vector3d(random.nextDouble(-1.4, 1.4), random.nextDouble(-1.4, 1.4), 10).normalize();
-                rays[i] = Ray.from(0, 0, 0, to.x, to.y, to.z, 0, 1e-3);
+                rays[i] = Ray.from(0, 0, 0, to.x, to.y, to.z, 0);
+                rays[i].spread = 1e-3;
             }
         }
     }

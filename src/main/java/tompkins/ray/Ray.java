@@ -62,11 +62,6 @@ public final class Ray {
 
     /** A ray from (x, y, z) at the given time, in the unit direction (dx, dy, dz), of zero width, in vacuum. */
     public static Ray from(double x, double y, double z, double dx, double dy, double dz, double time) {
-        return from(x, y, z, dx, dy, dz, time, 0);
-    }
-
-    /** As above, for a bundle with the given opening angle (the angle that one pixel sees, in radians). */
-    public static Ray from(double x, double y, double z, double dx, double dy, double dz, double time, double spread) {
         Ray ray = new Ray();
         ray.x = x;
         ray.y = y;
@@ -77,7 +72,6 @@ public final class Ray {
         ray.time = time;
         ray.slowness = 1;
         ray.frequency = 1;
-        ray.spread = spread;
         ray.weight = 1;
         return ray;
     }

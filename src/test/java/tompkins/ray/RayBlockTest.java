@@ -6,7 +6,13 @@ import org.junit.jupiter.api.Test;
 
 class RayBlockTest {
 
-    private static final Ray FROM_CAMERA = Ray.from(1, 2, 3, 0, 0.6, 0.8, 7, 0.01);
+    private static final Ray FROM_CAMERA = fromCamera();
+
+    private static Ray fromCamera() {
+        Ray ray = Ray.from(1, 2, 3, 0, 0.6, 0.8, 7);
+        ray.spread = 0.01;
+        return ray;
+    }
 
     @Test
     void rayComesOutAsItWentIn() {

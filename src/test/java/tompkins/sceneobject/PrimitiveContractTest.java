@@ -82,7 +82,9 @@ class PrimitiveContractTest {
 
     private static Ray ray(Vector3dc origin, Vector3dc direction) {
         Vector3d d = direction.normalize(new Vector3d());
-        return Ray.from(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 5, 1e-3);
+        Ray ray = Ray.from(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 5);
+        ray.spread = 1e-3;
+        return ray;
     }
 
     private static void liesOnTheRay(Ray ray, double distance, Hit hit) {

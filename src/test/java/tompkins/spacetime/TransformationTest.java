@@ -17,7 +17,9 @@ class TransformationTest {
     private static final Event EVENT = new Event(3, -2, 5, 7);
 
     private static Ray ray() {
-        return Ray.from(3, -2, 5, 0.48, 0.6, 0.64, 7, 1e-3);
+        Ray ray = Ray.from(3, -2, 5, 0.48, 0.6, 0.64, 7);
+        ray.spread = 1e-3;
+        return ray;
     }
 
     private static Vector3d start(Ray ray) {

@@ -40,7 +40,8 @@ class WindowBundleTest {
     @ParameterizedTest
     @MethodSource("windowsAndDirections")
     void behindTheWindowBundlesAreAsWideAsAtRest(TransformationLaw law, Surface window, Vector3d direction) {
-        Ray ray = Ray.from(0, 0, 0, direction.x, direction.y, direction.z, 0, 1e-3);
+        Ray ray = Ray.from(0, 0, 0, direction.x, direction.y, direction.z, 0);
+        ray.spread = 1e-3;
         Hit hit = Hit.blank().set(ray, 1, 0, 0, -1, null, 0, null);
 
         Ray seen = law.sceneFromCamera(VELOCITY)
@@ -65,7 +66,8 @@ class WindowBundleTest {
         Surface window = new LorentzWindow(given, WindowAxes.SURFACE, 1);
         for (int i = 0; i < 50; i++) {
             Vector3d direction = new Vector3d(Math.sin(i), Math.cos(3 * i), Math.sin(7 * i + 1)).normalize();
-            Ray ray = Ray.from(0, 0, 0, direction.x, direction.y, direction.z, 0, 1e-3);
+            Ray ray = Ray.from(0, 0, 0, direction.x, direction.y, direction.z, 0);
+            ray.spread = 1e-3;
             Hit hit = Hit.blank().set(ray, 1, normal.x, normal.y, normal.z, null, 0, coordinates);
 
             Ray turned = window.respond(ray, hit, null).next();
