@@ -13,6 +13,11 @@ final class BoxPrimitive extends Primitive {
     private static final int NO_FACE = -1;
 
     private final Vector3d centre;
+
+    // two opposite corners: seen from the centre, a point near a face of a large box would lose its digits
+    private final Vector3d lowest;
+    private final Vector3d highest;
+
     private final Vector3d[] axes;
     private final double[] half;
 
@@ -23,6 +28,8 @@ final class BoxPrimitive extends Primitive {
         super(box.description(), box.surface());
         Vector3d size = box.to().sub(box.from(), new Vector3d());
         centre = placement.point(box.from().add(size.x / 2, size.y / 2, size.z / 2, new Vector3d()));
+        lowest = placement.point(box.from());
+        highest = placement.point(box.to());
         axes = new Vector3d[] {
             placement.direction(new Vector3d(1, 0, 0)),
             placement.direction(new Vector3d(0, 1, 0)),
@@ -54,19 +61,20 @@ final class BoxPrimitive extends Primitive {
         double leave = Double.POSITIVE_INFINITY;
         for (int axis = 0; axis < 3; axis++) {
             double slope = along(axis, ray.dx, ray.dy, ray.dz);
-            double from = along(axis, ray.x - centre.x, ray.y - centre.y, ray.z - centre.z);
+            double toLowest = along(axis, lowest.x - ray.x, lowest.y - ray.y, lowest.z - ray.z);
+            double toHighest = along(axis, highest.x - ray.x, highest.y - ray.y, highest.z - ray.z);
             boolean startsHere = start == 2 * axis || start == 2 * axis + 1;
             if (startsHere && (start % 2 == 0 ? slope <= 0 : slope >= 0)) {
                 return NO_HIT;
             }
             if (slope == 0) {
-                if (Math.abs(from) > half[axis]) {
+                if (toLowest > 0 || toHighest < 0) {
                     return NO_HIT;
                 }
                 continue;
             }
-            double lower = (-half[axis] - from) / slope;
-            double upper = (half[axis] - from) / slope;
+            double lower = toLowest / slope;
+            double upper = toHighest / slope;
             enter = Math.max(enter, startsHere ? 0 : Math.min(lower, upper));
             leave = Math.min(leave, Math.max(lower, upper));
         }

@@ -6,6 +6,7 @@ import java.util.Locale;
 import tompkins.golden.GoldenTable;
 import tompkins.golden.Worst;
 import tompkins.sceneobject.GoldenHits;
+import tompkins.sceneobject.GoldenSolids;
 import tompkins.sceneobject.HitMethod;
 import tompkins.sceneobject.NaiveHits;
 import tompkins.shutter.GoldenShutters;
@@ -62,6 +63,19 @@ final class AccuracyReport {
                         GoldenHits.worst(rows, new NaiveHits()),
                         GoldenHits.worst(rows, HitMethod.PROGRAM)));
             }
+            for (String shape : List.of("cone", "box")) {
+                var rows = GoldenTable.rows(GoldenSolids.FILE, row -> row.has("shape", shape));
+                all.add(new Comparison(
+                        "hit of a " + shape,
+                        "u acond",
+                        GoldenSolids.worstDistance(rows, new NaiveHits()),
+                        GoldenSolids.worstDistance(rows, HitMethod.PROGRAM)));
+            }
+            all.add(new Comparison(
+                    "normal of a cone",
+                    "u acond",
+                    GoldenSolids.worstNormal(new NaiveHits()),
+                    GoldenSolids.worstNormal(HitMethod.PROGRAM)));
             return all;
         }
     }
@@ -90,7 +104,7 @@ final class AccuracyReport {
         line(
                 "- acond = |f| + sum of |x df/dx| over the inputs x of the result f: how far f moves when each input changes by a");
         line(
-                "  relative 1, so that u acond is what rounding the inputs alone may cost; for a place f is a vector, |f| its length;");
+                "  relative 1, so that u acond is what rounding the inputs alone may cost; |f| of a vector is its length;");
         line("- cond is the same for the distance of a hit, divided by that distance.");
         line("");
         line("| quantity | limit | rows | naive | Tompkins |");

@@ -6,7 +6,7 @@ import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.surface.ColouredSurface;
 
-/** A way to find where a ray meets a sphere, a plane or a cylinder. */
+/** A way to find where a ray meets a sphere, a plane, a cylinder, a cone or a box. */
 public interface HitMethod {
 
     /** Distance of the first hit in front, in lengths of the direction; infinite if there is none. */
@@ -23,6 +23,19 @@ public interface HitMethod {
 
     /** As {@link #cylinder}, for a ray that starts on the mantle. */
     double cylinderFromItself(Vector3dc origin, Vector3dc direction, Vector3dc start, Vector3dc end, double radius);
+
+    /** Distance of the first hit of the mantle of a cone. */
+    double cone(Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc baseCentre, double radius);
+
+    /** As {@link #cone}, for a ray that starts on the mantle. */
+    double coneFromItself(Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc baseCentre, double radius);
+
+    /** Normal of the mantle of a cone, outwards, where a ray that hits it meets it after a distance. */
+    Vector3d coneNormal(
+            Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc baseCentre, double radius, double distance);
+
+    /** Distance of the first hit of a box along the axes. */
+    double box(Vector3dc origin, Vector3dc direction, Vector3dc from, Vector3dc to);
 
     /** The way of the program: the primitives of its objects. */
     HitMethod PROGRAM = new HitMethod() {
@@ -55,15 +68,53 @@ public interface HitMethod {
                     new Cylinder("", start, end, radius, false, ColouredSurface.DEFAULT), origin, direction, true);
         }
 
+        @Override
+        public double cone(Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc baseCentre, double radius) {
+            return distance(mantle(tip, baseCentre, radius), origin, direction, false);
+        }
+
+        @Override
+        public double coneFromItself(
+                Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc baseCentre, double radius) {
+            return distance(mantle(tip, baseCentre, radius), origin, direction, true);
+        }
+
+        private Cone mantle(Vector3dc tip, Vector3dc baseCentre, double radius) {
+            return new Cone("", tip, baseCentre, radius, false, ColouredSurface.DEFAULT);
+        }
+
+        @Override
+        public Vector3d coneNormal(
+                Vector3dc origin,
+                Vector3dc direction,
+                Vector3dc tip,
+                Vector3dc baseCentre,
+                double radius,
+                double distance) {
+            Primitive primitive = PrimitiveCollector.primitivesOf(mantle(tip, baseCentre, radius))
+                    .get(0);
+            Hit hit = primitive.hit(ray(origin, direction), distance * direction.length());
+            return new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
+        }
+
+        @Override
+        public double box(Vector3dc origin, Vector3dc direction, Vector3dc from, Vector3dc to) {
+            return distance(new Box("", from, to, ColouredSurface.DEFAULT), origin, direction, false);
+        }
+
         private double distance(SceneObject object, Vector3dc origin, Vector3dc direction, boolean fromItself) {
             Primitive primitive = PrimitiveCollector.primitivesOf(object).get(0);
-            Vector3d d = direction.normalize(new Vector3d());
-            Ray ray = Ray.from(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 0);
+            Ray ray = ray(origin, direction);
             if (fromItself) {
                 Hit start = Hit.blank().set(ray, 0, 0, 0, 0, primitive, 0, null);
-                ray = ray.bent(start, d.x, d.y, d.z, 1);
+                ray = ray.bent(start, ray.dx, ray.dy, ray.dz, 1);
             }
             return primitive.distance(ray, Primitive.NO_HIT) / direction.length();
+        }
+
+        private Ray ray(Vector3dc origin, Vector3dc direction) {
+            Vector3d d = direction.normalize(new Vector3d());
+            return Ray.from(origin.x(), origin.y(), origin.z(), d.x, d.y, d.z, 0);
         }
     };
 }

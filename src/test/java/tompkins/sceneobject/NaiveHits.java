@@ -38,6 +38,71 @@ public final class NaiveHits implements HitMethod {
         return cylinder(origin, direction, start, end, radius);
     }
 
+    /** The roots of (x.a)^2 = |x|^2 cos^2, a form with the unit axis a and half the opening angle at the tip. */
+    @Override
+    public double cone(Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc baseCentre, double radius) {
+        Vector3d axis = baseCentre.sub(tip, new Vector3d());
+        double height = axis.length();
+        axis.div(height);
+        double squaredCosine = height * height / (height * height + radius * radius);
+        Vector3d from = origin.sub(tip, new Vector3d());
+        double rayAlong = direction.dot(axis);
+        double startAlong = from.dot(axis);
+        double a = rayAlong * rayAlong - squaredCosine * direction.lengthSquared();
+        double b = rayAlong * startAlong - squaredCosine * from.dot(direction);
+        double c = startAlong * startAlong - squaredCosine * from.lengthSquared();
+        double root = Math.sqrt(b * b - a * c);
+        double one = withinCone((-b - root) / a, startAlong, rayAlong, height);
+        double other = withinCone((-b + root) / a, startAlong, rayAlong, height);
+        return Math.min(one, other);
+    }
+
+    private static double withinCone(double distance, double startAlong, double rayAlong, double height) {
+        double along = startAlong + distance * rayAlong;
+        return distance > 0 && along >= 0 && along <= height ? distance : Double.POSITIVE_INFINITY;
+    }
+
+    @Override
+    public double coneFromItself(
+            Vector3dc origin, Vector3dc direction, Vector3dc tip, Vector3dc baseCentre, double radius) {
+        return cone(origin, direction, tip, baseCentre, radius);
+    }
+
+    /** The gradient of that form. */
+    @Override
+    public Vector3d coneNormal(
+            Vector3dc origin,
+            Vector3dc direction,
+            Vector3dc tip,
+            Vector3dc baseCentre,
+            double radius,
+            double distance) {
+        Vector3d axis = baseCentre.sub(tip, new Vector3d());
+        double squaredCosine = axis.lengthSquared() / (axis.lengthSquared() + radius * radius);
+        axis.normalize();
+        Vector3d place = direction.mul(distance, new Vector3d()).add(origin).sub(tip);
+        double along = place.dot(axis);
+        return place.mul(squaredCosine).sub(axis.mul(along)).normalize();
+    }
+
+    /** The planes of the faces as seen from the centre of the box. */
+    @Override
+    public double box(Vector3dc origin, Vector3dc direction, Vector3dc from, Vector3dc to) {
+        Vector3d centre = from.add(to, new Vector3d()).mul(0.5);
+        Vector3d half = to.sub(from, new Vector3d()).mul(0.5);
+        double enter = Double.NEGATIVE_INFINITY;
+        double leave = Double.POSITIVE_INFINITY;
+        for (int axis = 0; axis < 3; axis++) {
+            double start = origin.get(axis) - centre.get(axis);
+            double one = (-half.get(axis) - start) / direction.get(axis);
+            double other = (half.get(axis) - start) / direction.get(axis);
+            enter = Math.max(enter, Math.min(one, other));
+            leave = Math.min(leave, Math.max(one, other));
+        }
+        double distance = enter > 0 ? enter : leave;
+        return enter <= leave && distance > 0 ? distance : Double.POSITIVE_INFINITY;
+    }
+
     private static double first(double a, double b, double c) {
         double root = Math.sqrt(b * b - a * c);
         double near = (-b - root) / a;
