@@ -79,7 +79,8 @@ final class TompkinsCommand implements Callable<Integer> {
         spec.commandLine()
                 .getErr()
                 .println("There is no display: taking the photograph instead of opening the window.");
-        new Photographer(spec.commandLine(), 0).takeDefault(scene == null ? BundledScenes.first() : scene, Path.of(""));
+        new Photographer(spec.commandLine(), Runtime.getRuntime().availableProcessors())
+                .takeDefault(scene == null ? BundledScenes.first() : scene, Path.of(""));
         return 0;
     }
 }

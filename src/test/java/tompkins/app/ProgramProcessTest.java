@@ -8,8 +8,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.image.PhotographFile;
 
 /**
  * The program as a process of its own, with what it can have there alone: little memory, and an output that is lost.
@@ -48,6 +50,20 @@ class ProgramProcessTest {
         ProgramRun mistake = shell("tompkins check good.json nothing.json > /dev/full");
         assertThat(mistake.code()).isEqualTo(Failures.MISTAKE);
         assertThat(mistake.err()).contains("nothing.json: there is no such file", "the output cannot be written");
+    }
+
+    @Test
+    void withoutDisplayAPhotographIsTaken() throws IOException, InterruptedException {
+        Files.writeString(folder.resolve("small.json"), "{\"settings\": {\"width\": 32, \"height\": 24}}");
+
+        ProgramRun run = shell("unset DISPLAY; tompkins small.json && tompkins");
+
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(run.err()).contains("There is no display: taking the photograph instead of opening the window.");
+        assertThat(run.out().lines()).hasSize(2);
+        assertThat(ImageIO.read(folder.resolve("small.png").toFile()).getWidth())
+                .isEqualTo(32);
+        assertThat(PhotographFile.readScene(folder.resolve("fig1b.png"))).isPresent();
     }
 
     /** Ctrl-C, while the picture is written. */
