@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Predicate;
 import picocli.CommandLine;
 import tompkins.image.FileException;
 import tompkins.image.PhotographFile;
@@ -50,18 +51,20 @@ final class Photographer {
      */
     void takeDefault(Path file, Path folder) throws IOException, InterruptedException {
         Studio studio = StudioReader.read(file);
-        Path target = targetOf(file, folder);
-        for (int number = 2; Files.exists(target) && !isPhotographOf(target, studio, file); number++) {
-            target = numbered(targetOf(file, folder), number);
-        }
+        Path target =
+                free(targetOf(file, folder), place -> Files.exists(place) && !isPhotographOf(place, studio, file));
         take(file, studio, Quality.of(studio), target, PictureFormat.of(target), Files.exists(target));
     }
 
-    /** The name of a picture with a number before its ending. */
-    private static Path numbered(Path target, int number) {
+    /** The name of a picture, or if it is taken the same with the first number before its ending that is not. */
+    private static Path free(Path target, Predicate<Path> isTaken) {
         String name = target.getFileName().toString();
         int dot = name.lastIndexOf('.');
-        return target.resolveSibling(name.substring(0, dot) + "-" + number + name.substring(dot));
+        Path free = target;
+        for (int number = 2; isTaken.test(free); number++) {
+            free = target.resolveSibling(name.substring(0, dot) + "-" + number + name.substring(dot));
+        }
+        return free;
     }
 
     private static boolean isPhotographOf(Path picture, Studio studio, Path scene) {
@@ -100,10 +103,7 @@ final class Photographer {
             progress.clear();
         }
         // somebody may have put a file there meanwhile
-        Path free = target;
-        for (int number = 2; !replace && Files.exists(free); number++) {
-            free = numbered(target, number);
-        }
+        Path free = replace ? target : free(target, Files::exists);
         PhotographFile.write(free, job.image(), format, studio.settings().toneCurve(), info);
         plan.warnings().forEach(warning -> err.println("warning: " + warning));
         report(free, job.report());
