@@ -92,6 +92,20 @@ class SaveDialogTest {
         }
     }
 
+    /** A dot in the name of a scene begins no ending. */
+    @Test
+    void theProposedNameIsAccepted() {
+        driver.close();
+        driver = new WindowDriver(
+                folder.resolve("settings"), Studios.sphere(), folder.resolve("sphere.v2.json"), List.of());
+        driver.completePicture();
+        driver.menu("menu.savePhotograph");
+
+        driver.choose(driver.chooser().getSelectedFile().toPath());
+
+        awaitSaved(folder.resolve("sphere.v2.png"));
+    }
+
     private static String start(Path file) throws IOException {
         return new String(Files.readAllBytes(file), 0, 4, StandardCharsets.ISO_8859_1);
     }

@@ -45,7 +45,8 @@ public final class SaveDialog {
         while (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION) {
             Path typed = chooser.getSelectedFile().toPath();
             FormatFilter<T> format = meant(typed, chooser.getFileFilter(), formats);
-            if (!isOfAnotherKind(typed, format)) {
+            boolean isProposed = typed.getFileName().toString().equals(name);
+            if (isProposed || !isOfAnotherKind(typed, format)) {
                 Path file = format.named(typed);
                 if (format.isFolder() || mayWrite(frame, file)) {
                     save.accept(file, format.format());
