@@ -66,7 +66,7 @@ public final class TompkinsWindow {
     private TompkinsWindow(Studio studio, Path file, CommandLineWriter commandLine) {
         settings.look().install();
         // as file choosers name it, so that it is one file, however it is opened
-        Path place = file == null ? null : file.toAbsolutePath();
+        Path place = file == null ? null : file.toAbsolutePath().normalize();
         model = new StudioModel(studio, place);
         view = new PhotographView(model, new PictureListener());
         status = new StatusBar(view.controller());
