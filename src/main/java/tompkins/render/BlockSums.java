@@ -9,7 +9,7 @@ import tompkins.trace.SampleTaker;
 /**
  * Adds up the samples that a pass takes of a block of pixels, in double precision, and then gives the film their sums.
  * The film has single precision, and would lose the last digits of each of many samples. It gets a single sample at
- * once. One for each thread.
+ * once: coarse passes take no more. One for each thread.
  */
 final class BlockSums implements SampleTaker {
 
@@ -20,7 +20,6 @@ final class BlockSums implements SampleTaker {
     private Pass pass;
     private int left;
     private int top;
-    private int strideShift;
 
     /**
      * Sums for one film.
@@ -37,7 +36,6 @@ final class BlockSums implements SampleTaker {
         pass = ofPass;
         left = firstColumn;
         top = firstRow;
-        strideShift = Integer.numberOfTrailingZeros(ofPass.stride());
     }
 
     @Override
@@ -56,7 +54,7 @@ final class BlockSums implements SampleTaker {
             film.add(film.pixel(column, row), colour.red(), colour.green(), colour.blue(), 1);
             return;
         }
-        int place = (row - top >> strideShift) * RayBlock.SIDE + (column - left >> strideShift);
+        int place = (row - top) * RayBlock.SIDE + column - left;
         sums[3 * place] += colour.red();
         sums[3 * place + 1] += colour.green();
         sums[3 * place + 2] += colour.blue();
@@ -70,8 +68,8 @@ final class BlockSums implements SampleTaker {
         }
         for (int place = 0; place < counts.length; place++) {
             if (counts[place] > 0) {
-                int column = left + (place % RayBlock.SIDE << strideShift);
-                int row = top + (place / RayBlock.SIDE << strideShift);
+                int column = left + place % RayBlock.SIDE;
+                int row = top + place / RayBlock.SIDE;
                 film.add(
                         film.pixel(column, row),
                         sums[3 * place],
