@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.IntFunction;
 import org.joml.Vector3d;
 import tompkins.camera.ThinLensCamera;
+import tompkins.image.LinearImage;
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
 import tompkins.render.Quality;
@@ -120,12 +121,13 @@ final class DepthStudy implements Study {
         List<Figures> runs = new ArrayList<>();
         for (int run = 0; run < REPEATS; run++) {
             RenderJob job = Photographs.taken(plan, new Quality.Samples(1), () -> false);
+            LinearImage image = job.image();
             double[] errors = new double[WIDTH * HEIGHT];
             for (int pixel = 0; pixel < errors.length; pixel++) {
                 int column = pixel % WIDTH;
                 int row = pixel / WIDTH;
                 Vector3d direction = new Vector3d(plan.chiefDirection(column + 0.5, row + 0.5));
-                errors[pixel] = error.of(direction, job.image().value(column, row, 0));
+                errors[pixel] = error.of(direction, image.value(column, row, 0));
             }
             RenderReport report = job.report();
             runs.add(Figures.of(report.rays(), report.time().toNanos() / 1e9, ErrorNorm.of(errors), 0));
