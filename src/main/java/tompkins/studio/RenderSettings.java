@@ -11,7 +11,7 @@ public record RenderSettings(
         @Meaning(value = "Pixels in a row", unit = "pixels") int width,
         @Meaning(value = "Number of rows", unit = "pixels") int height,
 
-        @Meaning("Samples for each pixel, 1 to 1048576; 1 is taken in the centre of the pixel and of the lens")
+        @Meaning("Samples per pixel, 1 to 1048576; 1 is taken in the centre of the pixel and of the lens")
         int samples,
 
         @Meaning(

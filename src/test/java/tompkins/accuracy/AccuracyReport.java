@@ -149,7 +149,7 @@ final class AccuracyReport {
         line("| rounding to 8 bits | " + number(0.5 / 255) + " of full scale |");
         line("| light given up below 1/1024 of the sample | " + number(1.0 / 1024) + " of the brightest source |");
         line("| direction in the scene at gamma 1e6, 8 gamma u | " + number(8e6 * U / pixel) + " pixels |");
-        line("| sums of samples in single precision | " + number(0x1p-24) + " of the value, for each sample |");
+        line("| sums of samples in single precision | " + number(0x1p-24) + " of the value, for each pass |");
         line("| direction in the scene at this gamma, 8 gamma u | " + number(8 * gamma * U / pixel) + " pixels |");
         line("| distance of a hit 10 away | " + number(40 * U) + " lengths |");
         line("");

@@ -42,7 +42,7 @@ class StudioModelTest {
         assertThat(model.studio()).isEqualTo(speed(0));
     }
 
-    /** As a slider does when its knob is pressed. */
+    /** As an animation does whose first moment is what is shown. */
     @Test
     void aDragThatBeginsWithTheValueThatIsThereIsAStepOfItsOwn() {
         Object drag = new Object();
