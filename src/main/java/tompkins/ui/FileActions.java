@@ -30,6 +30,7 @@ import tompkins.ui.file.FormatFilter;
 import tompkins.ui.file.ImageSelection;
 import tompkins.ui.file.Loss;
 import tompkins.ui.file.PhotographTaker;
+import tompkins.ui.file.PlainPath;
 import tompkins.ui.file.SaveDialog;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Picture;
@@ -182,7 +183,8 @@ final class FileActions implements FileContentEditor.Choosers {
         }
     }
 
-    private void read(Path file) {
+    private void read(Path named) {
+        Path file = PlainPath.of(named);
         BackgroundTask.find(frame, Texts.get("file.opening", file), () -> StudioReader.read(file), studio -> {
             show(studio, file);
             settings.addRecentFile(file);

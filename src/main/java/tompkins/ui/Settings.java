@@ -99,7 +99,7 @@ final class Settings {
 
     void addRecentFile(Path opened) {
         List<Path> files = new ArrayList<>(recentFiles());
-        Path absolute = opened.toAbsolutePath().normalize();
+        Path absolute = opened.toAbsolutePath();
         files.remove(absolute);
         files.add(0, absolute);
         for (int i = 0; i < Math.min(MOST_RECENT, files.size()); i++) {

@@ -28,6 +28,7 @@ import tompkins.studio.Studio;
 import tompkins.ui.editor.FileContentEditor;
 import tompkins.ui.editor.SceneEditor;
 import tompkins.ui.file.BackgroundTask;
+import tompkins.ui.file.PlainPath;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.NumberProperty;
 import tompkins.ui.panel.PlayPanel;
@@ -65,8 +66,7 @@ public final class TompkinsWindow {
 
     private TompkinsWindow(Studio studio, Path file, CommandLineWriter commandLine) {
         settings.look().install();
-        // as file choosers name it, so that it is one file, however it is opened
-        Path place = file == null ? null : file.toAbsolutePath().normalize();
+        Path place = file == null ? null : PlainPath.of(file);
         model = new StudioModel(studio, place);
         view = new PhotographView(model, new PictureListener());
         status = new StatusBar(view.controller());
