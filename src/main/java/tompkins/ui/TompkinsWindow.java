@@ -34,6 +34,7 @@ import tompkins.ui.panel.NumberProperty;
 import tompkins.ui.panel.PlayPanel;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PixelProbe;
+import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.FocusFollower;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
@@ -336,6 +337,8 @@ public final class TompkinsWindow {
 
         @Override
         public void togglePlay() {
+            // or what is half typed would stop it at once
+            EntryField.takeAll(frame);
             play.setShown(true);
             play.setPlaying(!play.isPlaying());
         }

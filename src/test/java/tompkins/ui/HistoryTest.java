@@ -128,6 +128,23 @@ class HistoryTest {
         assertThat(driver.studio()).isEqualTo(Studios.sphere());
     }
 
+    @Test
+    void whoTypesTheSpeedThatPlaysIsNotWrittenOver() {
+        JTextField speed = field("Speed");
+        driver.menu("menu.playSpeed");
+        WindowDriver.await(
+                "another speed", () -> !driver.window().model().studio().equals(Studios.sphere()));
+        driver.typeWithoutEnter(speed, "0.125");
+        Studio paused = driver.studio();
+        assertThat(speed.getText()).isEqualTo("0.125");
+        driver.key(KeyEvent.VK_ENTER);
+        assertThat(driver.studio().velocity().speed()).isEqualTo(0.125);
+        undo();
+        assertThat(driver.studio()).isEqualTo(paused);
+        undo();
+        assertThat(driver.studio()).as("in one step").isEqualTo(Studios.sphere());
+    }
+
     /** What is folded away is neither lost nor in the way for ever. */
     @Test
     void aRefusedValueThatIsFoldedAwayIsTakenBackToo() {

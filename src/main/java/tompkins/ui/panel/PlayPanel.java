@@ -70,6 +70,9 @@ public final class PlayPanel {
     private double time;
     private long lastTick;
 
+    /** The number as the animation left it. */
+    private double played;
+
     /** The panel; {@code export} takes a studio and the animation of it that is to be saved. */
     public PlayPanel(StudioModel model, BiConsumer<Studio, Animation> export) {
         this.model = model;
@@ -170,12 +173,20 @@ public final class PlayPanel {
         }
     }
 
-    /** Goes to the present value of the number, unless it runs. */
+    /** Goes to the present value of the number, unless it runs; it pauses when somebody else has set it. */
     private void follow() {
+        double now = present();
+        if (now != played) {
+            setPlaying(false);
+        }
         if (!isPlaying()) {
-            time = animation().time(property().get().applyAsDouble(model.studio()), time);
+            time = animation().time(now, time);
             showTime();
         }
+    }
+
+    private double present() {
+        return property().get().applyAsDouble(model.studio());
     }
 
     private void showTime() {
@@ -226,7 +237,8 @@ public final class PlayPanel {
      */
     private void suggestValues() {
         NumberProperty property = property();
-        double now = property.get().applyAsDouble(model.studio());
+        double now = present();
+        played = now;
         if (property.equals(NumberProperty.speed(SpeedScale.BETA))) {
             suggest(0, 0.99);
         } else if (property.equals(NumberProperty.speed(SpeedScale.RAPIDITY))) {
@@ -273,6 +285,7 @@ public final class PlayPanel {
         play.setText(Texts.get(playing ? "play.pause" : "play.play"));
         if (playing) {
             time = time >= 1 ? 0 : time;
+            played = present();
             lastTick = System.nanoTime();
             timer.start();
         } else {
@@ -290,11 +303,10 @@ public final class PlayPanel {
         long now = System.nanoTime();
         double next = time + (now - lastTick) * 1e-9 / seconds;
         lastTick = now;
-        if (next >= 1 && !loop.isSelected()) {
-            moveTo(1);
+        boolean ends = next >= 1 && !loop.isSelected();
+        moveTo(ends ? 1 : next % 1);
+        if (ends || EntryField.isOvertaken()) {
             setPlaying(false);
-        } else {
-            moveTo(next % 1);
         }
     }
 
@@ -306,6 +318,7 @@ public final class PlayPanel {
                 setPlaying(false);
             }
         });
+        played = present();
         showTime();
     }
 

@@ -2,6 +2,7 @@ package tompkins.ui.widget;
 
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.KeyboardFocusManager;
 import java.awt.Window;
 import java.awt.event.ActionEvent;
 import java.awt.event.FocusAdapter;
@@ -17,7 +18,8 @@ import tompkins.property.InvalidPropertyException;
 /**
  * A field for a value that is written as text. It is taken when Enter is pressed (with Ctrl where Enter begins another
  * line) or the focus leaves. A wrong value is marked with what is allowed. Wrong or unfinished, what was typed stays
- * until it is put right, taken back, or the value that the field shows changes elsewhere.
+ * until it is put right, taken back, or the value that the field shows changes elsewhere; what somebody is just typing
+ * stays then, too.
  */
 public final class EntryField {
 
@@ -29,6 +31,9 @@ public final class EntryField {
 
     /** What the field makes of the text: of one line it holds no line ends. */
     private String displayed = "";
+
+    /** Whether the value has become another one since somebody began to type. */
+    private boolean overtaken;
 
     /**
      * Makes a component a field for a value.
@@ -107,12 +112,26 @@ public final class EntryField {
         return component instanceof Container container ? in(container) : Stream.of();
     }
 
-    /** Shows the text of a value; keeps what was typed and not taken as long as that text has not changed. */
+    /**
+     * Shows the text of a value; keeps what was typed and not taken as long as that text has not changed, or the typing
+     * goes on.
+     */
     public void show(String text) {
-        if (!text.equals(shown) || !isPending()) {
-            shown = text;
+        boolean same = text.equals(shown);
+        boolean pending = isPending();
+        shown = text;
+        if (pending && !same && field.isFocusOwner() && !isWrong()) {
+            displayed = text;
+            overtaken = true;
+        } else if (!pending || !same) {
             revert();
         }
+    }
+
+    /** Whether the value of the field in which somebody is typing has become another one meanwhile. */
+    public static boolean isOvertaken() {
+        return of(KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner())
+                .anyMatch(field -> field.overtaken);
     }
 
     /** What the field showed before something was typed. */
@@ -157,10 +176,16 @@ public final class EntryField {
     /** Shows the value again that was there before something was typed. */
     public void revert() {
         if (!field.getText().equals(shown)) {
+            boolean selected = field.getText().equals(field.getSelectedText());
             field.setText(shown);
             field.setCaretPosition(0);
+            if (selected) {
+                // somebody is about to type another value
+                field.selectAll();
+            }
         }
         displayed = field.getText();
+        overtaken = false;
         clear();
     }
 

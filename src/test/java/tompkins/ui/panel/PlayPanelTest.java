@@ -275,6 +275,33 @@ class PlayPanelTest {
         });
     }
 
+    /** Or each step of the animation would take it out of the hand again. */
+    @Test
+    void whoeverSetsTheNumberThatRunsHasIt() {
+        onEventThread(() -> {
+            choose(SPEED);
+            play.setPlaying(true);
+
+            model.set(model.studio().withCamera(model.studio().camera().focusedAt(7)));
+            assertThat(play.isPlaying()).as("another number").isTrue();
+            model.adjust(model.studio().withVelocity(Velocity.of(0, 0, 0.33)), "drag");
+
+            assertThat(play.isPlaying()).isFalse();
+            assertThat(model.studio().velocity().speed()).isEqualTo(0.33);
+            assertThat(place()).isEqualTo(333);
+        });
+    }
+
+    @Test
+    void anotherNumberRunsOnFromWhereItIs() {
+        onEventThread(() -> {
+            choose(SPEED);
+            play.setPlaying(true);
+            choose("Camera \u203a Exposure");
+            assertThat(play.isPlaying()).isTrue();
+        });
+    }
+
     @Test
     void whatPlaysMoves() {
         onEventThread(() -> {
