@@ -177,7 +177,7 @@ final class FileActions implements FileContentEditor.Choosers {
     void reload() {
         Path file = model.file();
         if (file == null) {
-            status.say(Texts.get("file.noFile"));
+            status.report(Texts.get("file.noFile"));
         } else {
             open(file);
         }
@@ -213,24 +213,28 @@ final class FileActions implements FileContentEditor.Choosers {
     }
 
     private void saveScene(Runnable next) {
+        Saving saving = new Saving(model.studio(), model.opened(), next);
         if (model.file() == null) {
-            saveSceneAs(next);
+            saveSceneAs(saving);
         } else {
-            saveOver(model.file(), next);
+            saveOver(model.file(), saving);
         }
     }
 
+    /** A scene as it was when it was to be saved: it may play on behind the questions. */
+    private record Saving(Studio studio, Studio opened, Runnable next) {}
+
     /** Saves over a scene file; asks first if that loses what somebody wrote. */
-    private void saveOver(Path file, Runnable next) {
+    private void saveOver(Path file, Saving saving) {
         if (isBeingSaved(file)) {
             return;
         }
         Studio before = held.get(file);
         BackgroundTask.find(frame, Texts.get("file.saving", file), () -> Loss.of(file, before), loss -> {
             switch (loss) {
-                case NOTHING -> saveScene(file, next);
-                case PHOTOGRAPH -> saveSceneAs(next);
-                case HANDWRITING, OTHER_SCENE -> askAboutLoss(loss, file, next);
+                case NOTHING -> saveScene(file, saving);
+                case PHOTOGRAPH -> saveSceneAs(saving);
+                case HANDWRITING, OTHER_SCENE -> askAboutLoss(loss, file, saving);
             }
         });
     }
@@ -239,12 +243,12 @@ final class FileActions implements FileContentEditor.Choosers {
     private boolean isBeingSaved(Path file) {
         boolean saving = BackgroundTask.isRunning(frame, Texts.get("file.saving", file));
         if (saving) {
-            status.say(Texts.get("file.stillSaving", file));
+            status.report(Texts.get("file.stillSaving", file));
         }
         return saving;
     }
 
-    private void askAboutLoss(Loss loss, Path file, Runnable next) {
+    private void askAboutLoss(Loss loss, Path file, Saving saving) {
         int answer = Messages.choose(
                 frame,
                 Texts.get("file.overwriteTitle"),
@@ -253,8 +257,8 @@ final class FileActions implements FileContentEditor.Choosers {
                 Texts.get("file.saveAnyway"),
                 Texts.get("task.cancel"));
         switch (answer) {
-            case 0 -> saveSceneAs(next);
-            case 1 -> saveScene(file, next);
+            case 0 -> saveSceneAs(saving);
+            case 1 -> saveScene(file, saving);
             default -> {}
         }
     }
@@ -262,10 +266,10 @@ final class FileActions implements FileContentEditor.Choosers {
     /** Asks where to save the scene. */
     void saveSceneAs() {
         takeEntries();
-        saveSceneAs(() -> {});
+        saveSceneAs(new Saving(model.studio(), model.opened(), () -> {}));
     }
 
-    private void saveSceneAs(Runnable next) {
+    private void saveSceneAs(Saving saving) {
         FormatFilter<String> json = new FormatFilter<>("json", Texts.get("file.sceneFiles"), List.of(".json"));
         SaveDialog.ask(
                 frame,
@@ -273,23 +277,22 @@ final class FileActions implements FileContentEditor.Choosers {
                 Texts.get("file.saveScene"),
                 fileName(),
                 List.of(json),
-                (file, format) -> saveScene(file, next));
+                (file, format) -> saveScene(file, saving));
     }
 
-    private void saveScene(Path file, Runnable next) {
+    private void saveScene(Path file, Saving saving) {
         if (isBeingSaved(file)) {
             return;
         }
-        Studio studio = model.studio();
-        Studio opened = model.opened();
+        Studio studio = saving.studio;
         BackgroundTask.start(frame, Texts.get("file.saving", file), task -> StudioWriter.save(studio, file), () -> {
             // another scene may have been opened meanwhile
-            if (model.opened() == opened) {
+            if (model.opened() == saving.opened) {
                 model.saved(studio, file);
             }
             held.put(file, studio);
             saved(file);
-            next.run();
+            saving.next.run();
         });
     }
 
@@ -297,22 +300,29 @@ final class FileActions implements FileContentEditor.Choosers {
         settings.addRecentFile(file);
         used(file);
         boolean refused = EntryField.in(frame).anyMatch(EntryField::isPending);
-        status.say(Texts.get(refused ? "file.savedWithout" : "file.saved", file));
+        status.report(Texts.get(refused ? "file.savedWithout" : "file.saved", file));
     }
 
     /** A file was saved that cannot be opened again. */
     void exported(Path file) {
         used(file);
-        status.say(Texts.get("file.saved", file));
+        status.report(Texts.get("file.saved", file));
     }
 
     /** Asks where to save the photograph. */
     void savePhotograph() {
         takeEntries();
+        Studio studio = model.studio();
         List<FormatFilter<PictureFormat>> formats = Stream.of(PictureFormat.values())
                 .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
                 .toList();
-        SaveDialog.ask(frame, chooser(), Texts.get("file.savePhotograph"), fileName(), formats, this::savePhotograph);
+        SaveDialog.ask(
+                frame,
+                chooser(),
+                Texts.get("file.savePhotograph"),
+                fileName(),
+                formats,
+                (file, format) -> savePhotograph(studio, file, format));
     }
 
     /** What files of the scene are called, without an ending: like its own, or like its title up to a colon. */
@@ -326,9 +336,8 @@ final class FileActions implements FileContentEditor.Choosers {
         return name.isEmpty() ? "scene" : name;
     }
 
-    /** Saves the photograph of the studio as it is, complete, with the scene inside. */
-    void savePhotograph(Path file, PictureFormat format) {
-        Studio studio = model.studio();
+    /** Saves the complete photograph of a studio, with the scene inside. */
+    private void savePhotograph(Studio studio, Path file, PictureFormat format) {
         Picture onScreen = view.canvas().shown().now();
         boolean ready =
                 onScreen != null && onScreen.complete() && onScreen.studio().equals(studio);
@@ -347,7 +356,7 @@ final class FileActions implements FileContentEditor.Choosers {
                     saved(file);
                     List<String> named = StudioWriter.filesOnlyNamed(studio);
                     if (!named.isEmpty()) {
-                        status.say(Texts.get("file.savedNaming", file, String.join(", ", named)));
+                        status.report(Texts.get("file.savedNaming", file, String.join(", ", named)));
                     }
                 });
     }
@@ -367,7 +376,7 @@ final class FileActions implements FileContentEditor.Choosers {
     private void toClipboard(Transferable content, String done) {
         try {
             Toolkit.getDefaultToolkit().getSystemClipboard().setContents(content, null);
-            status.say(done);
+            status.report(done);
         } catch (IllegalStateException busy) {
             Messages.error(frame, Texts.get("file.clipboardBusy"));
         }

@@ -22,6 +22,9 @@ final class StatusBar {
 
     private static final int STEPS = 100;
 
+    /** How long a message about what has happened stays: enough to read a long path. */
+    private static final int MESSAGE_MILLISECONDS = 8000;
+
     private final JPanel panel =
             new JPanel(new MigLayout("novisualpadding, insets 4 10 5 10, fillx, gap 12 1", "[grow,fill][pref!]"));
     private final JLabel what = PlainText.in(new JLabel());
@@ -30,6 +33,7 @@ final class StatusBar {
     private final JProgressBar progress = new JProgressBar(0, STEPS);
     private final RenderController controller;
     private final Timer timer;
+    private final Timer fading = new Timer(MESSAGE_MILLISECONDS, event -> showIdle());
     private String failure;
 
     /** The picture on the screen, if it is said that it becomes better; else null. */
@@ -59,6 +63,7 @@ final class StatusBar {
             }
         });
         timer.start();
+        fading.setRepeats(false);
     }
 
     JComponent component() {
@@ -67,6 +72,7 @@ final class StatusBar {
 
     void stop() {
         timer.stop();
+        fading.stop();
     }
 
     private void showIdle() {
@@ -77,6 +83,7 @@ final class StatusBar {
 
     /** A line that is too long for the window is read in its tip. */
     private void setWhat(String text) {
+        fading.stop();
         what.setText(text);
         what.setToolTipText(Tips.wrapped(text));
     }
@@ -169,5 +176,11 @@ final class StatusBar {
         what.setForeground(UIManager.getColor("Label.foreground"));
         setWhat(message);
         where.setText(" ");
+    }
+
+    /** As {@link #say}, of what has happened, which is old after a while. */
+    void report(String message) {
+        say(message);
+        fading.restart();
     }
 }

@@ -150,7 +150,7 @@ public final class TompkinsWindow {
     /** Undo and redo lead from one scene to another, which nobody may have meant; a pin stays with its scene. */
     private void sayOtherScene() {
         view.setPin(null);
-        status.say(Texts.get("history.otherScene", model.studio().title()));
+        status.report(Texts.get("history.otherScene", model.studio().title()));
     }
 
     private void pause() {

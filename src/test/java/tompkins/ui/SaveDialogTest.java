@@ -16,6 +16,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.ui.model.Records;
 import tompkins.ui.widget.Texts;
@@ -148,6 +149,25 @@ class SaveDialogTest {
         driver.answer(Texts.get("play.export"));
         assertThat(driver.chooser().getCurrentDirectory()).isEqualTo(folder.toFile());
         driver.answer("Cancel");
+    }
+
+    @Test
+    void whatPlaysIsSavedAsItWasWhenThatWasAskedFor() {
+        driver.menu("menu.playSpeed");
+        Path saved = folder.resolve("playing.json");
+        WindowDriver.await(
+                "another speed",
+                () -> driver.window().model().studio().velocity().speed() > 0.02);
+        driver.menu("menu.saveSceneAs");
+        driver.chooser();
+        double speed = driver.studio().velocity().speed();
+        WindowDriver.await(
+                "a later speed",
+                () -> driver.window().model().studio().velocity().speed() > speed + 0.1);
+        driver.choose(saved);
+        awaitSaved(saved);
+        assertThat(StudioReader.read(saved).velocity().speed()).isLessThanOrEqualTo(speed);
+        driver.menu("menu.playPause");
     }
 
     @Test

@@ -32,4 +32,24 @@ class StatusBarTest {
             status.stop();
         }
     }
+
+    @Test
+    void whatHasHappenedIsOldAfterAWhile() {
+        try (RenderController controller = new RenderController(picture -> {}, failure -> {})) {
+            StatusBar status = new StatusBar(controller);
+            JLabel what = Components.find(status.component(), JLabel.class, "status.what");
+            WindowDriver.onEventThread(() -> {
+                status.report("Saved");
+                status.say("Click in the picture");
+                return null;
+            });
+            WindowDriver.onEventThread(() -> {
+                assertThat(what.getText()).isEqualTo("Click in the picture");
+                status.report("Saved");
+                return null;
+            });
+            WindowDriver.await("the usual text", () -> what.getText().equals(Texts.get("status.idle")));
+            status.stop();
+        }
+    }
 }
