@@ -1,11 +1,9 @@
 package tompkins.ui;
 
 import java.awt.BorderLayout;
-import java.awt.Color;
-import java.awt.Graphics;
-import java.awt.Graphics2D;
+import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
-import java.awt.RenderingHints;
+import java.awt.event.MouseEvent;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -14,7 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.Locale;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
@@ -27,13 +25,12 @@ import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
-import javax.swing.UIManager;
 import javax.swing.event.HyperlinkEvent;
+import javax.swing.text.AttributeSet;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Element;
+import javax.swing.text.html.HTML;
 import javax.swing.text.html.HTMLDocument;
-import javax.swing.text.html.HTMLEditorKit;
-import javax.swing.text.html.StyleSheet;
 import tompkins.io.StudioReader;
 import tompkins.studio.Studio;
 import tompkins.ui.widget.Keys;
@@ -48,9 +45,6 @@ final class HelpWindow {
     private static final double WIDTH = 54;
 
     private static final double HEIGHT = 60;
-
-    /** Both sides of the text, with room for a scroll bar. */
-    private static final double MARGINS = 5;
 
     private final JFrame owner;
     private final Consumer<Studio> openScene;
@@ -75,10 +69,18 @@ final class HelpWindow {
         text.setEditable(false);
         text.putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
         text.addHyperlinkListener(event -> {
-            if (event.getEventType() == HyperlinkEvent.EventType.ACTIVATED) {
-                follow(event.getURL(), event.getDescription());
+            if (event.getEventType() == HyperlinkEvent.EventType.ACTIVATED && isMeant(event)) {
+                follow(event.getDescription());
             }
         });
+        // else Tab would leave the text, and no key lead to its links
+        text.setFocusTraversalKeys(
+                KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, Set.of(KeyStroke.getKeyStroke("ctrl TAB")));
+        text.setFocusTraversalKeys(
+                KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, Set.of(KeyStroke.getKeyStroke("ctrl shift TAB")));
+        text.getInputMap().put(KeyStroke.getKeyStroke("TAB"), "next-link-action");
+        text.getInputMap().put(KeyStroke.getKeyStroke("shift TAB"), "previous-link-action");
+        Keys.bindFocused(text, KeyStroke.getKeyStroke("ENTER"), this::followReached);
         back.setName("help.back");
         back.addActionListener(event -> goBack());
     }
@@ -133,15 +135,11 @@ final class HelpWindow {
 
     private void put(HelpPage shown) {
         page = shown;
-        HTMLEditorKit kit = new HTMLEditorKit();
-        StyleSheet style = new StyleSheet();
-        style.addStyleSheet(kit.getStyleSheet());
-        addRules(style);
-        HTMLDocument document = new HTMLDocument(style);
+        // makes a new document, in the colours of the look
+        text.setEditorKit(new PageKit());
+        HTMLDocument document = (HTMLDocument) text.getDocument();
         document.setBase(shown.url());
-        text.setEditorKit(kit);
-        text.setDocument(document);
-        text.setText(shown.html(Look.pixels(WIDTH - MARGINS)));
+        text.setText(shown.html());
         back.setEnabled(!past.isEmpty());
         window.setTitle(heading(document));
     }
@@ -155,30 +153,38 @@ final class HelpWindow {
         }
     }
 
-    private static void addRules(StyleSheet style) {
-        String link = css("Component.linkColor");
-        String line = css("Tompkins.line");
-        style.addRule("body { margin: 4 16 16 16 }");
-        style.addRule("a { color: " + link + " }");
-        style.addRule("h1 { font-size: 160%; margin: 8 0 8 0 }");
-        style.addRule("h2 { font-size: 125%; margin: 16 0 4 0 }");
-        style.addRule("pre { margin: 8 0 8 16 }");
-        style.addRule("code { font-size: 100% }");
-        style.addRule("ul { margin: 4 0 4 24 }");
-        style.addRule("th, td { border: 1px solid " + line + "; padding: 3 }");
+    /** Swing takes a click anywhere behind the end of a line for one on the link with which the line ends. */
+    private boolean isMeant(HyperlinkEvent event) {
+        if (!(event.getInputEvent() instanceof MouseEvent click)) {
+            return true;
+        }
+        try {
+            Rectangle near =
+                    text.modelToView2D(text.viewToModel2D(click.getPoint())).getBounds();
+            near.grow(near.height / 2, 0);
+            return near.contains(click.getPoint());
+        } catch (BadLocationException impossible) {
+            throw new IllegalStateException(impossible);
+        }
     }
 
-    private static String css(String key) {
-        Color colour = UIManager.getColor(key);
-        return String.format(Locale.ROOT, "#%06x", colour.getRGB() & 0xffffff);
+    /** Follows the link to which the keys have come; that of Swing for it knows no relative addresses. */
+    private void followReached() {
+        HTMLDocument document = (HTMLDocument) text.getDocument();
+        Object link = document.getCharacterElement(text.getCaretPosition())
+                .getAttributes()
+                .getAttribute(HTML.Tag.A);
+        if (link instanceof AttributeSet address) {
+            follow((String) address.getAttribute(HTML.Attribute.HREF));
+        }
     }
 
     /** Opens a scene, or goes to another page or a heading. */
-    private void follow(URL url, String link) {
+    private void follow(String link) {
         String file = link.replaceFirst("#.*", "");
         String heading = link.substring(file.length()).replace("#", "");
         if (file.endsWith(".json")) {
-            openScene.accept(scene(url));
+            openScene.accept(scene(file));
             owner.toFront();
             return;
         }
@@ -190,9 +196,9 @@ final class HelpWindow {
         }
     }
 
-    private static Studio scene(URL url) {
-        String name = url.getPath().replaceFirst(".*/", "");
-        try (InputStream in = url.openStream()) {
+    private Studio scene(String file) {
+        String name = file.replaceFirst(".*/", "");
+        try (InputStream in = new URL(page.url(), file).openStream()) {
             return StudioReader.read(new String(in.readAllBytes(), StandardCharsets.UTF_8), name, Path.of(""));
         } catch (IOException missing) {
             throw new UncheckedIOException(missing);
@@ -222,17 +228,10 @@ final class HelpWindow {
         });
     }
 
-    /** Text that takes the colours of a new look, with pictures that stay smooth when they are made smaller. */
+    /** Text that takes the colours of a new look. */
     private final class Text extends JEditorPane {
 
         private static final long serialVersionUID = 1;
-
-        @Override
-        protected void paintComponent(Graphics graphics) {
-            ((Graphics2D) graphics)
-                    .setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BICUBIC);
-            super.paintComponent(graphics);
-        }
 
         @Override
         public void updateUI() {

@@ -47,7 +47,12 @@ class HelpWindowTest {
 
     /** Clicks on the first link to an address. */
     private void follow(String address) {
-        Point place = WindowDriver.onEventThread(() -> {
+        driver.click(place(address));
+    }
+
+    /** The place on the screen of the first link to an address, which is scrolled into view. */
+    private Point place(String address) {
+        return WindowDriver.onEventThread(() -> {
             HTMLDocument document = (HTMLDocument) text.getDocument();
             HTMLDocument.Iterator links = document.getIterator(HTML.Tag.A);
             while (!address.equals(href(links.getAttributes()))) {
@@ -58,7 +63,6 @@ class HelpWindowTest {
             Point onScreen = text.getLocationOnScreen();
             return new Point(onScreen.x + start.x + 2, onScreen.y + start.y + start.height / 2);
         });
-        driver.click(place);
     }
 
     private static String href(AttributeSet link) {
@@ -117,6 +121,64 @@ class HelpWindowTest {
         follow("speed-and-accuracy/stability.csv");
 
         WindowDriver.await("the figures", () -> title().equals("# study: stability \u2013 Tompkins"));
+    }
+
+    @Test
+    void theKeysGoFromLinkToLink() {
+        driver.key(KeyEvent.VK_TAB);
+        driver.key(KeyEvent.VK_TAB);
+        driver.key(KeyEvent.VK_TAB, KeyEvent.VK_SHIFT);
+        driver.key(KeyEvent.VK_ENTER);
+        WindowDriver.await(
+                "Fig. 1(a)", () -> driver.window().model().studio().title().startsWith("Fig. 1(a)"));
+    }
+
+    @Test
+    void aClickBesideALinkFollowsNothing() {
+        String last = "conventions.md#rays-run-backwards";
+        Point link = place(last);
+        driver.click(new Point(link.x + 400, link.y));
+        driver.click(new Point(link.x, link.y + 20));
+        assertThat(title()).isEqualTo("A guided tour \u2013 Tompkins");
+        follow(last);
+        WindowDriver.await("the chapter", () -> title().equals("Conventions \u2013 Tompkins"));
+    }
+
+    @Test
+    void picturesAndCodeFitIntoANarrowWindow() {
+        makeWide(400);
+        driver.menu("menu.manual");
+        WindowDriver.await("the page", () -> title().equals("The window \u2013 Tompkins"));
+        makeWide(400);
+        // the first picture is that of the window, of three to two
+        WindowDriver.await("the small picture", () -> Math.abs(heightOfTheFirstPicture() - 2 * 350 / 3) < 60);
+        makeWide(600);
+        WindowDriver.await("the large picture", () -> Math.abs(heightOfTheFirstPicture() - 2 * 550 / 3) < 60);
+    }
+
+    /** How far it moves down what follows. */
+    private double heightOfTheFirstPicture() {
+        HTMLDocument document = (HTMLDocument) text.getDocument();
+        int picture = document.getIterator(HTML.Tag.IMG).getStartOffset();
+        try {
+            String after = document.getText(0, document.getLength()).substring(picture);
+            int heading = picture + after.indexOf("Velocity");
+            return text.modelToView2D(heading).getY()
+                    - text.modelToView2D(picture).getY();
+        } catch (BadLocationException impossible) {
+            throw new AssertionError(impossible);
+        }
+    }
+
+    /** Gives the window a width in which nothing is to be scrolled sideways. */
+    private void makeWide(int width) {
+        WindowDriver.onEventThread(() -> {
+            SwingUtilities.getWindowAncestor(text).setSize(width, 600);
+            return null;
+        });
+        WindowDriver.await(
+                "a text as wide as its window",
+                () -> Math.abs(text.getWidth() - width) < 40 && text.getWidth() == text.getVisibleRect().width);
     }
 
     @Test
