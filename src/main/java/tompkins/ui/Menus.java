@@ -88,13 +88,14 @@ final class Menus {
 
     /** Lets the keys of the menus work in another window, too. */
     void bindKeys(JRootPane window) {
-        itemsWithKeys().forEach(item -> Keys.bind(window, item.getAccelerator(), () -> item.doClick(0)));
+        itemsWithKeys()
+                .forEach(item -> Keys.bindUnlessMenuIsOpen(window, item.getAccelerator(), () -> item.doClick(0)));
         bindOtherRedo(window);
     }
 
     /** Redo has two keys, and a menu item only one. */
     void bindOtherRedo(JRootPane window) {
-        Keys.bind(window, Keys.ofMenu("ctrl Y"), history::redo);
+        Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl Y"), history::redo);
     }
 
     private static JMenu menu(String key) {

@@ -176,7 +176,8 @@ class EditorWindowTest {
     }
 
     @Test
-    void escapeClosesAnOpenMenuBeforeTheEditor() {
+    void anOpenMenuKeepsTheKeysFromWhatIsBehindItAndEscapeClosesItBeforeTheEditor() {
+        driver.type(radius(), "0.25");
         JTree tree = driver.find(JTree.class, "tree");
         WindowDriver.onEventThread(() -> {
             tree.setSelectionRow(1);
@@ -184,6 +185,8 @@ class EditorWindowTest {
         });
         driver.click(driver.find(JButton.class, Texts.get("tree.add")));
         WindowDriver.await("the menu", EditorWindowTest::isMenuOpen);
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(radiusOfTheSphere()).isEqualTo(0.25);
         driver.key(KeyEvent.VK_ESCAPE);
         WindowDriver.await("the end of the menu", () -> !isMenuOpen());
         assertThat(isOpen()).isTrue();

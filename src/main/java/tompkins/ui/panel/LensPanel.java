@@ -31,8 +31,7 @@ public final class LensPanel {
     private final NumberRow aperture;
     private final NumberRow focus;
     private final NumberRow samples;
-    private final Note oneSample = new Note("");
-    private final Note otherSamples = new Note("");
+    private final Note samplesNote = new Note("");
     private final JToggleButton pick = new JToggleButton(Texts.get("lens.pick"));
 
     /** The panel; {@code picking} is told when a point of the picture is to be picked, and when not any more. */
@@ -71,13 +70,12 @@ public final class LensPanel {
         Naming.name(pick, Texts.get("lens.pick"), Texts.get("lens.pickTip"));
         pick.addActionListener(event -> picking.accept(pick.isSelected()));
         aperture.addTo(panel);
-        panel.add(oneSample.component(), "span, growx, wmin 0");
         focus.addTo(panel);
         panel.add(pick, "span 3, growx");
         field.addTo(panel);
         exposure.addTo(panel);
         samples.addTo(panel);
-        panel.add(otherSamples.component(), "span, growx, wmin 0");
+        panel.add(samplesNote.component(), "span, growx, wmin 0");
         model.addListener(() -> update(field, exposure));
         update(field, exposure);
     }
@@ -111,9 +109,8 @@ public final class LensPanel {
     public void show(Picture picture) {
         boolean sharp =
                 picture.studio().camera().hasWideAperture() && picture.quality().equals(new Quality.Samples(1));
-        oneSample.setText(sharp ? Texts.get("lens.oneSample") : "");
         boolean wished = picture.quality() instanceof Quality.TargetError;
-        otherSamples.setText(wished ? Texts.get("lens.otherSamples") : "");
+        samplesNote.setText(sharp ? Texts.get("lens.oneSample") : wished ? Texts.get("lens.otherSamples") : "");
     }
 
     /** The picture was clicked: nothing is to be picked any more. */

@@ -34,13 +34,25 @@ public final class Keys {
     /** Does something when Escape is pressed in a window; if a menu is open there, Escape closes that. */
     public static void bindEscape(JRootPane window, Runnable action) {
         bind(window, ESCAPE, () -> {
-            MenuSelectionManager menus = MenuSelectionManager.defaultManager();
-            if (menus.getSelectedPath().length > 0) {
-                menus.clearSelectedPath();
+            if (isMenuOpen()) {
+                MenuSelectionManager.defaultManager().clearSelectedPath();
             } else {
                 action.run();
             }
         });
+    }
+
+    /** Does something when a key is pressed in a window; nothing behind a menu that is open there. */
+    public static void bindUnlessMenuIsOpen(JRootPane window, KeyStroke key, Runnable action) {
+        bind(window, key, () -> {
+            if (!isMenuOpen()) {
+                action.run();
+            }
+        });
+    }
+
+    private static boolean isMenuOpen() {
+        return MenuSelectionManager.defaultManager().getSelectedPath().length > 0;
     }
 
     /** Does something when a key is pressed in a component that has the focus. */
