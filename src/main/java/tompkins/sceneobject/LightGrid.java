@@ -19,7 +19,7 @@ public final class LightGrid {
 
     private static final int SIDE = 1 << DEPTH;
 
-    /** Widening of a cell against rounding, relative to the grid. */
+    /** Widening of cells and of the grid against rounding of slopes, which are 4 at most. */
     private static final double MARGIN = 1e-9;
 
     /** More primitives than this are left to the tree: the grid would be large, and a cell long. */
@@ -174,14 +174,10 @@ public final class LightGrid {
     }
 
     private boolean isSeen(Primitive primitive, int column, int row, int side) {
-        return !(isBeyond(primitive, right, leastU + (column + side) * cellU + margin(cellU), 1)
-                || isBeyond(primitive, right, leastU + column * cellU - margin(cellU), -1)
-                || isBeyond(primitive, up, leastV + (row + side) * cellV + margin(cellV), 1)
-                || isBeyond(primitive, up, leastV + row * cellV - margin(cellV), -1));
-    }
-
-    private static double margin(double cell) {
-        return MARGIN * SIDE * cell + MARGIN;
+        return !(isBeyond(primitive, right, leastU + (column + side) * cellU + MARGIN, 1)
+                || isBeyond(primitive, right, leastU + column * cellU - MARGIN, -1)
+                || isBeyond(primitive, up, leastV + (row + side) * cellV + MARGIN, 1)
+                || isBeyond(primitive, up, leastV + row * cellV - MARGIN, -1));
     }
 
     /** Whether all of a primitive is seen under a slope above (sign 1) or below (sign -1) a limit. */

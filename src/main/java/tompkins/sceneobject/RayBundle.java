@@ -16,7 +16,10 @@ final class RayBundle {
     /** The plane across the rays: nothing of them lies behind it. */
     private static final int AHEAD = 4;
 
-    /** Widening against rounding, relative to the coordinates. */
+    /**
+     * Widening against rounding, relative to the coordinates of the starts. For those of what is met primitives and
+     * nodes have margins of their own.
+     */
     private static final double MARGIN = 1e-12;
 
     /** Smallest cosine between a ray and the mean direction; wider bundles are not worth bounding. */
@@ -89,10 +92,6 @@ final class RayBundle {
             leastF = slopeF < leastF ? slopeF : leastF;
             mostF = slopeF > mostF ? slopeF : mostF;
         }
-        mostE += MARGIN;
-        leastE -= MARGIN;
-        mostF += MARGIN;
-        leastF -= MARGIN;
         setNormal(0, ex - mostE * ax, ey - mostE * ay, ez - mostE * az);
         setNormal(1, leastE * ax - ex, leastE * ay - ey, leastE * az - ez);
         setNormal(2, fx - mostF * ax, fy - mostF * ay, fz - mostF * az);
@@ -133,9 +132,9 @@ final class RayBundle {
             farthestStart = Math.max(farthestStart, -height(AHEAD, x, y, z));
         }
         for (int plane = 0; plane < PLANES; plane++) {
-            bounds[plane] += MARGIN * (1 + farthest);
+            bounds[plane] += MARGIN * farthest;
         }
-        farthestStart += MARGIN * (1 + farthest);
+        farthestStart += MARGIN * farthest;
     }
 
     /** The largest |x| + |y| + |z| of a start. */

@@ -178,6 +178,40 @@ class ObjectTreeTest {
         assertThat(depth(TreeBuilder.build(collector.primitives()))).isLessThan(NearestHit.DEEPEST_TREE);
     }
 
+    /** Each cut through distances that grow by a factor takes off a few: without a bound the tree is a list. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1.01, 1.5, 4})
+    void objectsAtDistancesThatGrowByAFactorAreFoundInABoundedTree(double factor) {
+        PrimitiveCollector collector = new PrimitiveCollector(point -> point);
+        // 1e-75 to 1e75; several in one place where that is fewer than there are
+        int different = (int) Math.min(2000, 150 * Math.log(10) / Math.log(factor));
+        for (int i = 0; i < 2000; i++) {
+            double distance = Math.pow(factor, i % different - different / 2);
+            // beside the axis, so that rays along it and across it pass some
+            Vector3d centre = new Vector3d(distance, (i % 3 - 1) * distance, 0);
+            new Sphere("sphere", centre, distance / 2, ColouredSurface.DEFAULT).addTo(collector, Placement.NONE);
+        }
+        ObjectTree tree = new ObjectTree(collector.primitives(), 1);
+        ObjectTree list = new ObjectTree(collector.primitives(), Integer.MAX_VALUE);
+        NearestHit inTree = new NearestHit();
+        NearestHit inList = new NearestHit();
+        Random random = new Random(17);
+
+        assertThat(depth(tree.root())).isLessThan(NearestHit.DEEPEST_TREE);
+        int hits = 0;
+        for (int i = 0; i < 300; i++) {
+            Vector3d direction = new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), 0).normalize();
+            Ray ray = Ray.from(random.nextDouble(), 0, 0, direction.x, direction.y, direction.z, 0);
+            boolean hit = list.nearest(ray, inList);
+            hits += hit ? 1 : 0;
+
+            assertThat(tree.nearest(ray, inTree)).isEqualTo(hit);
+            assertThat(inTree.primitive()).isSameAs(inList.primitive());
+            assertThat(inTree.distance()).isEqualTo(inList.distance());
+        }
+        assertThat(hits).isBetween(30, 300);
+    }
+
     private static int depth(TreeNode node) {
         return node.primitives == null ? 1 + Math.max(depth(node.low), depth(node.high)) : 1;
     }
