@@ -91,6 +91,8 @@ final class HelpWindow {
             window = new JDialog(owner);
             window.setName("help");
             window.setContentPane(content());
+            // its parts were made when the program began, perhaps in another look
+            SwingUtilities.updateComponentTreeUI(window);
             Keys.bindEscape(window.getRootPane(), () -> window.setVisible(false));
             Keys.bind(window.getRootPane(), KeyStroke.getKeyStroke("alt LEFT"), this::goBack);
             window.setSize(Look.pixels(WIDTH), Look.pixels(HEIGHT));

@@ -167,7 +167,8 @@ final class StatusBar {
                         Texts.get(samples.equals("1") ? "status.sample" : "status.samples", samples),
                         milliseconds < 1000 ? milliseconds + " ms" : Numbers.brief(milliseconds / 1000.0, 3) + " s",
                         Double.isNaN(shown.error()) ? "?" : Numbers.brief(shown.error(), 2))
-                + (shown.plan().isTooFaint() ? Texts.get("status.tooFaint") : ""));
+                + (shown.plan().isTooFaint() ? Texts.get("status.tooFaint") : "")
+                + (shown.isTooSharp() ? Texts.get("status.tooSharp") : ""));
         picture.setToolTipText(Tips.wrapped(Texts.get("status.errorTip")));
     }
 

@@ -71,7 +71,7 @@ public final class TompkinsWindow {
         model = new StudioModel(studio, place);
         view = new PhotographView(model, new PictureListener());
         status = new StatusBar(view.controller());
-        side = new SidePanel(model, view, status::say);
+        side = new SidePanel(model, view, status::report);
         files = new FileActions(frame, model, view, status, settings, commandLine, this::pause);
         play = new PlayPanel(model, new AnimationExport(frame, files)::ask);
         frame.setContentPane(content());

@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Component;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
@@ -20,6 +21,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.ui.widget.Look;
 
 /** The documents in the window, read with mouse and keys. */
 @Timeout(600)
@@ -190,6 +192,22 @@ class HelpWindowTest {
         assertThat(WindowDriver.onEventThread(() -> text.getPreferredSize().height))
                 .isLessThan(large);
         assertThat(title()).isEqualTo("A guided tour \u2013 Tompkins");
+    }
+
+    @Test
+    void whatIsOpenedInAnotherLookHasThat() {
+        WindowDriver.onEventThread(() -> {
+            HelpWindow late = new HelpWindow(driver.window().frame(), scene -> {});
+            Look.DARK.install();
+            late.show(HelpPage.of("tour.md"));
+            assertThat(Components.showing(driver.window().frame(), JEditorPane.class)
+                            .map(Component::getBackground)
+                            .distinct())
+                    .as("as in the window that was open when the look changed")
+                    .hasSize(1);
+            Look.LIGHT.install();
+            return null;
+        });
     }
 
     @Test

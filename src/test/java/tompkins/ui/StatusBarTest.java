@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
+import tompkins.ui.model.Records;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.RenderController;
 import tompkins.ui.widget.Texts;
@@ -25,12 +26,30 @@ class StatusBarTest {
             status.fail("too large");
             assertThat(picture.getText()).isBlank();
             status.endFailure();
-            LinearImage image = new LinearImage(1, 1, new float[3]);
-            status.show(new Picture(RenderPlan.of(Studio.DEFAULT), image, true, Duration.ZERO, 1, 0, List.of()));
+            status.show(picture(Studio.DEFAULT));
             status.fail("too large");
             assertThat(picture.getText()).isEqualTo(Texts.get("status.before"));
             status.stop();
         }
+    }
+
+    @Test
+    void aWideApertureThatDoesNotBlurIsSpokenOf() {
+        try (RenderController controller = new RenderController(picture -> {}, failure -> {})) {
+            StatusBar status = new StatusBar(controller);
+            JLabel text = Components.find(status.component(), JLabel.class, "status.picture");
+            Studio wide = Studio.DEFAULT.withCamera(Records.with(Studio.DEFAULT.camera(), "apertureRadius", 0.2));
+            status.show(picture(wide));
+            assertThat(text.getText()).endsWith("too few samples to blur");
+            status.show(picture(wide.withSettings(wide.settings().withSamples(4))));
+            assertThat(text.getText()).doesNotContain("blur");
+            status.stop();
+        }
+    }
+
+    private static Picture picture(Studio studio) {
+        return new Picture(
+                RenderPlan.of(studio), new LinearImage(1, 1, new float[3]), true, Duration.ZERO, 1, 0, List.of());
     }
 
     @Test

@@ -107,10 +107,9 @@ public final class LensPanel {
      * than the scene says.
      */
     public void show(Picture picture) {
-        boolean sharp =
-                picture.studio().camera().hasWideAperture() && picture.quality().equals(new Quality.Samples(1));
         boolean wished = picture.quality() instanceof Quality.TargetError;
-        samplesNote.setText(sharp ? Texts.get("lens.oneSample") : wished ? Texts.get("lens.otherSamples") : "");
+        samplesNote.setText(
+                picture.isTooSharp() ? Texts.get("lens.oneSample") : wished ? Texts.get("lens.otherSamples") : "");
     }
 
     /** The picture was clicked: nothing is to be picked any more. */

@@ -40,6 +40,11 @@ public record Picture(
         return Quality.of(studio());
     }
 
+    /** Whether its one sample, which goes through the centre of the lens, leaves a wide aperture without effect. */
+    public boolean isTooSharp() {
+        return studio().camera().hasWideAperture() && quality().equals(new Quality.Samples(1));
+    }
+
     /** What it models and which samples it gets, in sentences. */
     public List<String> sentences() {
         List<String> sentences = new ArrayList<>(plan.sentences());
