@@ -3,11 +3,11 @@ package tompkins.surface;
 /** The wave that is +1 on [0, 1), -1 on [1, 2), and so on: one direction of a chequerboard. */
 final class SquareWave {
 
-    /** A window of this half width holds equally much of both values, to the last digit. */
-    private static final double WIDEST = 0x1p53;
-
-    /** Beyond this place neighbouring numbers are more than a period apart. */
-    private static final double FARTHEST = 0x1p54;
+    /**
+     * From this place on neighbouring numbers are a period apart or more, so that all lie on one value; and a window of
+     * this half width holds equally much of both, to the last digit.
+     */
+    private static final double END = 0x1p53;
 
     private SquareWave() {}
 
@@ -18,7 +18,7 @@ final class SquareWave {
      */
     static double mean(double centre, double half) {
         // so wide, or so far away, that no number is left: the mean of the whole wave
-        if (!(half < WIDEST && Math.abs(centre) < FARTHEST)) {
+        if (!(half < END && Math.abs(centre) < END)) {
             return 0;
         }
         // where the wave is seen as constant, its value; this also keeps half = 0 from a division by zero
