@@ -53,7 +53,7 @@ public final class PlayPanel {
             Texts.get("play.scrubberTip"),
             Range.even(0, 1),
             (share, drag) -> moveTo(share),
-            drag -> {});
+            drag -> endStep());
     private final JLabel value = new JLabel();
     private final Note note = new Note("");
     private final NumberField fromField;
@@ -187,6 +187,13 @@ public final class PlayPanel {
 
     private double present() {
         return property().get().applyAsDouble(model.studio());
+    }
+
+    /** What the hand has done with the scrubber is a step of its own, unless it belongs to an animation that runs. */
+    private void endStep() {
+        if (!isPlaying()) {
+            model.endGesture(gesture);
+        }
     }
 
     private void showTime() {

@@ -101,6 +101,19 @@ class PlayPanelTest {
     }
 
     @Test
+    void whatIsScrubbedAfterSomethingElseIsAStepOfItsOwn() {
+        choose(SPEED);
+        scrub(200);
+        Studio larger = model.studio().withSettings(model.studio().settings().withSize(50, 40));
+        model.adjust(larger, "another slider");
+        scrub(800);
+
+        model.undo();
+
+        assertThat(model.studio()).isEqualTo(larger);
+    }
+
+    @Test
     void nothingRunsWithAValueThatWasRefused() {
         choose(SPEED);
         Components.enter(panel, "to", "1");
