@@ -94,23 +94,49 @@ class HistoryTest {
         assertThat(to.getText()).isEqualTo(before).isNotEqualTo("0.7");
     }
 
-    @Test
-    void remarksThatWereTypedAreTakenBackAndTakenAgain() {
+    private ProseArea openRemarks() {
         driver.menu("menu.editScene");
         WindowDriver.await(
                 "the editor",
                 () -> Components.showing(driver.window().frame(), ProseArea.class)
                         .findAny()
                         .isPresent());
-        ProseArea remarks = driver.find(ProseArea.class, "Remarks");
+        return driver.find(ProseArea.class, "Remarks");
+    }
+
+    @Test
+    void remarksThatWereTypedAreTakenBackAndTakenAgain() {
+        ProseArea remarks = openRemarks();
         driver.typeWithoutEnter(remarks, "1");
         driver.key(KeyEvent.VK_ENTER);
         driver.key(KeyEvent.VK_2);
-        undo();
-        assertThat(remarks.getText()).isEmpty();
+        driver.menu("menu.undo");
+        WindowDriver.await("the remarks of before", () -> remarks.getText().isEmpty());
         redo();
         assertThat(remarks.getText()).isEqualTo("1\n2");
         assertThat(driver.studio().remarks()).isEqualTo("1\n2");
+    }
+
+    @Test
+    void theKeysTakeRemarksBackWordByWordAndThenTheStepBefore() {
+        driver.type(field("Speed"), "0.5");
+        ProseArea remarks = openRemarks();
+        driver.typeWithoutEnter(remarks, "12 34 5");
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(remarks.getText()).isEqualTo("12 34");
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(remarks.getText()).isEqualTo("12");
+        driver.key(KeyEvent.VK_Y, KeyEvent.VK_CONTROL);
+        driver.key(KeyEvent.VK_6);
+        assertThat(remarks.getText()).as("typed on behind the word").isEqualTo("12 346");
+        driver.key(KeyEvent.VK_ENTER, KeyEvent.VK_CONTROL);
+        assertThat(driver.studio().remarks()).isEqualTo("12 346");
+
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(driver.studio().remarks()).as("what was taken is one step").isEmpty();
+        assertThat(remarks.getText()).isEmpty();
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(driver.studio()).isEqualTo(Studios.sphere());
     }
 
     /** Each tick of the animation would begin a new step otherwise. */

@@ -186,6 +186,9 @@ public final class EntryField {
         }
         displayed = field.getText();
         overtaken = false;
+        if (field instanceof ProseArea prose) {
+            prose.forgetTyped();
+        }
         clear();
     }
 

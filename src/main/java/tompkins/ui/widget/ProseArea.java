@@ -8,9 +8,16 @@ public final class ProseArea extends WrappingArea {
 
     private static final int ROWS = 3;
 
+    private final transient TypedWords words = new TypedWords(this);
+
     /** An empty field. */
     public ProseArea() {
         super(ROWS);
+    }
+
+    /** The keys of undo do not go back behind what stands there now. */
+    void forgetTyped() {
+        words.forget();
     }
 
     @Override
