@@ -194,7 +194,7 @@ public final class SceneEditor {
 
     private void enableButtons() {
         boolean element = isElement();
-        add.setEnabled(element || Branches.isList(line.type()));
+        add.setEnabled(element || Branches.isList(line.type()) || isAll());
         duplicate.setEnabled(element);
         remove.setEnabled(element);
         up.setEnabled(element && place() > 0);
@@ -204,8 +204,13 @@ public final class SceneEditor {
         hide.setText(Texts.get(hidden ? "tree.show" : "tree.hide"));
     }
 
+    private boolean isAll() {
+        return line.path().equals(StudioPath.ROOT);
+    }
+
+    /** The list of the chosen line; that of the objects where all is chosen, as it is at first. */
     private StudioPath listPath() {
-        return isElement() ? line.path().parent() : line.path();
+        return isElement() ? line.path().parent() : isAll() ? StudioPath.ROOT.then("scene") : line.path();
     }
 
     private List<?> list() {
@@ -216,7 +221,9 @@ public final class SceneEditor {
         JPopupMenu menu = new JPopupMenu();
         Class<?> family = isElement()
                 ? (Class<?>) line.type()
-                : Descriptions.elementType(line.type()).orElseThrow();
+                : isAll()
+                        ? SceneObject.class
+                        : Descriptions.elementType(line.type()).orElseThrow();
         for (Class<?> type : Descriptions.members(family)) {
             JMenuItem item = new JMenuItem(Wording.label(type));
             item.setToolTipText(Tips.wrapped(Wording.meaning(type)));

@@ -163,6 +163,18 @@ class SceneEditorTest {
         assertThat(Components.all(panel).count()).isPositive();
     }
 
+    /** An empty scene offers nothing else to choose first. */
+    @Test
+    void whereNothingWasChosenAnObjectIsAddedToTheScene() {
+        assertThat(Components.find(panel, JButton.class, "Add\u2026").isEnabled())
+                .isTrue();
+        editor.addElement(Sphere.class);
+        assertThat(model.studio().scene()).hasSize(3).last().isEqualTo(Sphere.DEFAULT);
+        choose("Camera");
+        assertThat(Components.find(panel, JButton.class, "Add\u2026").isEnabled())
+                .isFalse();
+    }
+
     @Test
     void everyKindOfLightCanBeAdded() {
         for (Class<?> type : Descriptions.members(LightSource.class)) {
