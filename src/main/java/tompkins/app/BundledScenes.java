@@ -1,11 +1,9 @@
 package tompkins.app;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.net.URI;
 import java.net.URISyntaxException;
 import java.net.URL;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemAlreadyExistsException;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
@@ -37,11 +35,9 @@ final class BundledScenes {
         return file(FIRST);
     }
 
-    /** That scene, read without the file system of the jar, which takes 70 ms to open. */
+    /** That scene. */
     static Studio firstStudio() throws IOException {
-        try (InputStream in = inside(FIRST).openStream()) {
-            return StudioReader.read(new String(in.readAllBytes(), StandardCharsets.UTF_8), FIRST, Path.of(""));
-        }
+        return StudioReader.read(inside(FIRST));
     }
 
     /** One scene file. */

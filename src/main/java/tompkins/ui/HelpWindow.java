@@ -5,11 +5,8 @@ import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
 import java.awt.event.MouseEvent;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.net.URL;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Set;
@@ -199,9 +196,8 @@ final class HelpWindow {
     }
 
     private Studio scene(String file) {
-        String name = file.replaceFirst(".*/", "");
-        try (InputStream in = new URL(page.url(), file).openStream()) {
-            return StudioReader.read(new String(in.readAllBytes(), StandardCharsets.UTF_8), name, Path.of(""));
+        try {
+            return StudioReader.read(new URL(page.url(), file));
         } catch (IOException missing) {
             throw new UncheckedIOException(missing);
         }
