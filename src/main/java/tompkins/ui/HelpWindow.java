@@ -48,11 +48,11 @@ final class HelpWindow {
     private final JEditorPane text = new Text();
     private final JButton back = new JButton(Texts.get("help.back"));
     private final Deque<Place> past = new ArrayDeque<>();
-    private JDialog window;
+    private final JDialog window;
     private HelpPage page;
 
-    /** A page, and how far it was scrolled. */
-    private record Place(HelpPage page, Rectangle seen) {}
+    /** A page, how far it was scrolled, and how far the keys had come that go from link to link. */
+    private record Place(HelpPage page, Rectangle seen, int caret) {}
 
     /**
      * A window that is not shown yet.
@@ -62,6 +62,7 @@ final class HelpWindow {
     HelpWindow(JFrame owner, Consumer<Studio> openScene) {
         this.owner = owner;
         this.openScene = openScene;
+        window = new JDialog(owner);
         text.setName("help.text");
         text.setEditable(false);
         text.putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
@@ -80,21 +81,16 @@ final class HelpWindow {
         Keys.bindFocused(text, KeyStroke.getKeyStroke("ENTER"), this::followReached);
         back.setName("help.back");
         back.addActionListener(event -> goBack());
+        window.setName("help");
+        window.setContentPane(content());
+        Keys.bindEscape(window.getRootPane(), () -> window.setVisible(false));
+        Keys.bind(window.getRootPane(), KeyStroke.getKeyStroke("alt LEFT"), this::goBack);
+        window.setSize(Look.pixels(WIDTH), Look.pixels(HEIGHT));
+        window.setLocationRelativeTo(owner);
     }
 
     /** Shows a page, from its top. */
     void show(HelpPage wanted) {
-        if (window == null) {
-            window = new JDialog(owner);
-            window.setName("help");
-            window.setContentPane(content());
-            // its parts were made when the program began, perhaps in another look
-            SwingUtilities.updateComponentTreeUI(window);
-            Keys.bindEscape(window.getRootPane(), () -> window.setVisible(false));
-            Keys.bind(window.getRootPane(), KeyStroke.getKeyStroke("alt LEFT"), this::goBack);
-            window.setSize(Look.pixels(WIDTH), Look.pixels(HEIGHT));
-            window.setLocationRelativeTo(owner);
-        }
         Screens.keepOnScreen(window);
         goTo(wanted);
         window.setVisible(true);
@@ -118,7 +114,7 @@ final class HelpWindow {
 
     private void goTo(HelpPage wanted) {
         if (page != null && !wanted.equals(page)) {
-            past.push(new Place(page, text.getVisibleRect()));
+            past.push(place());
         }
         put(wanted);
         text.setCaretPosition(0);
@@ -126,10 +122,18 @@ final class HelpWindow {
 
     private void goBack() {
         if (!past.isEmpty()) {
-            Place place = past.pop();
-            put(place.page);
-            scrollTo(() -> place.seen);
+            put(past.pop());
         }
+    }
+
+    private Place place() {
+        return new Place(page, text.getVisibleRect(), text.getCaretPosition());
+    }
+
+    private void put(Place place) {
+        put(place.page);
+        text.setCaretPosition(place.caret);
+        scrollTo(() -> place.seen);
     }
 
     private void put(HelpPage shown) {
@@ -233,11 +237,12 @@ final class HelpWindow {
 
         @Override
         public void updateUI() {
-            super.updateUI();
-            if (page != null) {
-                Rectangle seen = getVisibleRect();
-                put(page);
-                scrollTo(() -> seen);
+            if (page == null) {
+                super.updateUI();
+            } else {
+                Place place = place();
+                super.updateUI();
+                put(place);
             }
         }
     }

@@ -62,7 +62,7 @@ public final class TompkinsWindow {
     private final PlayPanel play;
     private final FileActions files;
     private final Menus menus;
-    private final HelpWindow help;
+    private HelpWindow help;
     private JDialog editor;
 
     private TompkinsWindow(Studio studio, Path file, CommandLineWriter commandLine) {
@@ -78,7 +78,6 @@ public final class TompkinsWindow {
         menus = new Menus(
                 files, new History(model, frame, this::pause, this::sayOtherScene), settings, new WindowCommands());
         frame.setJMenuBar(menus.bar());
-        help = new HelpWindow(frame, files::open);
         menus.bindOtherRedo(frame.getRootPane());
         frame.getRootPane().setTransferHandler(files.drop());
         bindPeekKey();
@@ -350,6 +349,9 @@ public final class TompkinsWindow {
 
         @Override
         public void showDocument(String page) {
+            if (help == null) {
+                help = new HelpWindow(frame, files::open);
+            }
             help.show(HelpPage.of(page));
         }
 

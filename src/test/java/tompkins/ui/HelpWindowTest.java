@@ -136,6 +136,16 @@ class HelpWindowTest {
     }
 
     @Test
+    void backLeadsTheKeysToTheLinkThatWasFollowed() {
+        follow("conventions.md#rays-run-backwards");
+        WindowDriver.await("the chapter", () -> title().equals("Conventions \u2013 Tompkins"));
+        driver.key(KeyEvent.VK_LEFT, KeyEvent.VK_ALT);
+        WindowDriver.await("the tour", () -> title().equals("A guided tour \u2013 Tompkins"));
+        driver.key(KeyEvent.VK_ENTER);
+        WindowDriver.await("the chapter again", () -> title().equals("Conventions \u2013 Tompkins"));
+    }
+
+    @Test
     void aClickBesideALinkFollowsNothing() {
         String last = "conventions.md#rays-run-backwards";
         Point link = place(last);
