@@ -331,15 +331,20 @@ public final class TompkinsWindow {
 
         @Override
         public void play(NumberProperty property) {
+            takeEntries();
             play.run(property);
         }
 
         @Override
         public void togglePlay() {
-            // or what is half typed would stop it at once
-            EntryField.takeAll(frame);
+            takeEntries();
             play.setShown(true);
             play.setPlaying(!play.isPlaying());
+        }
+
+        /** What is half typed would stop an animation at once. */
+        private void takeEntries() {
+            EntryField.takeAll(frame);
         }
 
         @Override

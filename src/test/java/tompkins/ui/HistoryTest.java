@@ -171,6 +171,17 @@ class HistoryTest {
         assertThat(driver.studio()).as("in one step").isEqualTo(Studios.sphere());
     }
 
+    @Test
+    void whatIsHalfTypedIsTakenBeforeItPlays() {
+        driver.typeWithoutEnter(field("Speed"), "0.5");
+        driver.menu("menu.playSpeed");
+        WindowDriver.await(
+                "a later speed",
+                () -> driver.window().model().studio().velocity().speed() > 0.6);
+        undo();
+        assertThat(driver.studio().velocity().speed()).isEqualTo(0.5);
+    }
+
     /** What is folded away is neither lost nor in the way for ever. */
     @Test
     void aRefusedValueThatIsFoldedAwayIsTakenBackToo() {

@@ -185,7 +185,6 @@ public final class EntryField {
             }
         }
         displayed = field.getText();
-        overtaken = false;
         if (field instanceof ProseArea prose) {
             prose.forgetTyped();
         }
@@ -193,6 +192,7 @@ public final class EntryField {
     }
 
     private void clear() {
+        overtaken = false;
         if (isWrong()) {
             field.putClientProperty("JComponent.outline", null);
             field.getAccessibleContext().setAccessibleDescription(tip);
