@@ -48,7 +48,7 @@ final class History {
     /** Takes back what was typed last: what is right becomes a step first, so that it can be taken again. */
     void undo() {
         Map<EntryField, String> typed =
-                pending().stream().collect(Collectors.toMap(Function.identity(), EntryField::shown));
+                pending().stream().collect(Collectors.toMap(Function.identity(), EntryField::displayed));
         Studio before = model.studio();
         takeEntries();
         boolean isStep = typed.isEmpty() || model.studio() != before;

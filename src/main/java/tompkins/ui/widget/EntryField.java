@@ -135,7 +135,7 @@ public final class EntryField {
     }
 
     /** What the field showed before something was typed. */
-    public String shown() {
+    public String displayed() {
         return displayed;
     }
 
