@@ -5,7 +5,6 @@ import java.awt.Desktop;
 import java.awt.Dimension;
 import java.awt.Image;
 import java.awt.Rectangle;
-import java.awt.Window;
 import java.awt.desktop.QuitStrategy;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -85,8 +84,8 @@ public final class TompkinsWindow {
         frame.setName("tompkins");
         frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         frame.addWindowListener(new Closer());
-        frame.setSize(onScreen(
-                frame, settings.number("width", Look.pixels(WIDTH)), settings.number("height", Look.pixels(HEIGHT))));
+        frame.setSize(
+                onScreen(settings.number("width", Look.pixels(WIDTH)), settings.number("height", Look.pixels(HEIGHT))));
         size = new WindowSize(frame, settings);
         frame.setLocationByPlatform(true);
         model.addListener(this::showTitle);
@@ -184,16 +183,15 @@ public final class TompkinsWindow {
         JComponent panel = side.component();
         panel.setPreferredSize(new Dimension(side.width(), 0));
         panel.setBorder(BorderFactory.createMatteBorder(0, 1, 0, 0, UIManager.getColor("Tompkins.line")));
-        frame.setMinimumSize(onScreen(frame, Look.pixels(MINIMUM_WIDTH), Look.pixels(MINIMUM_HEIGHT)));
+        frame.setMinimumSize(onScreen(Look.pixels(MINIMUM_WIDTH), Look.pixels(MINIMUM_HEIGHT)));
         panel.revalidate();
     }
 
     /**
-     * A size, or that of the screen of a window where that is smaller: large type, or a window of yesterday's screen,
-     * may not fit.
+     * A size, or that of the screen where that is smaller: large type, or a window of yesterday's screen, may not fit.
      */
-    private static Dimension onScreen(Window window, int width, int height) {
-        Rectangle screen = Screens.room(window);
+    private Dimension onScreen(int width, int height) {
+        Rectangle screen = Screens.room(frame);
         return new Dimension(Math.min(width, screen.width), Math.min(height, screen.height));
     }
 
