@@ -33,7 +33,7 @@ final class StatusBar {
     private final JProgressBar progress = new JProgressBar(0, STEPS);
     private final RenderController controller;
     private final Timer timer;
-    private final Timer fading = new Timer(MESSAGE_MILLISECONDS, event -> showIdle());
+    private final Timer fading;
     private String failure;
 
     /** The picture on the screen, if it is said that it becomes better; else null. */
@@ -41,7 +41,14 @@ final class StatusBar {
 
     /** A status bar that shows the progress of a controller. */
     StatusBar(RenderController controller) {
+        this(controller, MESSAGE_MILLISECONDS);
+    }
+
+    /** The same, with messages about what has happened that stay for so long. */
+    StatusBar(RenderController controller, int messageMilliseconds) {
         this.controller = controller;
+        fading = new Timer(messageMilliseconds, event -> showIdle());
+        fading.setRepeats(false);
         what.setName("status.what");
         where.setName("status.where");
         where.putClientProperty("FlatLaf.styleClass", "small");
@@ -63,7 +70,6 @@ final class StatusBar {
             }
         });
         timer.start();
-        fading.setRepeats(false);
     }
 
     JComponent component() {

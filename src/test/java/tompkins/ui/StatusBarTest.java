@@ -53,22 +53,23 @@ class StatusBarTest {
     }
 
     @Test
-    void whatHasHappenedIsOldAfterAWhile() {
+    void whatHasHappenedIsOldAfterAWhileAndWhatIsToBeDoneIsNot() {
         try (RenderController controller = new RenderController(picture -> {}, failure -> {})) {
-            StatusBar status = new StatusBar(controller);
-            JLabel what = Components.find(status.component(), JLabel.class, "status.what");
+            StatusBar asking = new StatusBar(controller, 50);
+            StatusBar telling = new StatusBar(controller, 50);
+            JLabel asked = Components.find(asking.component(), JLabel.class, "status.what");
+            JLabel told = Components.find(telling.component(), JLabel.class, "status.what");
             WindowDriver.onEventThread(() -> {
-                status.report("Saved");
-                status.say("Click in the picture");
+                asking.report("Saved");
+                asking.say("Click in the picture");
+                telling.report("Saved");
+                assertThat(told.getText()).isEqualTo("Saved");
                 return null;
             });
-            WindowDriver.onEventThread(() -> {
-                assertThat(what.getText()).isEqualTo("Click in the picture");
-                status.report("Saved");
-                return null;
-            });
-            WindowDriver.await("the usual text", () -> what.getText().equals(Texts.get("status.idle")));
-            status.stop();
+            WindowDriver.await("the usual text", () -> told.getText().equals(Texts.get("status.idle")));
+            assertThat(asked.getText()).isEqualTo("Click in the picture");
+            asking.stop();
+            telling.stop();
         }
     }
 }
