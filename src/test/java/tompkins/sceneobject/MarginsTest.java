@@ -43,28 +43,33 @@ class MarginsTest {
     })
     void whatIsOnlyJustMetIsKept(double far, double distance) {
         EdgeRays edges = new EdgeRays(7);
+        int kept = 0;
         for (int round = 0; round < ROUNDS; round++) {
             Vector3d place = edges.placeAround(new Vector3d(), far);
             for (Primitive primitive : edges.shapes(place)) {
-                mustKeep(primitive, edges.to(primitive, edges.placeAround(place, distance)));
+                kept += mustKeep(primitive, edges.to(primitive, edges.placeAround(place, distance)));
             }
         }
+        assertThat(kept).isGreaterThan(50);
     }
 
     @ParameterizedTest
     @ValueSource(doubles = {1e2, 1e4, 1e6, 1e8})
     void whatIsOnlyJustMetFarFromTheOriginByRaysThatStartThereIsKept(double far) {
         EdgeRays edges = new EdgeRays(11);
+        int kept = 0;
         for (int round = 0; round < ROUNDS; round++) {
             for (Primitive primitive : edges.shapes(edges.placeAround(new Vector3d(), far))) {
-                mustKeep(primitive, edges.to(primitive, edges.placeAround(new Vector3d(), 0.1)));
+                kept += mustKeep(primitive, edges.to(primitive, edges.placeAround(new Vector3d(), 0.1)));
             }
         }
+        assertThat(kept).isGreaterThan(50);
     }
 
-    private static void mustKeep(Primitive primitive, Ray ray) {
+    /** Whether there is a ray that was looked for, 0 or 1. */
+    private static int mustKeep(Primitive primitive, Ray ray) {
         if (ray == null) {
-            return;
+            return 0;
         }
         String name = primitive.description();
         double distance = primitive.distance(ray, Primitive.NO_HIT);
@@ -82,6 +87,7 @@ class MarginsTest {
         if (primitive.margins(block, bundle.farthest(), margin)) {
             assertThat(margin[0]).as(name).isGreaterThanOrEqualTo(0);
         }
+        return 1;
     }
 
     /** Shapes so far from the origin, lamps so far from them, and places so many times as far behind them. */
