@@ -54,7 +54,6 @@ class EditorWindowTest {
             // the scene, and in it the sphere
             tree.expandRow(1);
             tree.setSelectionRow(2);
-            return null;
         });
     }
 
@@ -110,10 +109,8 @@ class EditorWindowTest {
 
     @Test
     void picturesAreChosenFromTheFolderOfTheSceneAndMayBeWrong() throws IOException {
-        WindowDriver.onEventThread(() -> {
-            driver.window().model().set(Studios.sphere().withScene(List.of(pictured(PictureSurface.DEFAULT))));
-            return null;
-        });
+        WindowDriver.onEventThread(() ->
+                driver.window().model().set(Studios.sphere().withScene(List.of(pictured(PictureSurface.DEFAULT)))));
         Path wrong = Files.writeString(folder.resolve("wrong.png"), "no picture");
         choosePicture(wrong);
         WindowDriver.await(
@@ -179,10 +176,7 @@ class EditorWindowTest {
     void anOpenMenuKeepsTheKeysFromWhatIsBehindItAndEscapeClosesItBeforeTheEditor() {
         driver.type(radius(), "0.25");
         JTree tree = driver.find(JTree.class, "tree");
-        WindowDriver.onEventThread(() -> {
-            tree.setSelectionRow(1);
-            return null;
-        });
+        WindowDriver.onEventThread(() -> tree.setSelectionRow(1));
         driver.click(driver.find(JButton.class, Texts.get("tree.add")));
         WindowDriver.await("the menu", EditorWindowTest::isMenuOpen);
         driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);

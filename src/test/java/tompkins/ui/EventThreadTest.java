@@ -59,10 +59,8 @@ class EventThreadTest {
     void theEventThreadStaysFreeWhileSlidersAreDragged(@TempDir Path folder) {
         WindowDriver.requireDisplay();
         WatchedQueue queue = new WatchedQueue();
-        WindowDriver.onEventThread(() -> {
-            Toolkit.getDefaultToolkit().getSystemEventQueue().push(queue);
-            return null;
-        });
+        WindowDriver.onEventThread(
+                () -> Toolkit.getDefaultToolkit().getSystemEventQueue().push(queue));
         try (WindowDriver driver = new WindowDriver(folder, Studios.lattice(), null, List.of())) {
             drag(driver, driver.find(JSlider.class, "Speed, slider"));
             queue.forget();
@@ -73,10 +71,7 @@ class EventThreadTest {
             }
             driver.completePicture();
         } finally {
-            WindowDriver.onEventThread(() -> {
-                queue.leave();
-                return null;
-            });
+            WindowDriver.onEventThread(() -> queue.leave());
         }
         assertThat(Toolkit.getDefaultToolkit().getSystemEventQueue()).isNotSameAs(queue);
         System.out.printf(

@@ -184,10 +184,7 @@ class HelpWindowTest {
 
     /** Gives the window a width in which nothing is to be scrolled sideways. */
     private void makeWide(int width) {
-        WindowDriver.onEventThread(() -> {
-            SwingUtilities.getWindowAncestor(text).setSize(width, 600);
-            return null;
-        });
+        WindowDriver.onEventThread(() -> SwingUtilities.getWindowAncestor(text).setSize(width, 600));
         WindowDriver.await(
                 "a text as wide as its window",
                 () -> Math.abs(text.getWidth() - width) < 40 && text.getWidth() == text.getVisibleRect().width);
@@ -216,7 +213,6 @@ class HelpWindowTest {
                     .as("as in the window that was open when the look changed")
                     .hasSize(1);
             Look.LIGHT.install();
-            return null;
         });
     }
 

@@ -18,10 +18,7 @@ class LastResortTest {
     private Path folder;
 
     private static void handle(Thread.UncaughtExceptionHandler handler) {
-        WindowDriver.onEventThread(() -> {
-            Thread.currentThread().setUncaughtExceptionHandler(handler);
-            return null;
-        });
+        WindowDriver.onEventThread(() -> Thread.currentThread().setUncaughtExceptionHandler(handler));
     }
 
     @AfterEach

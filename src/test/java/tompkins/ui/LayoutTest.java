@@ -11,7 +11,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.concurrent.Executors;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
@@ -106,7 +105,7 @@ class LayoutTest {
     @ParameterizedTest
     @MethodSource("looks")
     void sidePanelHasRoomForAll(Look look, float size, Locale locale) {
-        onEventThread(() -> checkSidePanel(look, size, locale));
+        WindowDriver.onEventThread(() -> checkSidePanel(look, size, locale));
     }
 
     private void checkSidePanel(Look look, float size, Locale locale) {
@@ -141,7 +140,7 @@ class LayoutTest {
 
     @Test
     void theSpeedIsNotCut() {
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             use(Look.LIGHT, 1, Locale.ENGLISH);
             Container column = (Container)
                     ((JScrollPane) sidePanel().component()).getViewport().getView();
@@ -160,7 +159,7 @@ class LayoutTest {
     @ParameterizedTest
     @MethodSource("looks")
     void playPanelAndEditorHaveRoomForAll(Look look, float size, Locale locale) {
-        onEventThread(() -> checkPlayPanelAndEditor(look, size, locale));
+        WindowDriver.onEventThread(() -> checkPlayPanelAndEditor(look, size, locale));
     }
 
     private void checkPlayPanelAndEditor(Look look, float size, Locale locale) {
@@ -179,7 +178,7 @@ class LayoutTest {
     @ParameterizedTest
     @MethodSource("looks")
     void theKeysStandInTwoColumns(Look look, float size, Locale locale) {
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             use(look, size, locale);
             JMenuItem undo = new JMenuItem("Undo");
             undo.setAccelerator(KeyStroke.getKeyStroke("ctrl Z"));
@@ -199,10 +198,6 @@ class LayoutTest {
                     .contains(List.of(Texts.get("help.menus")), List.of("Ctrl+Z", "Undo"))
                     .contains(List.of("Sphere"), List.of("Arrow keys", "Turn it by 5 degrees"));
         });
-    }
-
-    private static void onEventThread(Runnable check) {
-        WindowDriver.onEventThread(Executors.callable(check));
     }
 
     /** What is cut, in words. */

@@ -10,7 +10,6 @@ import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Executors;
 import java.util.stream.IntStream;
 import javax.swing.JToggleButton;
 import org.joml.Vector3d;
@@ -55,13 +54,13 @@ class PhotographViewTest {
     @Test
     void theOtherPictureIsAsGoodSoThatPicturesOfTheSameStudioDoNotDiffer() {
         Quality.TargetError fine = new Quality.TargetError(0.002);
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             view.canvas().setSize(64, 48);
             model.set(model.studio().withVelocity(Velocity.of(0, 0, 0)));
             compareWithRest();
         });
         awaitBoth("the pictures of one sample", new Quality.Samples(1));
-        onEventThread(() -> model.set(
+        WindowDriver.onEventThread(() -> model.set(
                 model.studio().withSettings(model.studio().settings().withTargetError(fine.rootMeanSquare()))));
         awaitBoth("the pictures of many samples", fine);
         BufferedImage difference = view.canvas().shown().difference();
@@ -72,18 +71,18 @@ class PhotographViewTest {
     @Test
     void aKeptPictureIsCalledByItsSpeedAndItsColours() {
         Velocity fast = Velocity.of(SpeedScale.ONE_MINUS_BETA, 5e-15, new Vector3d(0, 0, 1));
-        onEventThread(() -> model.set(model.studio().withVelocity(fast)));
+        WindowDriver.onEventThread(() -> model.set(model.studio().withVelocity(fast)));
         WindowDriver.await(
                 "the picture",
                 () -> view.canvas().shown().now() != null
                         && view.canvas().shown().now().complete());
         assertThat(WindowDriver.onEventThread(view::keepPicture)).endsWith("\u03b2 = 1-5e-15");
-        onEventThread(() -> model.set(model.studio().withColours(ColourLaw.SEARCHLIGHT)));
+        WindowDriver.onEventThread(() -> model.set(model.studio().withColours(ColourLaw.SEARCHLIGHT)));
         WindowDriver.await(
                 "the picture with other colours",
                 () -> view.canvas().shown().now().studio().colours() == ColourLaw.SEARCHLIGHT);
         assertThat(WindowDriver.onEventThread(view::keepPicture)).endsWith("\u03b2 = 1-5e-15, Searchlight effect");
-        onEventThread(() -> model.set(
+        WindowDriver.onEventThread(() -> model.set(
                 model.studio().withColours(ColourLaw.UNCHANGED).withTransformation(TransformationLaw.GALILEAN)));
         WindowDriver.await(
                 "the picture of Newton's world",
@@ -93,15 +92,15 @@ class PhotographViewTest {
 
     @Test
     void theOtherPictureThatWasStoppedIsMadeAgainWithTheNextChange() throws InterruptedException {
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             model.set(Studios.slow());
             compareWithRest();
         });
         WindowDriver.await("the other picture", () -> other() != null);
-        onEventThread(view::stop);
+        WindowDriver.onEventThread(view::stop);
         Thread.sleep(300);
         Picture stopped = other();
-        onEventThread(() -> model.set(Studios.slow().withVelocity(Velocity.of(0, 0, 0.5))));
+        WindowDriver.onEventThread(() -> model.set(Studios.slow().withVelocity(Velocity.of(0, 0, 0.5))));
         WindowDriver.await("the other picture again", () -> other() != stopped);
         assertThat(other().studio()).isEqualTo(stopped.studio());
     }
@@ -110,7 +109,7 @@ class PhotographViewTest {
     void theClickReleasesTheButtonForPickingEvenIfItsPixelCannotBeRead() {
         Container panel = (Container) WindowDriver.onEventThread(() -> new SidePanel(model, view, message -> {}))
                 .component();
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             view.canvas().setSize(64, 48);
             view.render();
         });
@@ -118,7 +117,7 @@ class PhotographViewTest {
         JToggleButton pick = Components.find(panel, JToggleButton.class, "Pick a point to focus on");
         // who is closed answers no questions
         view.close();
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             pick.doClick();
             mouse(view.canvas(), MouseEvent.MOUSE_RELEASED);
         });
@@ -136,14 +135,14 @@ class PhotographViewTest {
         }));
         try (watched) {
             PictureCanvas canvas = watched.canvas();
-            onEventThread(() -> {
+            WindowDriver.onEventThread(() -> {
                 canvas.setSize(64, 48);
                 watched.render();
             });
             WindowDriver.await("a picture", () -> canvas.shown().now() != null);
             mouse(canvas, MouseEvent.MOUSE_MOVED);
             WindowDriver.await("the reading", () -> !read.isEmpty());
-            onEventThread(() -> {
+            WindowDriver.onEventThread(() -> {
                 mouse(canvas, MouseEvent.MOUSE_MOVED);
                 // the answer is there, and waits until this is done
                 sleep(200);
@@ -169,7 +168,7 @@ class PhotographViewTest {
     /** While something plays, the pinned ray is followed again in every picture. */
     @Test
     void aPointIsPickedThoughARayIsPinned() {
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             view.canvas().setSize(64, 48);
             view.render();
         });
@@ -177,7 +176,7 @@ class PhotographViewTest {
         List<Double> picked = new ArrayList<>();
         for (int i = 1; i <= 30; i++) {
             int round = i;
-            onEventThread(() -> {
+            WindowDriver.onEventThread(() -> {
                 view.startPicking(() -> {}, picked::add);
                 mouse(view.canvas(), MouseEvent.MOUSE_RELEASED);
                 view.setPin(new Point2D.Double(10.5, 10.5));
@@ -189,7 +188,7 @@ class PhotographViewTest {
     /** Eight pixels lie between the two. */
     @Test
     void sideBySideBothPicturesAreWholeAndRead() {
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             model.set(Studios.sphere().withVelocity(Velocity.of(0, 0, 0.5)));
             view.canvas().setSize(2 * 64 + 8, 48);
             compareWithRest();
@@ -197,7 +196,7 @@ class PhotographViewTest {
         });
         awaitBoth("both pictures", new Quality.Samples(1));
         PictureCanvas canvas = view.canvas();
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             assertThat(canvas.pictureBounds()).isEqualTo(new Rectangle(0, 0, 64, 48));
             assertThat(canvas.shownAt(new Point(10, 20)))
                     .isSameAs(canvas.shown().now());
@@ -227,9 +226,5 @@ class PhotographViewTest {
 
     private static boolean isComplete(Picture picture, Quality quality) {
         return picture != null && picture.complete() && picture.quality().equals(quality);
-    }
-
-    private static void onEventThread(Runnable work) {
-        WindowDriver.onEventThread(Executors.callable(work));
     }
 }

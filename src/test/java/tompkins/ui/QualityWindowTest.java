@@ -50,18 +50,12 @@ class QualityWindowTest {
         Studio studio = Studios.lattice().withSettings(Studio.DEFAULT.settings().withSize(160, 120));
         driver = new WindowDriver(folder, studio, folder.resolve("lattice.json"), List.of(studio));
         JButton measure = driver.find(JButton.class, "Chart this picture");
-        WindowDriver.onEventThread(() -> {
-            measure.doClick();
-            return null;
-        });
+        WindowDriver.onEventThread(() -> measure.doClick());
     }
 
     @AfterEach
     void closeDialogs() {
-        WindowDriver.onEventThread(() -> {
-            dialogs().forEach(JDialog::dispose);
-            return null;
-        });
+        WindowDriver.onEventThread(() -> dialogs().forEach(JDialog::dispose));
     }
 
     @Test
@@ -79,7 +73,6 @@ class QualityWindowTest {
         WindowDriver.onEventThread(() -> {
             samples.setText("3");
             samples.postActionEvent();
-            return null;
         });
         assertThat(WindowDriver.onEventThread(QualityWindowTest::state))
                 .as("when the scene has another number")
@@ -102,7 +95,6 @@ class QualityWindowTest {
             assertThat(chart.getWidth()).isGreaterThan(2300);
             assertThat(chart.getScaleX()).isEqualTo(1);
             assertThat(chart.getScaleY()).isEqualTo(1);
-            return null;
         });
     }
 
@@ -110,10 +102,7 @@ class QualityWindowTest {
     void anotherChartTakesItsPlace() {
         JDialog first = WindowDriver.onEventThread(QualityWindowTest::dialog);
         JButton measure = driver.find(JButton.class, "Chart this picture");
-        WindowDriver.onEventThread(() -> {
-            measure.doClick();
-            return null;
-        });
+        WindowDriver.onEventThread(() -> measure.doClick());
         assertThat(WindowDriver.onEventThread(first::isDisplayable)).isFalse();
         assertThat(WindowDriver.onEventThread(() -> dialogs().count())).isEqualTo(1);
         assertThat(WindowDriver.onEventThread(() -> chart().getPopupMenu())).isNull();

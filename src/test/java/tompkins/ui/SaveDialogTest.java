@@ -48,12 +48,9 @@ class SaveDialogTest {
 
     private void chooseFormat(String description) {
         JFileChooser chooser = driver.chooser();
-        WindowDriver.onEventThread(() -> {
-            List.of(chooser.getChoosableFileFilters()).stream()
-                    .filter(filter -> description.equals(filter.getDescription()))
-                    .forEach(chooser::setFileFilter);
-            return null;
-        });
+        WindowDriver.onEventThread(() -> List.of(chooser.getChoosableFileFilters()).stream()
+                .filter(filter -> description.equals(filter.getDescription()))
+                .forEach(chooser::setFileFilter));
     }
 
     @Test
@@ -134,10 +131,8 @@ class SaveDialogTest {
     @Test
     void aSceneWithoutAFileIsSavedUnderItsTitleWhereTheLastFileWas() {
         String title = "Fig. 1(b): camera at 99.5 % of the speed of light";
-        WindowDriver.onEventThread(() -> {
-            driver.window().model().open(Records.with(Studios.sphere(), "title", title), null);
-            return null;
-        });
+        WindowDriver.onEventThread(
+                () -> driver.window().model().open(Records.with(Studios.sphere(), "title", title), null));
         for (String item : List.of("menu.saveScene", "menu.savePhotograph")) {
             driver.menu(item);
             assertThat(driver.chooser().getSelectedFile())

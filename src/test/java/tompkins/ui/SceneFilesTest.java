@@ -110,10 +110,7 @@ class SceneFilesTest {
 
     @Test
     void aSceneThatIsPlayedIsSavedAsItIsAtThatMoment() {
-        WindowDriver.onEventThread(() -> {
-            driver.window().model().open(BOX, null);
-            return null;
-        });
+        WindowDriver.onEventThread(() -> driver.window().model().open(BOX, null));
         driver.menu("menu.playSpeed");
         save();
         Path other = folder.resolve("played.json");
@@ -135,7 +132,6 @@ class SceneFilesTest {
         WindowDriver.onEventThread(() -> {
             BackgroundTask.start(
                     driver.window().frame(), Texts.get("file.saving", file), task -> written.await(), () -> {});
-            return null;
         });
         save();
         JLabel what = driver.find(JLabel.class, "status.what");
@@ -246,10 +242,7 @@ class SceneFilesTest {
 
     @Test
     void anExampleThatWasOnlyLookedAtIsLeftWithoutAQuestion() throws IOException {
-        WindowDriver.onEventThread(() -> {
-            driver.window().model().open(Studios.sphere(), null);
-            return null;
-        });
+        WindowDriver.onEventThread(() -> driver.window().model().open(Studios.sphere(), null));
         Studio fast = change("0.5");
         Path other = folder.resolve("box.json");
         StudioWriter.save(BOX, other);
@@ -257,10 +250,7 @@ class SceneFilesTest {
         driver.menu("menu.undo");
         awaitStudio(fast);
 
-        WindowDriver.onEventThread(() -> {
-            driver.window().model().set(fast.withScene(List.of()));
-            return null;
-        });
+        WindowDriver.onEventThread(() -> driver.window().model().set(fast.withScene(List.of())));
         driver.menu("menu.open");
         driver.answer("Cancel");
         assertThat(driver.studio().scene()).isEmpty();
@@ -296,10 +286,7 @@ class SceneFilesTest {
 
     @Test
     void aSceneWithoutAFileCannotBeReloaded() {
-        WindowDriver.onEventThread(() -> {
-            driver.window().model().open(BOX, null);
-            return null;
-        });
+        WindowDriver.onEventThread(() -> driver.window().model().open(BOX, null));
         driver.menu("menu.reload");
         JLabel what = driver.find(JLabel.class, "status.what");
         WindowDriver.await("the answer", () -> what.getText().contains("no file"));

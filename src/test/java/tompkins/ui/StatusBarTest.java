@@ -64,7 +64,6 @@ class StatusBarTest {
                 asking.say("Click in the picture");
                 telling.report("Saved");
                 assertThat(told.getText()).isEqualTo("Saved");
-                return null;
             });
             WindowDriver.await("the usual text", () -> told.getText().equals(Texts.get("status.idle")));
             assertThat(asked.getText()).isEqualTo("Click in the picture");

@@ -98,10 +98,7 @@ public final class WindowBenchmark {
     }
 
     private void show(Studio next) {
-        WindowDriver.onEventThread(() -> {
-            driver.window().model().adjust(next, this);
-            return null;
-        });
+        WindowDriver.onEventThread(() -> driver.window().model().adjust(next, this));
     }
 
     /** Waits for a picture of a studio on the screen, painted; gives the time. */

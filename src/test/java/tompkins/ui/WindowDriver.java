@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Executors;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
@@ -85,6 +86,12 @@ public final class WindowDriver implements AutoCloseable {
         Assumptions.abort(how);
     }
 
+    /** Does something on the event thread, where nothing moves by itself meanwhile, and waits for it. */
+    public static void onEventThread(Runnable steps) {
+        onEventThread(Executors.callable(steps));
+    }
+
+    /** As above, with a result. */
     public static <T> T onEventThread(Callable<T> call) {
         FutureTask<T> task = new FutureTask<>(call);
         try {
@@ -163,10 +170,7 @@ public final class WindowDriver implements AutoCloseable {
 
     /** Makes a component visible in its scroll pane, and gives its centre on the screen. */
     Point centre(JComponent component) {
-        onEventThread(() -> {
-            component.scrollRectToVisible(new Rectangle(component.getSize()));
-            return null;
-        });
+        onEventThread(() -> component.scrollRectToVisible(new Rectangle(component.getSize())));
         settle();
         return onEventThread(() -> {
             Point corner = component.getLocationOnScreen();
@@ -246,7 +250,6 @@ public final class WindowDriver implements AutoCloseable {
         onEventThread(() -> {
             chooser.setSelectedFile(file.toFile());
             later(chooser::approveSelection);
-            return null;
         });
     }
 
@@ -305,9 +308,6 @@ public final class WindowDriver implements AutoCloseable {
     @Override
     public void close() {
         Toolkit.getDefaultToolkit().removeAWTEventListener(listener);
-        onEventThread(() -> {
-            window.frame().dispose();
-            return null;
-        });
+        onEventThread(() -> window.frame().dispose());
     }
 }

@@ -100,7 +100,6 @@ class WindowPicturesTest {
         WindowDriver.onEventThread(() -> {
             driver.window().frame().setSize(960, 700);
             driver.window().frame().validate();
-            return null;
         });
     }
 
@@ -134,10 +133,7 @@ class WindowPicturesTest {
         press(driver, JToggleButton.class, "Compare");
         press(driver, JToggleButton.class, "What this picture models");
         JComboBox<?> other = driver.find(JComboBox.class, "Compare with");
-        WindowDriver.onEventThread(() -> {
-            other.setSelectedItem(ComparePanel.Other.AT_REST);
-            return null;
-        });
+        WindowDriver.onEventThread(() -> other.setSelectedItem(ComparePanel.Other.AT_REST));
         PictureCanvas canvas = driver.window().view().canvas();
         WindowDriver.await(
                 "the other picture",
@@ -146,10 +142,7 @@ class WindowPicturesTest {
 
     private static void press(WindowDriver driver, Class<? extends AbstractButton> type, String name) {
         AbstractButton button = driver.find(type, name);
-        WindowDriver.onEventThread(() -> {
-            button.doClick();
-            return null;
-        });
+        WindowDriver.onEventThread(() -> button.doClick());
     }
 
     private static void write(BufferedImage picture, Path file) throws IOException {

@@ -209,10 +209,7 @@ class WindowQuestionsTest {
 
     @Test
     void anExportThatIsCancelledLeavesNothingBehind() throws IOException {
-        WindowDriver.onEventThread(() -> {
-            driver.window().model().open(Studios.slow(), null);
-            return null;
-        });
+        WindowDriver.onEventThread(() -> driver.window().model().open(Studios.slow(), null));
         driver.menu("menu.playPanel");
         Path film = folder.resolve("film.png");
         driver.answer(Texts.get("play.export"));
@@ -228,19 +225,13 @@ class WindowQuestionsTest {
 
     @Test
     void theWindowStaysOpenWhileAnExportRuns() {
-        WindowDriver.onEventThread(() -> {
-            driver.window().model().open(Studios.slow(), null);
-            return null;
-        });
+        WindowDriver.onEventThread(() -> driver.window().model().open(Studios.slow(), null));
         driver.menu("menu.playPanel");
         driver.answer(Texts.get("play.export"));
         driver.choose(folder.resolve("film.png"));
         WindowDriver.await("the progress", () -> task().findAny().isPresent());
         JMenuItem close = driver.find(JMenuItem.class, "menu.close");
-        WindowDriver.onEventThread(() -> {
-            close.doClick();
-            return null;
-        });
+        WindowDriver.onEventThread(() -> close.doClick());
         assertThat(isOpen()).isTrue();
         driver.answer("Cancel");
         WindowDriver.await("the end of the work", () -> task().findAny().isEmpty());
@@ -319,10 +310,8 @@ class WindowQuestionsTest {
         assertThat(isInView(panel, chart)).isFalse();
         WindowDriver.later(driver.find(JToggleButton.class, "Speed and accuracy")::doClick);
         WindowDriver.await("the button", () -> isInView(panel, chart));
-        WindowDriver.onEventThread(() -> {
-            driver.window().model().open(Records.with(Studios.sphere(), "remarks", "Look at this."), null);
-            return null;
-        });
+        WindowDriver.onEventThread(
+                () -> driver.window().model().open(Records.with(Studios.sphere(), "remarks", "Look at this."), null));
         WindowDriver.await("the remarks", () -> panel.getVerticalScrollBar().getValue() == 0);
     }
 
@@ -331,7 +320,6 @@ class WindowQuestionsTest {
         WindowDriver.onEventThread(() -> {
             driver.window().frame().setSize(900, 500);
             driver.window().frame().validate();
-            return null;
         });
     }
 
@@ -347,10 +335,7 @@ class WindowQuestionsTest {
         JLabel what = driver.find(JLabel.class, "status.what");
         JLabel picture = driver.find(JLabel.class, "status.picture");
         Sphere huge = new Sphere("sphere", new Vector3d(0, 0, 10), 1e200, ColouredSurface.DEFAULT);
-        WindowDriver.onEventThread(() -> {
-            driver.window().model().set(WALL.withScene(List.of(huge)));
-            return null;
-        });
+        WindowDriver.onEventThread(() -> driver.window().model().set(WALL.withScene(List.of(huge))));
         WindowDriver.await("the message", () -> what.getText().contains("scene[0]"));
         PictureCanvas canvas = driver.find(PictureCanvas.class, "picture");
         driver.move(driver.centre(canvas));
@@ -388,10 +373,7 @@ class WindowQuestionsTest {
         driver.click(driver.find(PictureCanvas.class, "picture"));
         assertThat(driver.window().model().isModified()).isFalse();
 
-        WindowDriver.onEventThread(() -> {
-            driver.window().model().set(WALL.withScene(List.of()));
-            return null;
-        });
+        WindowDriver.onEventThread(() -> driver.window().model().set(WALL.withScene(List.of())));
         driver.completePicture();
         Studio before = driver.studio();
         driver.click(pick);

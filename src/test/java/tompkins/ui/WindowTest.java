@@ -112,10 +112,7 @@ class WindowTest {
         JTextArea remarks = driver.find(JTextArea.class, "remarks");
         assertThat(remarks.isVisible()).isFalse();
         Studio cube = StudioReader.read(SCENES.resolve("terrell-cube.json"));
-        WindowDriver.onEventThread(() -> {
-            driver.window().model().set(cube);
-            return null;
-        });
+        WindowDriver.onEventThread(() -> driver.window().model().set(cube));
         assertThat(remarks.isShowing()).isTrue();
         assertThat(remarks.getText()).startsWith("A cube that a fast camera passes does not look shortened but turned");
     }
@@ -161,10 +158,7 @@ class WindowTest {
         for (int i = 0; i < models.getItemCount(); i++) {
             Class<?> model = (Class<?>) models.getItemAt(i);
             int index = i;
-            WindowDriver.onEventThread(() -> {
-                models.setSelectedIndex(index);
-                return null;
-            });
+            WindowDriver.onEventThread(() -> models.setSelectedIndex(index));
             assertThat(driver.studio().camera().shutter()).isInstanceOf(model);
             driver.completePicture();
         }
@@ -208,7 +202,7 @@ class WindowTest {
         driver.completePicture();
         PictureCanvas canvas = driver.find(PictureCanvas.class, "picture");
         JLabel what = driver.find(JLabel.class, "status.what");
-        WindowDriver.onEventThread(canvas::requestFocusInWindow);
+        WindowDriver.onEventThread(() -> canvas.requestFocusInWindow());
         WindowDriver.await("the focus", canvas::isFocusOwner);
         driver.key(KeyEvent.VK_RIGHT);
         WindowDriver.await("the pixel beside the middle", () -> what.getText().startsWith("Pixel 161, 120"));
@@ -232,10 +226,7 @@ class WindowTest {
         WindowDriver.await("the pinned ray", story::isShowing);
         Studio before = driver.studio();
         Studio moving = before.withVelocity(Velocity.of(0, 0, 0.5));
-        WindowDriver.onEventThread(() -> {
-            driver.window().model().set(moving);
-            return null;
-        });
+        WindowDriver.onEventThread(() -> driver.window().model().set(moving));
         driver.completePicture();
         assertThat(story.isShowing()).isTrue();
         driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
@@ -262,10 +253,8 @@ class WindowTest {
 
     private void size(int width, int height) {
         StudioModel model = driver.window().model();
-        WindowDriver.onEventThread(() -> {
-            model.set(model.studio().withSettings(model.studio().settings().withSize(width, height)));
-            return null;
-        });
+        WindowDriver.onEventThread(() ->
+                model.set(model.studio().withSettings(model.studio().settings().withSize(width, height))));
         driver.completePicture();
     }
 
@@ -274,10 +263,7 @@ class WindowTest {
         driver.completePicture();
         JComboBox<?> other = driver.find(JComboBox.class, "Compare with");
         driver.click(driver.find(JToggleButton.class, "Compare"));
-        WindowDriver.onEventThread(() -> {
-            other.setSelectedItem(ComparePanel.Other.AT_REST);
-            return null;
-        });
+        WindowDriver.onEventThread(() -> other.setSelectedItem(ComparePanel.Other.AT_REST));
         PictureCanvas canvas = driver.find(PictureCanvas.class, "picture");
         WindowDriver.await(
                 "the other picture",
@@ -320,11 +306,8 @@ class WindowTest {
         WindowDriver.await(
                 "both pictures", () -> canvas.shownAt(atLeft) == canvas.shown().now());
         driver.release(KeyEvent.VK_F8);
-        WindowDriver.onEventThread(() -> {
-            Components.find(driver.window().frame(), JRadioButton.class, "Difference")
-                    .doClick();
-            return null;
-        });
+        WindowDriver.onEventThread(() -> Components.find(driver.window().frame(), JRadioButton.class, "Difference")
+                .doClick());
         WindowDriver.await("the difference", () -> canvas.shown().difference() != null);
     }
 
@@ -408,10 +391,8 @@ class WindowTest {
         driver.move(driver.centre(driver.find(PictureCanvas.class, "picture")));
         JLabel what = driver.find(JLabel.class, "status.what");
         WindowDriver.await("the reading", () -> what.getText().contains("to the velocity"));
-        WindowDriver.onEventThread(() -> {
-            driver.window().model().set(driver.window().model().studio().withVelocity(Velocity.REST));
-            return null;
-        });
+        WindowDriver.onEventThread(() ->
+                driver.window().model().set(driver.window().model().studio().withVelocity(Velocity.REST)));
         WindowDriver.await(
                 "the reading at rest",
                 () -> what.getText().startsWith("Pixel ") && !what.getText().contains("to the velocity"));
@@ -421,7 +402,7 @@ class WindowTest {
     @Test
     void whatIsTypedIntoAFieldThatGotTheFocusTakesThePlaceOfTheValue() {
         JTextField opens = driver.find(JTextField.class, "Opens at");
-        WindowDriver.onEventThread(opens::requestFocusInWindow);
+        WindowDriver.onEventThread(() -> opens.requestFocusInWindow());
         WindowDriver.await("the focus", opens::isFocusOwner);
         driver.key(KeyEvent.VK_5);
         driver.key(KeyEvent.VK_ENTER);
@@ -441,10 +422,7 @@ class WindowTest {
     }
 
     private void showSlowPicture() {
-        WindowDriver.onEventThread(() -> {
-            driver.window().model().set(Studios.slow());
-            return null;
-        });
+        WindowDriver.onEventThread(() -> driver.window().model().set(Studios.slow()));
         WindowDriver.await("the slow picture", () -> driver.picture().studio().equals(Studios.slow()));
     }
 

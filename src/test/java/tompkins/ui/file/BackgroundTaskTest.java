@@ -37,18 +37,12 @@ class BackgroundTaskTest {
     @AfterEach
     void close() {
         if (owner != null) {
-            WindowDriver.onEventThread(() -> {
-                owner.dispose();
-                return null;
-            });
+            WindowDriver.onEventThread(() -> owner.dispose());
         }
     }
 
     private void start(BackgroundTask.Work work) {
-        WindowDriver.onEventThread(() -> {
-            BackgroundTask.start(owner, "work", work, () -> ended.add("done"));
-            return null;
-        });
+        WindowDriver.onEventThread(() -> BackgroundTask.start(owner, "work", work, () -> ended.add("done")));
     }
 
     private Stream<JButton> cancel() {
@@ -57,10 +51,7 @@ class BackgroundTaskTest {
 
     private void cancelWhileItRuns() {
         WindowDriver.await("the window of the task", () -> cancel().findAny().isPresent());
-        WindowDriver.onEventThread(() -> {
-            cancel().forEach(JButton::doClick);
-            return null;
-        });
+        WindowDriver.onEventThread(() -> cancel().forEach(JButton::doClick));
         late.countDown();
         awaitEnd();
     }
@@ -101,7 +92,6 @@ class BackgroundTaskTest {
                         return "found";
                     },
                     ended::add);
-            return null;
         });
     }
 

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Container;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Executors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JButton;
@@ -66,18 +65,13 @@ class PlayPanelTest {
 
     @Test
     void theButtonKeepsItsWidthWhenItIsPressed() {
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             JToggleButton button = Components.find(panel, JToggleButton.class, "Play");
             int width = button.getPreferredSize().width;
             play.setPlaying(true);
             assertThat(button.getText()).isEqualTo("Pause");
             assertThat(button.getPreferredSize().width).isEqualTo(width);
         });
-    }
-
-    /** Where nothing moves by itself between two steps of a test. */
-    private static void onEventThread(Runnable steps) {
-        WindowDriver.onEventThread(Executors.callable(steps));
     }
 
     private List<String> offered() {
@@ -117,7 +111,7 @@ class PlayPanelTest {
     void nothingRunsWithAValueThatWasRefused() {
         choose(SPEED);
         Components.enter(panel, "to", "1");
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             play.setPlaying(true);
             assertThat(play.isPlaying()).isFalse();
         });
@@ -129,7 +123,7 @@ class PlayPanelTest {
         Components.find(panel, JTextField.class, "to").setText("0.9");
         export.doClick();
         assertThat(exported).singleElement().extracting(Animation::to).isEqualTo(0.9);
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             play.setPlaying(true);
             assertThat(play.isPlaying()).isTrue();
         });
@@ -193,7 +187,7 @@ class PlayPanelTest {
 
     @Test
     void aNumberThatAnotherSceneLacksRunsNoMore() {
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             model.open(with(ball("red"), ball("green")), null);
             choose("Scene \u203a green \u203a Radius");
             play.setPlaying(true);
@@ -213,7 +207,7 @@ class PlayPanelTest {
 
     @Test
     void aNumberThatBothScenesHaveRunsOn() {
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             choose("Camera \u203a Exposure");
             Components.enter(panel, "to", "3");
             play.setPlaying(true);
@@ -277,7 +271,7 @@ class PlayPanelTest {
     /** The list is that of the scene, also after the panel was hidden. */
     @Test
     void aHiddenPanelCatchesUpWhenItIsShown() {
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             play.setShown(false);
             model.open(with(ball("red")), null);
             play.run(NumberProperty.speed(SpeedScale.BETA));
@@ -291,7 +285,7 @@ class PlayPanelTest {
     /** Or each step of the animation would take it out of the hand again. */
     @Test
     void whoeverSetsTheNumberThatRunsHasIt() {
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             choose(SPEED);
             play.setPlaying(true);
 
@@ -307,7 +301,7 @@ class PlayPanelTest {
 
     @Test
     void anotherNumberRunsOnFromWhereItIs() {
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             choose(SPEED);
             play.setPlaying(true);
             choose("Camera \u203a Exposure");
@@ -317,7 +311,7 @@ class PlayPanelTest {
 
     @Test
     void whatPlaysMoves() {
-        onEventThread(() -> {
+        WindowDriver.onEventThread(() -> {
             choose(SPEED);
             play.setPlaying(true);
         });
