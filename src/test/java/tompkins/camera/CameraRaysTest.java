@@ -12,8 +12,10 @@ import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.Group;
@@ -208,6 +210,64 @@ class CameraRaysTest {
                 new Vector3d(), new Vector3d(0, 0, 1), new Vector3d(0, 1, 0), 360, 180, 1, 0, shutter);
         assertThat(camera.rays(4, 4, REST).ray(2, 2, 0, 0, counts)).isNull();
         assertThat(counts.withoutShutter).isEqualTo(1);
+    }
+
+    /** Rays across the normal of a plane never meet it. */
+    @ParameterizedTest
+    @MethodSource("camerasThatLookAlongZ")
+    void raysWithoutShutterLeaveTheirPlacesInTheBlockToOthers(Camera camera) {
+        CameraRays cameraRays = camera.withShutter(
+                        new ArbitraryPlaneShutter(0, new Vector3d(0, -1, 0), new Vector3d(0, 1, 0)))
+                .rays(4, 4, REST);
+        SamplePlaces places = new SamplePlaces(4);
+        places.add(1, 2, 0, 0);
+        places.add(1, 1, 0, 0);
+        places.add(2, 2, 0, 0);
+        places.add(3, 3, 0, 0);
+        RayBlock rays = new RayBlock(4);
+        RayCounts counts = new RayCounts();
+
+        cameraRays.make(places, rays, counts);
+
+        assertThat(counts.withoutShutter).isEqualTo(2);
+        assertThat(rays.count()).isEqualTo(2);
+        for (int i = 0; i < 2; i++) {
+            Ray ray = rays.ray(i);
+            assertThat(rays.sample(i)).isEqualTo(2 * i + 1);
+            assertThat(cameraRays.chiefDirection(2 * i + 1, 2 * i + 1).distance(ray.dx, ray.dy, ray.dz))
+                    .isLessThan(SMALL);
+            // from y = 0 to the plane y = -1, against the light
+            assertThat(ray.time).isCloseTo(-1 / ray.dy, within(SMALL * Math.abs(ray.time)));
+        }
+    }
+
+    static List<Camera> camerasThatLookAlongZ() {
+        return List.of(
+                ThinLensCamera.DEFAULT,
+                new PanoramicCamera(
+                        new Vector3d(),
+                        new Vector3d(0, 0, 1),
+                        new Vector3d(0, 1, 0),
+                        120,
+                        80,
+                        1,
+                        0,
+                        AperturePlaneShutter.DEFAULT));
+    }
+
+    @Test
+    void aPinholeIsOpenWhenItsShutterIs() {
+        Ray ray = thinLens(0, 0, new AperturePlaneShutter(4)).rays(80, 30, REST).ray(7, 5, 0, 0, new RayCounts());
+        assertThat(ray.time).isEqualTo(4);
+    }
+
+    /** Meridians come nearer to each other like the cosine of the latitude. */
+    @Test
+    void panoramicPixelsGetNarrowerTowardsThePoles() {
+        CameraRays rays = panoramic(AperturePlaneShutter.DEFAULT).rays(45, 90, REST);
+        assertThat(rays.ray(10, 45, 0, 0, new RayCounts()).spread).isCloseTo(Math.toRadians(4), within(SMALL));
+        assertThat(rays.ray(10, 15, 0, 0, new RayCounts()).spread)
+                .isCloseTo(Math.toRadians(4) * Math.sqrt(0.75), within(SMALL));
     }
 
     @Test

@@ -9,6 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 
 /** What all changes of frame have in common, and what the simple ones are. */
 class TransformationTest {
@@ -50,6 +51,43 @@ class TransformationTest {
                 .isLessThan(1e-13);
         assertThat(moved.timeAt(length)).isCloseTo(second.time(), within(1e-13));
         assertThat(direction(moved).length()).isCloseTo(1, within(1e-15));
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void raysOfABlockGoWhereTheyGoAlone(TransformationLaw law) {
+        SpaceTimeTransformation transformation = transformation(law);
+        RayBlock block = new RayBlock(4);
+        block.begin(4);
+        Ray[] rays = new Ray[4];
+        for (int i = 0; i < 4; i++) {
+            // ahead and behind, slow and fast light, changed before
+            rays[i] = ray().inFrame(i, 2, -i, 0.48, i < 2 ? 0.6 : -0.6, i % 2 == 0 ? 0.64 : -0.64, 3, 1 + i, 0.5, 2);
+            block.set(i, rays[i]);
+        }
+
+        transformation.transform(block);
+
+        for (int i = 0; i < 4; i++) {
+            assertThat(block.ray(i)).usingRecursiveComparison().isEqualTo(transformation.transform(rays[i]));
+        }
+    }
+
+    /** Eq. 1 of the paper for a direction that is traced backwards. */
+    @Test
+    void directionsTurnByTheFormulaOfThePaper() {
+        Velocity velocity = Velocity.of(BETA);
+        Vector3d along = new Vector3d(2, -1, 2).div(3);
+        Vector3d proper = new Vector3d(along).mul(velocity.properSpeed());
+        for (int i = 0; i < 20; i++) {
+            Vector3d direction = new Vector3d(Math.sin(i), Math.cos(2 * i), Math.sin(3 * i + 1)).normalize();
+            Vector3d expected = new Vector3d(direction).fma(proper.dot(direction) / (velocity.gamma() + 1) - 1, proper);
+
+            double growth = LorentzTransformation.turn(velocity, along, direction);
+
+            assertThat(growth).isCloseTo(expected.length(), within(1e-14));
+            assertThat(direction.distance(expected.div(growth))).isLessThan(1e-14);
+        }
     }
 
     @ParameterizedTest
