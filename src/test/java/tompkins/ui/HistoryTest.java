@@ -139,6 +139,20 @@ class HistoryTest {
         assertThat(driver.studio()).isEqualTo(Studios.sphere());
     }
 
+    @Test
+    void whatIsTypedOverOtherWordsIsTakenBackWithThem() {
+        ProseArea remarks = openRemarks();
+        driver.typeWithoutEnter(remarks, "12 34");
+        driver.key(KeyEvent.VK_A, KeyEvent.VK_CONTROL);
+        driver.key(KeyEvent.VK_5);
+        driver.key(KeyEvent.VK_6);
+        assertThat(remarks.getText()).isEqualTo("56");
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(remarks.getText()).isEqualTo("12 34");
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(remarks.getText()).isEqualTo("12");
+    }
+
     /** Each tick of the animation would begin a new step otherwise. */
     @Test
     void undoingWhilePlayingPausesAndGoesBackToWhereItBegan() {

@@ -1,5 +1,7 @@
 package tompkins.ui.widget;
 
+import java.awt.AWTEvent;
+import java.awt.EventQueue;
 import java.awt.event.ActionEvent;
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -24,6 +26,9 @@ final class TypedWords {
     private String last = "";
     private DocumentEvent.EventType lastKind;
     private long lastTime;
+
+    /** The key or click of the last change: what is typed over a selection removes that first. */
+    private AWTEvent lastInput;
 
     /** The words of a text. */
     TypedWords(JTextComponent text) {
@@ -76,23 +81,26 @@ final class TypedWords {
         text.setCaretPosition(now.length() - end);
         last = now;
         lastKind = null;
+        lastInput = null;
     }
 
     private void change(DocumentEvent event) {
         String now = text.getText();
         long time = System.nanoTime();
+        AWTEvent input = EventQueue.getCurrentEvent();
         boolean goesOn = event.getType() == lastKind
                 && event.getLength() == 1
                 && time - lastTime < PAUSE_NANOSECONDS
                 && (lastKind == DocumentEvent.EventType.REMOVE
                         || !Character.isWhitespace(now.charAt(event.getOffset())));
-        if (!goesOn) {
+        if (input != lastInput && !goesOn) {
             past.push(last);
         }
         future.clear();
         last = now;
         lastKind = event.getType();
         lastTime = time;
+        lastInput = input;
     }
 
     /** What stands there now is taken, or was not typed. */
@@ -101,5 +109,6 @@ final class TypedWords {
         future.clear();
         last = text.getText();
         lastKind = null;
+        lastInput = null;
     }
 }
