@@ -17,6 +17,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import tompkins.io.BundledScenes;
 import tompkins.io.SelfDescription;
 import tompkins.io.StudioReader;
 import tompkins.studio.Studio;
@@ -200,7 +201,7 @@ final class StudyCommand implements Callable<Integer> {
 
     private static Studio bundled(String name) {
         try {
-            return StudioReader.read(BundledScenes.file(name + ".json"));
+            return BundledScenes.studio(name + ".json");
         } catch (IOException missing) {
             throw new UncheckedIOException(missing);
         }

@@ -11,6 +11,7 @@ import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import tompkins.io.BundledScenes;
 import tompkins.io.StudioReader;
 import tompkins.studio.Studio;
 import tompkins.ui.Displays;

@@ -1,9 +1,5 @@
 package tompkins.io;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.net.URL;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import tompkins.io.JsonValue.JsonNumber;
@@ -30,20 +26,6 @@ public final class StudioReader {
         Problems problems = new Problems(file.toString());
         String text = new SceneText(file, problems).read();
         return studio(text, problems, file.toAbsolutePath().getParent());
-    }
-
-    /**
-     * Reads a scene that comes with the program and needs no other files. It is read without the file system of the
-     * jar, which takes 70 ms to open.
-     *
-     * @throws IOException if it is not there
-     * @throws SceneFileException if there are mistakes in it
-     */
-    public static Studio read(URL bundled) throws IOException {
-        try (InputStream in = bundled.openStream()) {
-            String text = new String(in.readAllBytes(), StandardCharsets.UTF_8);
-            return read(text, bundled.getPath().replaceFirst(".*/", ""), Path.of(""));
-        }
     }
 
     /**

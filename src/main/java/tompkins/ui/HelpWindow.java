@@ -6,7 +6,7 @@ import java.awt.Rectangle;
 import java.awt.event.MouseEvent;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.net.URL;
+import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Set;
@@ -28,7 +28,7 @@ import javax.swing.text.BadLocationException;
 import javax.swing.text.Element;
 import javax.swing.text.html.HTML;
 import javax.swing.text.html.HTMLDocument;
-import tompkins.io.StudioReader;
+import tompkins.io.BundledScenes;
 import tompkins.studio.Studio;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
@@ -86,7 +86,8 @@ final class HelpWindow {
         Keys.bindEscape(window.getRootPane(), () -> window.setVisible(false));
         Keys.bind(window.getRootPane(), KeyStroke.getKeyStroke("alt LEFT"), this::goBack);
         window.setSize(Look.pixels(WIDTH), Look.pixels(HEIGHT));
-        window.setLocationRelativeTo(owner);
+        // at the right as far as the screen goes, where it covers least of the picture
+        window.setLocation(owner.getX() + owner.getWidth(), owner.getY());
     }
 
     /** Shows a page, from its top. */
@@ -199,9 +200,9 @@ final class HelpWindow {
         }
     }
 
-    private Studio scene(String file) {
+    private static Studio scene(String link) {
         try {
-            return StudioReader.read(new URL(page.url(), file));
+            return BundledScenes.studio(Path.of(link).getFileName().toString());
         } catch (IOException missing) {
             throw new UncheckedIOException(missing);
         }

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.camera.PanoramicCamera;
 import tompkins.ui.widget.Look;
 
 /** The documents in the window, read with mouse and keys. */
@@ -79,6 +80,22 @@ class HelpWindowTest {
                 "Fig. 2(a)", () -> driver.window().model().studio().title().startsWith("Fig. 2(a)"));
         driver.menu("menu.undo");
         assertThat(driver.studio()).as("nothing is lost").isEqualTo(Studios.sphere());
+    }
+
+    @Test
+    void aSceneWithAPictureOpensInAnyFolder() {
+        follow("../scenes/whole-sky.json");
+
+        WindowDriver.await(
+                "the whole sky", () -> driver.window().model().studio().camera() instanceof PanoramicCamera);
+    }
+
+    @Test
+    void aDocumentCoversTheSideOfThePanelsFirst() {
+        Rectangle owner = driver.window().frame().getBounds();
+        Rectangle document = SwingUtilities.getWindowAncestor(text).getBounds();
+        assertThat(document.getCenterX()).isGreaterThan(owner.getCenterX());
+        assertThat(document.y).isEqualTo(owner.y);
     }
 
     @Test
