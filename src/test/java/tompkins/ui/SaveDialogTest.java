@@ -82,9 +82,11 @@ class SaveDialogTest {
                                         .equals(
                                                 "The name typed.jpg has the ending of another kind of file; it must end in .png, .tif, .tiff, .hdr, .pic, or have no ending.")));
         driver.answer("OK");
-        Path version = folder.resolve("beta0.9");
-        driver.choose(version);
+        driver.choose(folder.resolve("beta0.9"));
         awaitSaved(folder.resolve("beta0.9.png"));
+        driver.menu("menu.savePhotograph");
+        driver.choose(folder.resolve("lesson.v2"));
+        awaitSaved(folder.resolve("lesson.v2.png"));
         try (Stream<Path> files = Files.list(folder)) {
             assertThat(files).noneMatch(file -> file.toString().contains("jpg"));
         }

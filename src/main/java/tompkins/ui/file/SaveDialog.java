@@ -18,7 +18,7 @@ import tompkins.ui.widget.Texts;
 /** Asks under which name and in which format a file is to be saved. */
 public final class SaveDialog {
 
-    private static final Pattern OTHER_ENDING = Pattern.compile(".*\\.\\p{Alpha}\\p{Alnum}{1,3}");
+    private static final Pattern OTHER_ENDING = Pattern.compile(".*\\.(?!v\\d)\\p{Alpha}\\p{Alnum}{1,3}");
 
     private SaveDialog() {}
 
@@ -63,7 +63,7 @@ public final class SaveDialog {
 
     /**
      * Whether a name has the ending of another kind of file; a dot may also stand before a number, as in
-     * {@code beta0.9}.
+     * {@code beta0.9} and {@code lesson.v2}.
      */
     private static boolean isOfAnotherKind(Path typed, FormatFilter<?> format) {
         return !format.isFolder()
