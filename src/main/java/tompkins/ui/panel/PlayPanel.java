@@ -94,6 +94,7 @@ public final class PlayPanel {
         Naming.name(exportButton, "play.export");
         exportButton.addActionListener(event -> {
             if (EntryField.takeAll(panel)) {
+                setPlaying(false);
                 export.accept(model.studio(), animation());
             }
         });

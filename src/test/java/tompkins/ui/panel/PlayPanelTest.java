@@ -95,6 +95,16 @@ class PlayPanelTest {
     }
 
     @Test
+    void anAnimationThatIsSavedPauses() {
+        WindowDriver.onEventThread(() -> {
+            play.setPlaying(true);
+            Components.find(panel, JButton.class, Texts.get("play.export")).doClick();
+            assertThat(play.isPlaying()).isFalse();
+        });
+        assertThat(exported).hasSize(1);
+    }
+
+    @Test
     void whatIsScrubbedAfterSomethingElseIsAStepOfItsOwn() {
         choose(SPEED);
         scrub(200);
