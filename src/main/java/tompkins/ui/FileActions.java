@@ -167,10 +167,7 @@ final class FileActions implements FileContentEditor.Choosers {
 
     /** Begins a scene without objects. */
     void begin() {
-        leaveForAnother(() -> {
-            show(Studio.DEFAULT, null);
-            status.say(Texts.get("file.new"));
-        });
+        open(Studio.DEFAULT);
     }
 
     /** Opens the file of the scene again, which another program may have changed. */
@@ -306,7 +303,8 @@ final class FileActions implements FileContentEditor.Choosers {
     /** A file was saved that cannot be opened again. */
     void exported(Path file) {
         used(file);
-        status.report(Texts.get("file.saved", file));
+        // it may have taken so long that nobody looks
+        status.say(Texts.get("file.saved", file));
     }
 
     /** Asks where to save the photograph. */

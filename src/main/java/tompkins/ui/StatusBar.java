@@ -9,6 +9,7 @@ import javax.swing.JProgressBar;
 import javax.swing.Timer;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
+import tompkins.studio.Studio;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.picture.RenderController;
@@ -35,6 +36,9 @@ final class StatusBar {
     private final Timer timer;
     private final Timer fading;
     private String failure;
+
+    /** What is said if there is nothing else to say. */
+    private String hint = Texts.get("status.idle");
 
     /** The picture on the screen, if it is said that it becomes better; else null. */
     private Picture refining;
@@ -82,7 +86,7 @@ final class StatusBar {
     }
 
     private void showIdle() {
-        setWhat(failure == null ? Texts.get("status.idle") : failure);
+        setWhat(failure == null ? hint : failure);
         what.setForeground(UIManager.getColor(failure == null ? "Label.foreground" : "Tompkins.error"));
         where.setText(" ");
     }
@@ -163,6 +167,7 @@ final class StatusBar {
         if (failure != null) {
             return;
         }
+        showHint(shown.studio());
         String key = shown.complete() ? "status.complete" : ended ? "status.stopped" : "status.refining";
         long milliseconds = shown.time().toMillis();
         String samples = Numbers.brief(shown.samples(), 3);
@@ -176,6 +181,15 @@ final class StatusBar {
                 + (shown.plan().isTooFaint() ? Texts.get("status.tooFaint") : "")
                 + (shown.isTooSharp() ? Texts.get("status.tooSharp") : ""));
         picture.setToolTipText(Tips.wrapped(Texts.get("status.errorTip")));
+    }
+
+    private void showHint(Studio studio) {
+        boolean shown = what.getText().equals(hint);
+        boolean empty = studio.scene().isEmpty() && studio.cameraFrame().isEmpty();
+        hint = Texts.get(empty ? "status.empty" : "status.idle");
+        if (shown) {
+            showIdle();
+        }
     }
 
     /** Shows one line of text, until there is something else to read under the mouse. */

@@ -227,7 +227,8 @@ class HistoryTest {
         driver.type(field("Speed"), "0.7");
         undo();
         assertThat(driver.studio()).isEqualTo(begun);
-        assertThat(said()).as("within a scene").startsWith("A scene without objects");
+        JLabel what = driver.find(JLabel.class, "status.what");
+        WindowDriver.await("a hint", () -> what.getText().startsWith("A scene without objects"));
         undo();
         String title = Studios.sphere().title();
         assertThat(driver.studio().title()).isEqualTo(title);

@@ -47,6 +47,22 @@ class StatusBarTest {
         }
     }
 
+    @Test
+    void theHintOfASceneWithoutObjectsGoesWithTheFirstOne() {
+        try (RenderController controller = new RenderController(picture -> {}, failure -> {})) {
+            StatusBar status = new StatusBar(controller);
+            JLabel text = Components.find(status.component(), JLabel.class, "status.what");
+            status.show(picture(Studio.DEFAULT));
+            assertThat(text.getText()).isEqualTo(Texts.get("status.empty"));
+            status.show(picture(Studios.sphere()));
+            assertThat(text.getText()).isEqualTo(Texts.get("status.idle"));
+            status.say("something else");
+            status.show(picture(Studio.DEFAULT));
+            assertThat(text.getText()).isEqualTo("something else");
+            status.stop();
+        }
+    }
+
     private static Picture picture(Studio studio) {
         return new Picture(
                 RenderPlan.of(studio), new LinearImage(1, 1, new float[3]), true, Duration.ZERO, 1, 0, List.of());
