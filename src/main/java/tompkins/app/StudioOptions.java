@@ -1,9 +1,12 @@
 package tompkins.app;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Option;
 import tompkins.light.ColourLaw;
@@ -26,7 +29,11 @@ final class StudioOptions {
     /** What was said of the velocity; one at most. */
     private static final class Motion {
 
-        @Option(names = "--beta", paramLabel = "X,Y,Z", description = "velocity of the camera in units of c")
+        @Option(
+                names = "--beta",
+                paramLabel = "B|X,Y,Z",
+                description = "speed of the camera in units of c, which keeps its direction, along z if the scene gives"
+                        + " none; or its velocity")
         private String beta;
 
         @Option(
@@ -83,18 +90,23 @@ final class StudioOptions {
     }
 
     private Studio withVelocity(Studio studio) {
+        Vector3dc direction = studio.velocity().givenDirection();
         if (motion.beta != null) {
-            Vector3d components = new Vector3d(numbers("--beta", motion.beta, "0,0,0.9"));
+            double[] beta = numbers("--beta", motion.beta, "0.9", "0,0,0.9");
             String hint = SpeedScale.roundingHint(Stream.of(motion.beta.split(",")));
             String fasterSpeeds = hint.isEmpty() ? "" : hint + ", and --gamma";
             return MistakeException.inOption(
-                    "--beta", fasterSpeeds, () -> studio.withVelocity(Velocity.of(components)));
+                    "--beta",
+                    fasterSpeeds,
+                    () -> studio.withVelocity(
+                            beta.length == 1
+                                    ? Velocity.of(SpeedScale.BETA, beta[0], direction)
+                                    : Velocity.of(new Vector3d(beta))));
         }
         if (motion.gamma != null) {
             double gamma = MistakeException.inOption(
                     "--gamma", () -> Require.within("gamma", motion.gamma, 1, Velocity.LARGEST_GAMMA));
-            return studio.withVelocity(
-                    Velocity.of(SpeedScale.GAMMA, gamma, studio.velocity().givenDirection()));
+            return studio.withVelocity(Velocity.of(SpeedScale.GAMMA, gamma, direction));
         }
         return studio;
     }
@@ -121,9 +133,8 @@ final class StudioOptions {
                 + " such as 640x480, was " + size);
     }
 
-    /** Numbers with commas between them, as many as the example has. */
-    static double[] numbers(String option, String text, String example) {
-        int count = example.split(",").length;
+    /** Numbers with commas between them, as many as one of the examples has. */
+    static double[] numbers(String option, String text, String... examples) {
         String[] parts = text.split(",", -1);
         double[] numbers = new double[parts.length];
         try {
@@ -133,11 +144,18 @@ final class StudioOptions {
         } catch (NumberFormatException notANumber) {
             numbers = new double[0];
         }
-        if (numbers.length != count || !Arrays.stream(numbers).allMatch(Double::isFinite)) {
-            throw new MistakeException(option + " must be " + count + " numbers with commas between them, such as "
-                    + option + "=" + example + ", was " + text);
+        List<Integer> counts =
+                Stream.of(examples).map(example -> example.split(",").length).toList();
+        if (!counts.contains(numbers.length) || !Arrays.stream(numbers).allMatch(Double::isFinite)) {
+            throw new MistakeException(option + " must be " + either(counts.stream())
+                    + " numbers with commas between them, such as "
+                    + either(Stream.of(examples).map(example -> option + "=" + example)) + ", was " + text);
         }
         return numbers;
+    }
+
+    private static String either(Stream<?> choices) {
+        return choices.map(Object::toString).collect(Collectors.joining(" or "));
     }
 
     /** The model with a name such as {@code detector-plane}; the present one stays as it is, with all its values. */

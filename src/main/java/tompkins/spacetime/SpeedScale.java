@@ -9,7 +9,7 @@ import tompkins.property.OneLine;
 public enum SpeedScale {
     /** The speed itself, below 1. */
     @Meaning("The speed in units of c")
-    BETA("beta", "at least 0 and below 1"),
+    BETA("beta", "at least 0 and below 1 (the speed of light)"),
     /** The Lorentz factor 1/sqrt(1 - beta^2), from 1. */
     @Meaning("The Lorentz factor 1/sqrt(1 - beta^2)")
     GAMMA("gamma", "1 or above"),

@@ -167,6 +167,7 @@ class LimitsTest {
                 new Case("option without its number", 2, "render", "--error", good),
                 new Case("option before its command", 2, "--samples", "4", good),
                 new Case("velocity option", 2, "render", good, "-o", output, "--beta", "0,0,2"),
+                new Case("speed option", 2, "render", good, "-o", output, "--beta", "1.2"),
                 new Case("Lorentz factor option", 2, "render", good, "-o", output, "--gamma", "0.9"),
                 new Case("two velocities", 2, "render", good, "-o", output, "--beta", "0,0,0.5", "--gamma", "2"),
                 new Case("unknown option", 2, "render", good, "-o", output, "--bta", "0,0,2"),

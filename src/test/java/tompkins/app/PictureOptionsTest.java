@@ -67,8 +67,13 @@ class PictureOptionsTest {
                 "--beta 0,-.99999999999999999,0 | was [0, -1, 0] with length 1; -.99999999999999999 was rounded to 1: "
                         + "nearer to the speed of light come \"gamma\" and \"oneMinusBeta\" in the velocity of a scene "
                         + "file, and --gamma",
-                "--beta 0,0,NaN | 3 numbers with commas between them, such as --beta=0,0,0.9, was 0,0,NaN",
-                "--beta 1,2 | 3 numbers with commas between them, such as --beta=0,0,0.9, was 1,2",
+                "--beta 0,0,NaN | such as --beta=0.9 or --beta=0,0,0.9, was 0,0,NaN",
+                "--beta 1,2 | --beta must be 1 or 3 numbers with commas between them, such as --beta=0.9 or "
+                        + "--beta=0,0,0.9, was 1,2",
+                "--beta fast | --beta=0.9 or --beta=0,0,0.9, was fast",
+                "--beta 1.2 | --beta must be at least 0 and below 1 (the speed of light), was 1.2",
+                "--beta -0.5 | --beta must be at least 0 and below 1 (the speed of light), was -0.5",
+                "--beta .99999999999999999 | (the speed of light), was 1; .99999999999999999 was rounded to 1: nearer",
                 "--gamma 0.9 | --gamma must be from 1 to 100000000, was 0.9",
                 "--gamma Infinity | --gamma must be from 1 to 100000000, was Infinity",
                 "--gamma 1e9 | --gamma must be from 1 to 100000000, was 1e9",
@@ -99,7 +104,7 @@ class PictureOptionsTest {
                 "--time 1e51 | --time must be from -1e50 to 1e50, was 1e51",
                 "--time 0x1p3 | --time must be a number",
                 "--time 3d | --time must be a number",
-                "--beta 0,0,0.5f | --beta must be 3 numbers",
+                "--beta 0,0,0.5f | --beta must be 1 or 3 numbers",
                 "--size 99999999999x4 | --size must be two whole numbers from 1 to 65535",
                 "--threads 0 | --threads must be a whole number from 1 to 1024, was 0",
                 "--threads 1025 | --threads must be a whole number from 1 to 1024, was 1025",
@@ -130,16 +135,17 @@ class PictureOptionsTest {
                 "{\"beta\": 0, \"direction\": [2, 0, 0]} | 0.6 | 0",
                 "{\"gamma\": 1, \"direction\": [-3, 0, 4]} | -0.36 | 0.48"
             })
-    void aLorentzFactorKeepsTheDirection(String before, double x, double z) throws IOException {
-        Path scene = folder.resolve("scene.json");
-        Path picture = folder.resolve("fast.png");
-        Files.writeString(scene, "{\"velocity\": " + before + "}");
+    void aSpeedKeepsTheDirection(String before, double x, double z) throws IOException {
+        Path scene = Files.writeString(folder.resolve("scene.json"), "{\"velocity\": " + before + "}");
+        for (String speed : new String[] {"--gamma=1.25", "--beta=0.6", "--beta=" + x + ",0," + z}) {
+            Path picture = folder.resolve("fast" + speed + ".png");
 
-        ProgramRun run = ProgramRun.of("render", scene, "-o", picture, "--size", "4x3", "--gamma=1.25");
+            ProgramRun run = ProgramRun.of("render", scene, "-o", picture, "--size", "4x3", speed);
 
-        assertThat(run.code()).as(run.err()).isZero();
-        Vector3dc velocity = StudioReader.read(picture).velocity().components();
-        assertThat(velocity.distance(x, 0, z)).isLessThan(1e-15);
+            assertThat(run.code()).as(run.err()).isZero();
+            Vector3dc velocity = StudioReader.read(picture).velocity().components();
+            assertThat(velocity.distance(x, 0, z)).as(speed).isLessThan(1e-15);
+        }
     }
 
     @Test
