@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.MaxValuesExceededException;
 import picocli.CommandLine.MissingParameterException;
+import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.MutuallyExclusiveArgsException;
@@ -36,9 +37,9 @@ final class ArgumentMistake {
     static String message(ParameterException mistake, String[] arguments) {
         CommandSpec command = mistake.getCommandLine().getCommandSpec();
         if (mistake instanceof MissingParameterException missing) {
-            return missing.getMissing().size() == 1 && missing.getMissing().get(0) instanceof OptionSpec option
-                    ? withoutValue(option, mistake)
-                    : fileLikeOption(arguments).orElse(mistake.getMessage());
+            return missing.getMissing().get(0) instanceof OptionSpec option && !isNeeded(option)
+                    ? withoutValue(option)
+                    : fileLikeOption(arguments).orElse("needs " + explained(missing.getMissing()));
         }
         if (mistake.getCause() instanceof InvalidPathException) {
             String name = mistake.getValue();
@@ -68,10 +69,31 @@ final class ArgumentMistake {
         return "; the commands are " + String.join(", ", names) + Spelling.hint(word, names);
     }
 
-    private static String withoutValue(OptionSpec option, ParameterException mistake) {
-        return isNumber(option)
-                ? option.longestName() + " needs " + kind(option) + example(option)
-                : mistake.getMessage();
+    private static String withoutValue(OptionSpec option) {
+        return option.longestName() + " needs " + (isNumber(option) ? kind(option) + example(option) : value(option));
+    }
+
+    /**
+     * Whether the command cannot do without an option; the library says so, too, of each of those that exclude others.
+     */
+    private static boolean isNeeded(OptionSpec option) {
+        return option.required() && option.group() == null;
+    }
+
+    private static String explained(List<ArgSpec> missing) {
+        return missing.stream()
+                .map(argument ->
+                        (argument instanceof OptionSpec option ? option.longestName() + "=" : "") + value(argument))
+                .collect(Collectors.joining("; and "));
+    }
+
+    private static String value(ArgSpec argument) {
+        return argument.paramLabel() + ": " + description(argument);
+    }
+
+    /** What the help says of an option or of another argument. */
+    private static String description(ArgSpec argument) {
+        return String.join(" ", argument.description());
     }
 
     private static String withWrongValue(OptionSpec option, ParameterException mistake) {

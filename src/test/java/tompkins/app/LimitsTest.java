@@ -172,8 +172,10 @@ class LimitsTest {
                 new Case("two velocities", 2, "render", good, "-o", output, "--beta", "0,0,0.5", "--gamma", "2"),
                 new Case("unknown option", 2, "render", good, "-o", output, "--bta", "0,0,2"),
                 new Case("unknown shutter", 2, "render", good, "-o", output, "--shutter", "rolling"),
+                new Case("no pixel", 2, "trace", good),
                 new Case("pixel outside the picture", 2, "trace", good, "--pixel", "640,0"),
                 new Case("part of a pixel", 2, "trace", good, "--pixel", "1.5,2"),
+                new Case("no study", 2, "study"),
                 new Case("neither command nor scene", 2, "rendr"));
     }
 

@@ -52,6 +52,32 @@ class TompkinsCommandTest {
         assertThat(run.err().contains("did you mean")).isEqualTo(line.contains("rendr"));
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "study | needs NAME: aperture, antialiasing, precision, tree, depth, preview, stability, all",
+                "study -o | --output needs FOLDER: an existing folder for the page",
+                "render | needs SCENE: scene files, or saved photographs",
+                "check | needs SCENE: scene files, or saved photographs",
+                "explain | needs SCENE: scene file, or saved photograph",
+                "trace scenes/fig1b.json | needs --pixel=X,Y: column and row of the pixel, from 0 at the upper left",
+                "trace scenes/fig1b.json --pixel | needs --pixel=X,Y: column and row of the pixel",
+                "trace | needs --pixel=X,Y: column and row of the pixel",
+                "trace | ; and SCENE: scene file, or saved photograph"
+            })
+    void whatIsMissingIsNamedAndExplained(String line, String said) {
+        ProgramRun run = ProgramRun.of((Object[]) line.trim().split(" "));
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.out()).isEmpty();
+        assertThat(run.err().lines()).hasSize(2);
+        assertThat(run.err())
+                .startsWith("tompkins " + line.trim().split(" ")[0] + ": ")
+                .contains(said.trim())
+                .doesNotContain("Missing", "'NAME'", "parameter");
+    }
+
     /** What a run prints, without its line ends. */
     private static String words(ProgramRun run) {
         return run.out().replaceAll("\\s+", " ");
