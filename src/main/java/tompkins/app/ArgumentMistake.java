@@ -170,10 +170,20 @@ final class ArgumentMistake {
         if (!owners.isEmpty()) {
             return name + " is an option of " + owners + "; write the command before it";
         }
-        List<String> known = command.options().stream()
-                .flatMap(option -> Stream.of(option.names()))
-                .toList();
-        return fileLikeOption(wrong).orElse("unknown option " + name + Spelling.hint(name, known));
+        return fileLikeOption(wrong).orElse("unknown option " + name + hint(name, command.options()));
+    }
+
+    /** A hint to the option whose description begins with the word of a wrong one, or else to that of a like name. */
+    private static String hint(String wrong, List<OptionSpec> options) {
+        String start = wrong.replaceFirst("^--", "") + " ";
+        String meant = options.stream()
+                .filter(option -> description(option).startsWith(start))
+                .map(OptionSpec::longestName)
+                .findFirst()
+                .orElse(wrong);
+        return Spelling.hint(
+                meant,
+                options.stream().flatMap(option -> Stream.of(option.names())).toList());
     }
 
     private static String onlyOneOf(CommandSpec command, ParameterException mistake) {

@@ -109,7 +109,8 @@ class PictureOptionsTest {
                 "--threads 0 | --threads must be a whole number from 1 to 1024, was 0",
                 "--threads 1025 | --threads must be a whole number from 1 to 1024, was 1025",
                 "--tone loud | --tone must be one of linear, srgb, was loud",
-                "--speed 3 | unknown option --speed; did you mean \"--seed\"?",
+                "--speed 0.5 | unknown option --speed; did you mean \"--beta\"?",
+                "--sped 3 | unknown option --sped; did you mean \"--seed\"?",
                 "--beta --force | --beta needs B|X,Y,Z: speed of the camera",
                 "--shutter --force | --shutter needs NAME: model of the shutter: aperture-plane, detector-plane, ",
                 "--format hdr | .hdr"
