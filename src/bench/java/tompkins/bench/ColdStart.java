@@ -28,6 +28,8 @@ final class ColdStart {
                             JAR.toString(),
                             "render",
                             "scenes/fig1b.json",
+                            "--samples",
+                            "1",
                             "--force",
                             "-o",
                             picture.toString())
