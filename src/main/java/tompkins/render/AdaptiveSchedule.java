@@ -9,9 +9,10 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 
 /**
- * Takes samples where they are needed. A pinhole begins with the centre of each pixel, a wide aperture with
- * {@link #FIRST_SAMPLES}. Then, round by round, pixels get twice as many where one sample more lowers the picture's
- * error most. Which ones depends on the picture alone, so that the result does not depend on the number of threads.
+ * Takes samples where they are needed. Begins with the centre of each pixel, or where that tells nothing of the error
+ * with {@link #FIRST_SAMPLES}. Then, round by round, pixels get twice as many where one sample more lowers the
+ * picture's error most. Which ones depends on the picture alone, so that the result does not depend on the number of
+ * threads.
  */
 final class AdaptiveSchedule implements Schedule {
 
@@ -37,16 +38,17 @@ final class AdaptiveSchedule implements Schedule {
     /**
      * A schedule for one picture.
      *
+     * @param severalFirst whether one sample per pixel tells nothing of the error
      * @param targetError root mean square error of the exposed picture, or 0
      * @param time when to stop at the latest
      */
-    AdaptiveSchedule(int pixels, boolean wideAperture, boolean coarseFirst, double targetError, TimeBudget time) {
+    AdaptiveSchedule(int pixels, boolean severalFirst, boolean coarseFirst, double targetError, TimeBudget time) {
         this.pixels = pixels;
         this.targetError = targetError;
         this.time = time;
         // a single sample as wide as its pixel would blur what it does not resolve, and the pixel would pass for
         // settled
-        waiting.addAll(Pass.of(wideAperture ? FIRST_SAMPLES : 1, FIRST_SAMPLES, coarseFirst));
+        waiting.addAll(Pass.of(severalFirst ? FIRST_SAMPLES : 1, FIRST_SAMPLES, coarseFirst));
         expectedWork = 2 * waiting.stream().mapToDouble(Pass::work).sum();
     }
 

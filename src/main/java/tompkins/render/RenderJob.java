@@ -286,10 +286,10 @@ public final class RenderJob {
     }
 
     private double estimatedError(int sampledPixels) {
-        boolean blurUnknown = plan.studio().camera().hasWideAperture() && film.samples(0) == 1;
+        boolean samplesMissing = film.samples(0) == 1 && Roughness.needsSeveralSamples(plan);
         boolean varianceUnknown = film.samples(0) > 1 && !film.comparesHalves();
         boolean pixelsMissing = sampledPixels < film.width() * film.height();
-        if (blurUnknown || varianceUnknown || pixelsMissing) {
+        if (samplesMissing || varianceUnknown || pixelsMissing) {
             return Double.NaN;
         }
         try {

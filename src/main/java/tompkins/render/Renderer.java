@@ -104,12 +104,12 @@ public final class Renderer implements AutoCloseable {
             return new FixedSchedule(Pass.of(fixed.samples(), fixed.samples(), coarseFirst));
         }
         int pixels = plan.width() * plan.height();
-        boolean wideAperture = plan.studio().camera().hasWideAperture();
+        boolean severalFirst = Roughness.needsSeveralSamples(plan);
         if (quality instanceof Quality.TimeLimit limit) {
-            return new AdaptiveSchedule(pixels, wideAperture, true, 0, new TimeBudget(limit.seconds()));
+            return new AdaptiveSchedule(pixels, severalFirst, true, 0, new TimeBudget(limit.seconds()));
         }
         double error = ((Quality.TargetError) quality).rootMeanSquare();
-        return new AdaptiveSchedule(pixels, wideAperture, coarseFirst, error, new TimeBudget(Double.POSITIVE_INFINITY));
+        return new AdaptiveSchedule(pixels, severalFirst, coarseFirst, error, new TimeBudget(Double.POSITIVE_INFINITY));
     }
 
     /** Renders a picture, with as many samples as its scene says, and waits for it. */

@@ -3,6 +3,7 @@ package tompkins.render;
 import java.util.Arrays;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
+import tompkins.trace.RenderPlan;
 
 /**
  * How hard each pixel is, and so how wrong it still may be. The variance of a pixel's mean is taken to fall as
@@ -29,6 +30,14 @@ final class Roughness {
     private int lastSamples;
     private double lastExponent;
     private double lastPower;
+
+    /**
+     * Whether one sample in each pixel tells nothing of their errors: it shows no blur of a wide aperture, and has
+     * second differences only where three pixels lie in a line.
+     */
+    static boolean needsSeveralSamples(RenderPlan plan) {
+        return plan.studio().camera().hasWideAperture() || Math.max(plan.width(), plan.height()) < 3;
+    }
 
     /**
      * The roughness of the pixels that have samples.

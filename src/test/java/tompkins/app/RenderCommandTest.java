@@ -42,6 +42,14 @@ class RenderCommandTest {
     }
 
     @Test
+    void noErrorIsClaimedWhereNothingCanBeCompared() {
+        ProgramRun run = ProgramRun.of("render", FIG1B, "-o", folder.resolve("pixel.png"), "--size", "1x1");
+
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(run.out()).endsWith(", 1 sample per pixel)" + System.lineSeparator());
+    }
+
+    @Test
     void aPhotographOfAWantedErrorIsTakenAgainToIt() throws IOException {
         Path first = folder.resolve("first.png");
         ProgramRun run = ProgramRun.of("render", FIG1B, "-o", first, "--size", "32x24", "--error", "0.02");

@@ -11,6 +11,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.ThinLensCamera;
 import tompkins.ray.Colour;
@@ -141,6 +142,24 @@ class AdaptiveRenderTest {
             assertThat(job.report().error()).as("%d samples", samples).isBetween(0.8 * error, 2.5 * error);
         }
         assertThat(render(studio, new Quality.Samples(1)).report().error()).isNaN();
+    }
+
+    /** Three pixels in a line have a second difference; fewer have nothing to compare, and no error to tell. */
+    @ParameterizedTest
+    @CsvSource({"1, 1, false", "2, 2, false", "3, 1, true", "1, 3, true"})
+    void singleSamplesTellAnErrorOnlyBesideOthers(int width, int height, boolean tells) throws InterruptedException {
+        Studio studio = studio(spheres(), 0).withSettings(SMALL.withSize(width, height));
+        assertThat(Double.isNaN(render(studio, new Quality.Samples(1)).report().error()))
+                .isEqualTo(!tells);
+        assertThat(render(studio, new Quality.Samples(2)).report().error()).isNotNaN();
+    }
+
+    @Test
+    void aPictureWithNothingToCompareIsAsGoodAsWanted() throws InterruptedException {
+        Studio studio = studio(spheres(), 0).withSettings(SMALL.withSize(2, 2));
+        RenderJob job = render(studio, new Quality.TargetError(0.004));
+        assertThat(job.report().error()).isBetween(0.0001, 0.004);
+        assertThat(trueError(studio, job)).isLessThan(2 * 0.004);
     }
 
     private static RenderJob render(Studio studio, Quality quality) throws InterruptedException {
