@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JButton;
 import javax.swing.JDialog;
@@ -48,7 +49,8 @@ class EditorWindowTest {
         file = folder.resolve("sphere.json");
         driver = new WindowDriver(folder.resolve("settings"), Studios.sphere(), file, List.of());
         driver.menu("menu.editScene");
-        WindowDriver.await("the editor", this::isOpen);
+        // before it has the keys, it may not be where clicks would meet it
+        WindowDriver.await("the editor", () -> editors().anyMatch(JDialog::isFocused));
         JTree tree = driver.find(JTree.class, "tree");
         WindowDriver.onEventThread(() -> {
             // the scene, and in it the sphere
@@ -58,8 +60,12 @@ class EditorWindowTest {
     }
 
     private boolean isOpen() {
+        return editors().findAny().isPresent();
+    }
+
+    private Stream<JDialog> editors() {
         return Components.showing(driver.window().frame(), JDialog.class)
-                .anyMatch(dialog -> "editor".equals(dialog.getName()));
+                .filter(dialog -> "editor".equals(dialog.getName()));
     }
 
     private JTextField radius() {
