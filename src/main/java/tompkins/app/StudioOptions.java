@@ -80,11 +80,11 @@ final class StudioOptions {
         }
         if (time != null) {
             Shutter closed = model;
-            model = MistakeException.inOption("--time", () -> closed.openedAt(time));
-            if (model == closed) {
+            if (!closed.hasOpeningTime()) {
                 throw new MistakeException(
                         "--time: the " + ShutterNames.of(closed.getClass()) + " shutter has no opening time");
             }
+            model = MistakeException.inOption("--time", () -> closed.openedAt(time));
         }
         return changed.withCamera(changed.camera().withShutter(model));
     }
@@ -112,7 +112,10 @@ final class StudioOptions {
     }
 
     private RenderSettings sized(RenderSettings settings) {
-        int[] sides = sides();
+        int[] sides = pair(
+                size,
+                "[xX]",
+                "--size must be two whole numbers from 1 to " + RenderSettings.LONGEST_SIDE + " such as 640x480");
         try {
             return settings.withSize(sides[0], sides[1]);
         } catch (InvalidPropertyException side) {
@@ -120,8 +123,14 @@ final class StudioOptions {
         }
     }
 
-    private int[] sides() {
-        String[] parts = size.toLowerCase(Locale.ROOT).split("x", -1);
+    /**
+     * Two whole numbers.
+     *
+     * @param separator a regular expression for what stands between them
+     * @param demand what is said if they are not
+     */
+    static int[] pair(String text, String separator, String demand) {
+        String[] parts = text.split(separator, -1);
         try {
             if (parts.length == 2) {
                 return new int[] {Integer.parseInt(parts[0].trim()), Integer.parseInt(parts[1].trim())};
@@ -129,8 +138,7 @@ final class StudioOptions {
         } catch (NumberFormatException notWhole) {
             // the message below says what is allowed
         }
-        throw new MistakeException("--size must be two whole numbers from 1 to " + RenderSettings.LONGEST_SIDE
-                + " such as 640x480, was " + size);
+        throw new MistakeException(demand + ", was " + text);
     }
 
     /** Numbers with commas between them, as many as one of the examples has. */

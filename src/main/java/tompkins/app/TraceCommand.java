@@ -62,7 +62,8 @@ final class TraceCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        int[] place = pixel();
+        int[] place = StudioOptions.pair(
+                pixel, ",", "--pixel must be two whole numbers inside the picture with a comma between them");
         double[] lens = StudioOptions.numbers("--pupil", pupil, PUPIL_EXAMPLE);
         Studio studio = options.applyTo(StudioReader.read(scene));
         int width = studio.settings().width();
@@ -85,19 +86,6 @@ final class TraceCommand implements Callable<Integer> {
             print(out, life, studio);
         }
         return 0;
-    }
-
-    private int[] pixel() {
-        String[] parts = pixel.split(",", -1);
-        try {
-            if (parts.length == 2) {
-                return new int[] {Integer.parseInt(parts[0].trim()), Integer.parseInt(parts[1].trim())};
-            }
-        } catch (NumberFormatException notWhole) {
-            // the message below says what is allowed
-        }
-        throw new MistakeException(
-                "--pixel must be two whole numbers inside the picture with a comma between them, was " + pixel);
     }
 
     private static void print(PrintWriter out, RayLife life, Studio studio) {

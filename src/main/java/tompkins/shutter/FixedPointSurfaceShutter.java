@@ -21,6 +21,11 @@ public record FixedPointSurfaceShutter() implements Shutter {
     }
 
     @Override
+    public boolean hasOpeningTime() {
+        return false;
+    }
+
+    @Override
     public double openingTime() {
         return 0;
     }

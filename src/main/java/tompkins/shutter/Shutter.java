@@ -23,6 +23,11 @@ public sealed interface Shutter
      */
     double transmissionTime(LensRay ray, SpaceTimeTransformation sceneFromCamera);
 
+    /** Whether it opens at a time that can be chosen. */
+    default boolean hasOpeningTime() {
+        return true;
+    }
+
     /** The same shutter with another opening time; itself if it has none. */
     Shutter openedAt(double openingTime);
 

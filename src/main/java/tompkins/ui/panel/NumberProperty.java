@@ -9,7 +9,6 @@ import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import org.joml.Vector3dc;
 import tompkins.property.Descriptions;
-import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
@@ -75,8 +74,7 @@ public record NumberProperty(
         List<NumberProperty> properties = new ArrayList<>();
         properties.add(speed(SpeedScale.BETA));
         properties.add(speed(SpeedScale.RAPIDITY));
-        Shutter shutter = studio.camera().shutter();
-        if (ShutterPanel.hasOpeningTime(shutter.getClass())) {
+        if (studio.camera().shutter().hasOpeningTime()) {
             properties.add(openingTime());
         }
         collect(studio.camera(), StudioPath.ROOT.then("camera"), Texts.get("tree.camera"), properties);

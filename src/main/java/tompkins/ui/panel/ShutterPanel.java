@@ -102,7 +102,7 @@ public final class ShutterPanel {
 
     /** A shutter without an opening time has forgotten that of the one before it, which therefore speaks for it. */
     private void replaceBy(Class<?> chosen) {
-        boolean forgotten = !hasOpeningTime(shownModel) && shutter() == replacement;
+        boolean forgotten = !shutter().hasOpeningTime() && shutter() == replacement;
         Shutter before = forgotten ? replaced : shutter();
         Studio next = Shutters.replaced(withShutter(before), chosen);
         replaced = before;
@@ -118,7 +118,7 @@ public final class ShutterPanel {
             meaning.setText(Wording.meaning(shownModel));
             replaceForm();
         }
-        boolean hasTime = hasOpeningTime(shownModel);
+        boolean hasTime = shutter.hasOpeningTime();
         timeRow.setVisible(hasTime);
         if (!hasTime) {
             EntryField.in(timeRow).forEach(EntryField::revert);
@@ -127,11 +127,6 @@ public final class ShutterPanel {
             time.show(shutter.openingTime());
         }
         form.show(shutter);
-    }
-
-    static boolean hasOpeningTime(Class<?> shutter) {
-        return Descriptions.components(shutter).stream()
-                .anyMatch(component -> component.getName().equals("openingTime"));
     }
 
     private void replaceForm() {
