@@ -80,12 +80,11 @@ final class Photographer {
     /**
      * The name of the picture of a scene, in a folder: {@code scene.png}, or {@code scene-again.png} for a photograph.
      */
-    static Path targetOf(Path scene, Path folder) {
+    static Path targetOf(Path scene, Path folder) throws IOException {
         String name = scene.getFileName().toString();
         int dot = name.lastIndexOf('.');
         String stem = dot > 0 ? name.substring(0, dot) : name;
-        boolean photograph = dot > 0 && !name.endsWith(".json");
-        return folder.resolve(stem + (photograph ? "-again" : "") + ".png");
+        return folder.resolve(stem + (PhotographFile.isPicture(scene) ? "-again" : "") + ".png");
     }
 
     /** Takes the picture of a scene file and saves it; says where. */

@@ -1,5 +1,6 @@
 package tompkins.app;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -95,7 +96,7 @@ final class RenderCommand implements Callable<Integer> {
      * none of the scenes, which are read again when it is their turn: all at once they may be more than the memory
      * holds.
      */
-    private void requireAllPossible() {
+    private void requireAllPossible() throws IOException {
         Map<Path, Path> sources = new HashMap<>();
         for (Path scene : scenes) {
             Order order = order(scene);
@@ -110,14 +111,14 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     /** What is to be made of a scene. */
-    private Order order(Path scene) {
+    private Order order(Path scene) throws IOException {
         // read first: what can be read has a name, and so has its picture
         Studio studio = studio(scene);
         Path target = target(scene);
         return new Order(studio, quality.of(studio), target, Photographer.formatFor(target, format, scene));
     }
 
-    private Path target(Path scene) {
+    private Path target(Path scene) throws IOException {
         if (output == null) {
             return Photographer.targetOf(scene, Path.of(""));
         }

@@ -111,6 +111,18 @@ class PicturePlacesTest {
         assertThat(StudioReader.read(folder.resolve("mine-3.png"))).isEqualTo(StudioReader.read(scene));
     }
 
+    /** A photograph is what is inside, whatever the name says: only of one the picture is another one. */
+    @Test
+    void onlyThePictureOfAPhotographIsCalledAnother() throws IOException {
+        for (String name : List.of("lesson.v2", "FIG.JSON", "plain")) {
+            Path scene = Files.writeString(folder.resolve(name), "{ }");
+            ProgramRun run = ProgramRun.of("render", scene, "--size", "8x6", "-o", folder);
+            assertThat(run.out()).startsWith(folder.resolve(name.replaceFirst("[.].*", "")) + ".png  (");
+        }
+        ProgramRun again = ProgramRun.of("render", folder.resolve("lesson.png"), "-o", folder);
+        assertThat(again.out()).startsWith(folder.resolve("lesson-again.png") + "  (");
+    }
+
     @Test
     void thePlaceOfAPictureIsToldWithoutDetours() throws IOException {
         Path inner = Files.createDirectory(folder.resolve("inner"));
