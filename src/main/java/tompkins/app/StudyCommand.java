@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -87,9 +88,7 @@ final class StudyCommand implements Callable<Integer> {
             kinds = requireScene(kinds);
         }
         StudySetup setup = new StudySetup(seed, own, StudyCommand::bundled, bundledNames());
-        StudyPage page = kinds.size() == 1
-                ? new StudyPage(output, kinds.get(0).toString(), "# Study: " + kinds.get(0))
-                : new StudyPage(output, PAGE_OF_ALL, StudyPage.introduction(SelfDescription.program()));
+        StudyPage page = page(kinds);
         Photographer.requireWritable(page.file());
         Map<StudyKind, Study> studies = new EnumMap<>(StudyKind.class);
         kinds.forEach(kind -> studies.put(kind, kind.study(setup)));
@@ -102,6 +101,14 @@ final class StudyCommand implements Callable<Integer> {
         }
         spec.commandLine().getOut().println(page.write().toAbsolutePath());
         return holds ? 0 : Failures.FAILURE;
+    }
+
+    private StudyPage page(List<StudyKind> kinds) {
+        if (kinds.size() == StudyKind.values().length) {
+            return new StudyPage(output, PAGE_OF_ALL, StudyPage.introduction(SelfDescription.program()));
+        }
+        String names = kinds.stream().map(StudyKind::toString).collect(Collectors.joining(", "));
+        return new StudyPage(output, kinds.size() == 1 ? names : PAGE_OF_ALL, "# Study: " + names);
     }
 
     private List<StudyKind> kinds() {

@@ -2,6 +2,7 @@ package tompkins.study;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -90,8 +91,12 @@ public final class StudyData {
 
     /** The complete lines: one that was cut off when the program was stopped is measured again. */
     private List<String> lines() throws IOException {
-        String text = Files.readString(file);
-        return text.substring(0, text.lastIndexOf('\n') + 1).lines().toList();
+        try {
+            String text = Files.readString(file);
+            return text.substring(0, text.lastIndexOf('\n') + 1).lines().toList();
+        } catch (CharacterCodingException notText) {
+            return List.of();
+        }
     }
 
     private boolean isOwn(List<String> lines) {

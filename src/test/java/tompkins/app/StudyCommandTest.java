@@ -122,6 +122,16 @@ class StudyCommandTest {
     }
 
     @Test
+    void aFileThatIsNoTextIsNotReplacedUnasked() throws IOException {
+        Path figures = Files.createDirectory(folder.resolve("stability")).resolve("stability.csv");
+        byte[] other = {(byte) 0xff, 0, '\n'};
+        Files.write(figures, other);
+
+        assertThat(refusal(folder, Failures.MISTAKE)).startsWith(figures + ": holds figures of other settings");
+        assertThat(figures).hasBinaryContent(other);
+    }
+
+    @Test
     void aPageThatNoStudyHasMadeIsNotReplacedUnasked() throws IOException {
         Path page = Files.writeString(folder.resolve("stability.md"), "my own notes");
 
