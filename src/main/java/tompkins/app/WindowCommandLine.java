@@ -67,6 +67,9 @@ final class WindowCommandLine implements CommandLineWriter {
         if (studio.colours() != opened.colours()) {
             line.append(" --colours ").append(OptionWords.of(studio.colours()));
         }
+        if (settings.toneCurve() != before.toneCurve()) {
+            line.append(" --tone ").append(OptionWords.of(settings.toneCurve()));
+        }
         appendShutter(line, studio.camera().shutter(), opened.camera().shutter());
         return Optional.of(line.toString());
     }
@@ -122,7 +125,8 @@ final class WindowCommandLine implements CommandLineWriter {
                         .withSize(settings.width(), settings.height())
                         .withSamples(settings.samples())
                         .withTargetError(settings.targetError())
-                        .withSeed(settings.seed()));
+                        .withSeed(settings.seed())
+                        .withToneCurve(settings.toneCurve()));
         return said.equals(studio);
     }
 

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.image.ToneCurve;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.light.ColourLaw;
@@ -62,6 +63,7 @@ class WindowCommandLineTest {
                 OPENED,
                 OPENED.withSettings(OPENED.settings().withSize(10, 7)),
                 OPENED.withSettings(OPENED.settings().withSamples(3).withSeed(-5)),
+                OPENED.withSettings(OPENED.settings().withToneCurve(ToneCurve.SRGB)),
                 OPENED.withVelocity(Velocity.of(-0.1, 0.2, 1.0 / 3)),
                 OPENED.withColours(ColourLaw.SEARCHLIGHT),
                 with(OPENED.camera().shutter().openedAt(-1.5)),
