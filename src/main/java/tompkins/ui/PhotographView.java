@@ -186,6 +186,8 @@ final class PhotographView implements AutoCloseable {
     private void readPin() {
         Picture picture = pinnedPicture();
         if (pin == null || picture == null) {
+            // it may hold a large scene
+            pinnedPlan = null;
             listener.pinned(null, null);
             return;
         }

@@ -20,13 +20,16 @@ import javax.swing.JTextField;
 import org.jfree.chart.ChartPanel;
 import org.jfree.chart.entity.XYItemEntity;
 import org.jfree.data.xy.XYDataset;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
 
 /**
  * The chart of the picture on show, in a real window: it grows while it is measured, and a click on a point is taken.
@@ -106,6 +109,18 @@ class QualityWindowTest {
         assertThat(WindowDriver.onEventThread(first::isDisplayable)).isFalse();
         assertThat(WindowDriver.onEventThread(() -> dialogs().count())).isEqualTo(1);
         assertThat(WindowDriver.onEventThread(() -> chart().getPopupMenu())).isNull();
+    }
+
+    @Test
+    void aSceneThatCannotBePicturedIsToldInTheChart() {
+        Sphere huge = new Sphere("sphere", new Vector3d(0, 0, 10), 1e200, ColouredSurface.DEFAULT);
+        Studio impossible = driver.studio().withScene(List.of(huge));
+        JButton measure = driver.find(JButton.class, "Chart this picture");
+        WindowDriver.onEventThread(() -> {
+            driver.window().model().set(impossible);
+            measure.doClick();
+        });
+        WindowDriver.await("the message", () -> state().contains("scene[0]"));
     }
 
     @Test

@@ -58,7 +58,7 @@ public final class QualityPanel {
     private final StudioModel model;
     private Quality shown;
 
-    /** The one that was opened last, which takes the place of the one before; null before the first. */
+    /** The one that is open, which takes the place of the one before; null if none is. */
     private ChartWindow chartWindow;
 
     /** The panel. */
@@ -138,7 +138,11 @@ public final class QualityPanel {
         private final ChartPanel chart = new ChartPanel(null);
         private final JLabel state = new JLabel();
         private volatile boolean closed;
-        private final PictureStudy study = new PictureStudy(model.studio(), () -> closed);
+        private final Studio studio = model.studio();
+
+        /** Null until its scene has been prepared. */
+        private PictureStudy study;
+
         private List<Measurement> shown = List.of();
 
         /** What is said of the point under the mouse, which a click would take; null if there is none. */
@@ -161,6 +165,10 @@ public final class QualityPanel {
                 @Override
                 public void windowClosed(WindowEvent event) {
                     closed = true;
+                    if (chartWindow == ChartWindow.this) {
+                        // it holds the prepared scene, which may be large
+                        chartWindow = null;
+                    }
                 }
             });
             chart.setPreferredSize(new Dimension(CHART_WIDTH, CHART_HEIGHT));
@@ -193,9 +201,11 @@ public final class QualityPanel {
 
         private void measure() {
             try {
-                study.measure(measured -> SwingUtilities.invokeLater(() -> draw(measured)));
-                SwingUtilities.invokeLater(() ->
-                        end(Texts.get(study.chart().drawn(shown).isEmpty() ? "quality.exact" : "quality.choose")));
+                PictureStudy made = new PictureStudy(studio, () -> closed);
+                SwingUtilities.invokeLater(() -> study = made);
+                made.measure(measured -> SwingUtilities.invokeLater(() -> draw(measured)));
+                SwingUtilities.invokeLater(
+                        () -> end(Texts.get(made.chart().drawn(shown).isEmpty() ? "quality.exact" : "quality.choose")));
             } catch (CancellationException stopped) {
                 // the window was closed
             } catch (RuntimeException | OutOfMemoryError | StackOverflowError error) {
@@ -227,8 +237,10 @@ public final class QualityPanel {
         }
 
         private String progress() {
-            return String.format(
-                    Locale.ROOT, "%s  %d / %d", Texts.get("quality.measuring"), shown.size(), study.points());
+            String measuring = Texts.get("quality.measuring");
+            return shown.isEmpty()
+                    ? measuring
+                    : String.format(Locale.ROOT, "%s  %d / %d", measuring, shown.size(), study.points());
         }
 
         /** The point nearest to the mouse; null if none is near. */
