@@ -1,15 +1,11 @@
 package tompkins.ui;
 
-import java.awt.Toolkit;
-import java.awt.datatransfer.StringSelection;
-import java.awt.datatransfer.Transferable;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
@@ -25,54 +21,45 @@ import tompkins.io.StudioWriter;
 import tompkins.studio.Studio;
 import tompkins.ui.editor.FileContentEditor;
 import tompkins.ui.file.BackgroundTask;
+import tompkins.ui.file.ChosenFile;
 import tompkins.ui.file.FileDrop;
 import tompkins.ui.file.FormatFilter;
-import tompkins.ui.file.ImageSelection;
 import tompkins.ui.file.Loss;
 import tompkins.ui.file.PhotographTaker;
 import tompkins.ui.file.PlainPath;
 import tompkins.ui.file.SaveDialog;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Picture;
-import tompkins.ui.picture.ScreenPicture;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
 
-/**
- * Opens and saves scenes, saves and copies photographs. Scenes and pictures are read and written away from the event
- * thread.
- */
+/** Opens and saves scenes, saves photographs. All are read and written away from the event thread. */
 final class FileActions implements FileContentEditor.Choosers {
 
     private final JFrame frame;
     private final StudioModel model;
     private final PhotographView view;
     private final Settings settings;
-    private final CommandLineWriter commandLine;
     private final Runnable pause;
     private final StatusBar status;
 
     /** What the scene files held when they were opened or saved last. */
     private final Map<Path, Studio> held = new HashMap<>();
 
+    /** What was done last to save a scene in a file; it may still go on. */
+    private final Map<Path, BackgroundTask> saves = new HashMap<>();
+
     /** Where a file was read or saved last, as long as the scene has the same file; null before. */
     private File lastFolder;
 
     FileActions(
-            JFrame frame,
-            StudioModel model,
-            PhotographView view,
-            StatusBar status,
-            Settings settings,
-            CommandLineWriter commandLine,
-            Runnable pause) {
+            JFrame frame, StudioModel model, PhotographView view, StatusBar status, Settings settings, Runnable pause) {
         this.frame = frame;
         this.model = model;
         this.view = view;
         this.status = status;
         this.settings = settings;
-        this.commandLine = commandLine;
         this.pause = pause;
         held.put(model.file(), model.studio());
     }
@@ -116,7 +103,7 @@ final class FileActions implements FileContentEditor.Choosers {
         chooser.setFileFilter(
                 new FileNameExtensionFilter(Texts.get("file.scenes"), "json", "png", "tif", "tiff", "hdr", "pic"));
         if (chooser.showOpenDialog(frame) == JFileChooser.APPROVE_OPTION) {
-            read(chooser.getSelectedFile().toPath());
+            ChosenFile.path(frame, chooser.getSelectedFile()).ifPresent(this::read);
         }
     }
 
@@ -227,18 +214,21 @@ final class FileActions implements FileContentEditor.Choosers {
             return;
         }
         Studio before = held.get(file);
-        BackgroundTask.find(frame, Texts.get("file.saving", file), () -> Loss.of(file, before), loss -> {
-            switch (loss) {
-                case NOTHING -> saveScene(file, saving);
-                case PHOTOGRAPH -> saveSceneAs(saving);
-                case HANDWRITING, OTHER_SCENE -> askAboutLoss(loss, file, saving);
-            }
-        });
+        BackgroundTask search =
+                BackgroundTask.find(frame, Texts.get("file.saving", file), () -> Loss.of(file, before), loss -> {
+                    switch (loss) {
+                        case NOTHING -> saveScene(file, saving);
+                        case PHOTOGRAPH -> saveSceneAs(saving);
+                        case HANDWRITING, OTHER_SCENE -> askAboutLoss(loss, file, saving);
+                    }
+                });
+        saves.put(file, search);
     }
 
     /** Whether a file is being saved, which is said: its content is not known, and another writer might be faster. */
     private boolean isBeingSaved(Path file) {
-        boolean saving = BackgroundTask.isRunning(frame, Texts.get("file.saving", file));
+        BackgroundTask last = saves.get(file);
+        boolean saving = last != null && last.isRunning();
         if (saving) {
             status.report(Texts.get("file.stillSaving", file));
         }
@@ -282,7 +272,7 @@ final class FileActions implements FileContentEditor.Choosers {
             return;
         }
         Studio studio = saving.studio;
-        BackgroundTask.start(frame, Texts.get("file.saving", file), task -> StudioWriter.save(studio, file), () -> {
+        Runnable done = () -> {
             // another scene may have been opened meanwhile
             if (model.opened() == saving.opened) {
                 model.saved(studio, file);
@@ -290,7 +280,11 @@ final class FileActions implements FileContentEditor.Choosers {
             held.put(file, studio);
             saved(file);
             saving.next.run();
-        });
+        };
+        saves.put(
+                file,
+                BackgroundTask.start(
+                        frame, Texts.get("file.saving", file), task -> StudioWriter.save(studio, file), done));
     }
 
     private void saved(Path file) {
@@ -359,40 +353,9 @@ final class FileActions implements FileContentEditor.Choosers {
                 });
     }
 
-    /** Puts the picture on the screen on the clipboard, in its own size. */
-    void copyPicture() {
-        Picture picture = view.canvas().shown().now();
-        if (picture != null) {
-            BackgroundTask.find(
-                    frame,
-                    Texts.get("file.copying"),
-                    () -> ScreenPicture.levels(picture),
-                    image -> toClipboard(new ImageSelection(image), Texts.get("file.pictureCopied")));
-        }
-    }
-
-    private void toClipboard(Transferable content, String done) {
-        try {
-            Toolkit.getDefaultToolkit().getSystemClipboard().setContents(content, null);
-            status.report(done);
-        } catch (IllegalStateException busy) {
-            Messages.error(frame, Texts.get("file.clipboardBusy"));
-        }
-    }
-
-    /** Puts the command line that takes this photograph on the clipboard. */
-    void copyCommandLine() {
-        Optional<String> command = commandLine.of(model.studio(), model.opened(), model.file());
-        if (command.isEmpty()) {
-            // the clipboard may still hold the command of another photograph
-            Messages.error(frame, Texts.get(model.file() == null ? "file.copyNeedsFile" : "file.saveFirst"));
-            return;
-        }
-        toClipboard(new StringSelection(command.get()), Texts.get("file.commandCopied", command.get()));
-    }
-
     /** Whether files can be dropped on the window, and what becomes of them. */
     FileDrop drop() {
-        return new FileDrop(file -> SwingUtilities.invokeLater(() -> open(file)));
+        return new FileDrop(file ->
+                SwingUtilities.invokeLater(() -> ChosenFile.path(frame, file).ifPresent(this::open)));
     }
 }

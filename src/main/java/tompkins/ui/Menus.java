@@ -55,12 +55,14 @@ final class Menus {
     private final JMenuBar bar = new JMenuBar();
     private final JMenu examples = menu("menu.examples");
     private final FileActions files;
+    private final ClipboardActions clipboard;
     private final History history;
     private final Settings settings;
     private final Commands commands;
 
-    Menus(FileActions files, History history, Settings settings, Commands commands) {
+    Menus(FileActions files, ClipboardActions clipboard, History history, Settings settings, Commands commands) {
         this.files = files;
+        this.clipboard = clipboard;
         this.history = history;
         this.settings = settings;
         this.commands = commands;
@@ -133,8 +135,8 @@ final class Menus {
         add(menu, "menu.saveSceneAs", "ctrl shift S", files::saveSceneAs);
         add(menu, "menu.savePhotograph", "ctrl shift E", files::savePhotograph);
         menu.addSeparator();
-        add(menu, "menu.copyPicture", "ctrl shift C", files::copyPicture);
-        add(menu, "menu.copyCommand", "ctrl shift L", files::copyCommandLine);
+        add(menu, "menu.copyPicture", "ctrl shift C", clipboard::copyPicture);
+        add(menu, "menu.copyCommand", "ctrl shift L", clipboard::copyCommandLine);
         menu.addSeparator();
         add(menu, "menu.close", "ctrl Q", commands::close);
         return menu;

@@ -71,11 +71,15 @@ public final class TompkinsWindow {
         view = new PhotographView(model, new PictureListener());
         status = new StatusBar(view.controller());
         side = new SidePanel(model, view, status::report);
-        files = new FileActions(frame, model, view, status, settings, commandLine, this::pause);
+        files = new FileActions(frame, model, view, status, settings, this::pause);
         play = new PlayPanel(model, new AnimationExport(frame, files)::ask);
         frame.setContentPane(content());
         menus = new Menus(
-                files, new History(model, frame, this::pause, this::sayOtherScene), settings, new WindowCommands());
+                files,
+                new ClipboardActions(frame, model, view, commandLine, status),
+                new History(model, frame, this::pause, this::sayOtherScene),
+                settings,
+                new WindowCommands());
         frame.setJMenuBar(menus.bar());
         menus.bindOtherRedo(frame.getRootPane());
         frame.getRootPane().setTransferHandler(files.drop());

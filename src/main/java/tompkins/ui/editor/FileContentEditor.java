@@ -14,6 +14,7 @@ import tompkins.io.MeshFile;
 import tompkins.ray.MeshData;
 import tompkins.ray.PixelPicture;
 import tompkins.ui.file.BackgroundTask;
+import tompkins.ui.file.ChosenFile;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Texts;
@@ -60,7 +61,7 @@ public final class FileContentEditor implements ValueEditor {
         button.addActionListener(event -> {
             JFileChooser chooser = choosers().map(Choosers::chooser).orElseGet(JFileChooser::new);
             if (chooser.showOpenDialog(button) == JFileChooser.APPROVE_OPTION) {
-                read(chooser.getSelectedFile().toPath(), reader, note, commit);
+                ChosenFile.path(button, chooser.getSelectedFile()).ifPresent(file -> read(file, reader, note, commit));
             }
         });
     }

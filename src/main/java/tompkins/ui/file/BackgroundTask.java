@@ -74,7 +74,8 @@ public final class BackgroundTask implements Progress {
         bar.getAccessibleContext().setAccessibleName(title);
         panel.add(cancel, "growx 0, alignx right");
         made.setContentPane(panel);
-        made.getRootPane().setDefaultButton(cancel);
+        // what is typed meanwhile is not meant for it
+        made.setAutoRequestFocus(false);
         made.setName("task");
         made.setDefaultCloseOperation(JDialog.DO_NOTHING_ON_CLOSE);
         made.pack();
@@ -88,7 +89,7 @@ public final class BackgroundTask implements Progress {
      *
      * @param done called on the event thread if the work was done, even if Cancel came too late
      */
-    public static void start(Window owner, String title, Work work, Runnable done) {
+    public static BackgroundTask start(Window owner, String title, Work work, Runnable done) {
         BackgroundTask task = new BackgroundTask(owner, title);
         RUNNING.add(task);
         Timer timer = new Timer(PATIENCE_MILLISECONDS, event -> task.refresh());
@@ -96,6 +97,7 @@ public final class BackgroundTask implements Progress {
         Thread thread = new Thread(() -> task.run(work, timer, done), "tompkins-task");
         thread.setDaemon(true);
         thread.start();
+        return task;
     }
 
     /**
@@ -104,9 +106,9 @@ public final class BackgroundTask implements Progress {
      *
      * @param done takes on the event thread what was found
      */
-    public static <T> void find(Window owner, String title, Callable<T> work, Consumer<T> done) {
+    public static <T> BackgroundTask find(Window owner, String title, Callable<T> work, Consumer<T> done) {
         AtomicReference<T> found = new AtomicReference<>();
-        start(
+        return start(
                 owner,
                 title,
                 task -> {
@@ -128,9 +130,9 @@ public final class BackgroundTask implements Progress {
         return !running.isEmpty();
     }
 
-    /** Whether work of that title runs for a window. Called by the event thread. */
-    public static boolean isRunning(Window owner, String title) {
-        return RUNNING.stream().anyMatch(task -> task.owner == owner && task.title.equals(title));
+    /** Whether the work is not done yet. Called by the event thread. */
+    public boolean isRunning() {
+        return RUNNING.contains(this);
     }
 
     private void run(Work work, Timer timer, Runnable done) {

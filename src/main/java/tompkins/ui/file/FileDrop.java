@@ -4,7 +4,6 @@ import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.UnsupportedFlavorException;
 import java.io.File;
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.TransferHandler;
@@ -13,10 +12,10 @@ import javax.swing.TransferHandler;
 @SuppressWarnings("serial") // never written to a stream
 public final class FileDrop extends TransferHandler {
 
-    private final transient Consumer<Path> taker;
+    private final transient Consumer<File> taker;
 
     /** A handler that gives the dropped file, the first of several, to {@code taker}, on the event thread. */
-    public FileDrop(Consumer<Path> taker) {
+    public FileDrop(Consumer<File> taker) {
         this.taker = taker;
     }
 
@@ -32,7 +31,7 @@ public final class FileDrop extends TransferHandler {
         }
         try {
             List<?> dropped = (List<?>) support.getTransferable().getTransferData(DataFlavor.javaFileListFlavor);
-            dropped.stream().limit(1).forEach(file -> taker.accept(((File) file).toPath()));
+            dropped.stream().limit(1).forEach(file -> taker.accept((File) file));
             return !dropped.isEmpty();
         } catch (UnsupportedFlavorException | IOException notFiles) {
             return false;

@@ -33,19 +33,21 @@ public final class FormatFilter<T> extends FileFilter {
     }
 
     /** Whether a name has an ending of the format. */
-    boolean fits(Path file) {
-        String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
-        return endings.stream().anyMatch(name::endsWith);
+    boolean fits(String name) {
+        String inSmallLetters = name.toLowerCase(Locale.ROOT);
+        return endings.stream().anyMatch(inSmallLetters::endsWith);
     }
 
     /** The file with an ending of the format. */
     Path named(Path file) {
-        return isFolder() || fits(file) ? file : file.resolveSibling(file.getFileName() + endings.get(0));
+        return isFolder() || fits(file.getFileName().toString())
+                ? file
+                : file.resolveSibling(file.getFileName() + endings.get(0));
     }
 
     @Override
     public boolean accept(File file) {
-        return file.isDirectory() || fits(file.toPath());
+        return file.isDirectory() || fits(file.getName());
     }
 
     @Override

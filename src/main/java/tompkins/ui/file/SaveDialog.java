@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -43,10 +44,14 @@ public final class SaveDialog {
         chooser.setFileFilter(formats.get(0));
         chooser.setSelectedFile(new File(chooser.getCurrentDirectory(), name));
         while (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION) {
-            Path typed = chooser.getSelectedFile().toPath();
-            FormatFilter<T> format = meant(typed, chooser.getFileFilter(), formats);
-            boolean isProposed = typed.getFileName().toString().equals(name);
-            if (isProposed || !isOfAnotherKind(typed, format)) {
+            Optional<Path> chosen = ChosenFile.path(frame, chooser.getSelectedFile());
+            if (chosen.isEmpty()) {
+                continue;
+            }
+            Path typed = chosen.get();
+            String typedName = typed.getFileName().toString();
+            FormatFilter<T> format = meant(typedName, chooser.getFileFilter(), formats);
+            if (typedName.equals(name) || !isOfAnotherKind(typedName, format)) {
                 Path file = format.named(typed);
                 if (format.isFolder() || mayWrite(frame, file)) {
                     save.accept(file, format.format());
@@ -57,7 +62,7 @@ public final class SaveDialog {
                     .flatMap(known -> known.endings().stream())
                     .distinct()
                     .collect(Collectors.joining(", "));
-            Messages.error(frame, Texts.get("file.otherEnding", typed.getFileName(), endings));
+            Messages.error(frame, Texts.get("file.otherEnding", typedName, endings));
         }
     }
 
@@ -65,14 +70,14 @@ public final class SaveDialog {
      * Whether a name has the ending of another kind of file; a dot may also stand before a number, as in
      * {@code beta0.9} and {@code lesson.v2}.
      */
-    private static boolean isOfAnotherKind(Path typed, FormatFilter<?> format) {
+    private static boolean isOfAnotherKind(String typed, FormatFilter<?> format) {
         return !format.isFolder()
                 && !format.fits(typed)
-                && OTHER_ENDING.matcher(typed.getFileName().toString()).matches();
+                && OTHER_ENDING.matcher(typed).matches();
     }
 
     /** The format whose ending was typed, the chosen one before others; the chosen one if there is no such ending. */
-    private static <T> FormatFilter<T> meant(Path typed, FileFilter chosen, List<FormatFilter<T>> formats) {
+    private static <T> FormatFilter<T> meant(String typed, FileFilter chosen, List<FormatFilter<T>> formats) {
         List<FormatFilter<T>> chosenFirst = new ArrayList<>(formats);
         chosenFirst.sort(Comparator.comparing(format -> format != chosen));
         return chosenFirst.stream()

@@ -2,10 +2,13 @@ package tompkins.ui.file;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JFrame;
@@ -93,6 +96,26 @@ class BackgroundTaskTest {
                     },
                     ended::add);
         });
+    }
+
+    /** Enter would press Cancel there. */
+    @Test
+    void theKeysStayWhereTheyAre() {
+        WindowDriver.await("the keys", owner::isFocused);
+        AtomicBoolean took = new AtomicBoolean();
+        WindowDriver.onEventThread(() -> owner.addWindowFocusListener(new WindowAdapter() {
+            @Override
+            public void windowLostFocus(WindowEvent event) {
+                took.set(true);
+            }
+        }));
+        find();
+        WindowDriver.await("the window of the task", () -> cancel().findAny().isPresent());
+        WindowDriver.await("its end", () -> {
+            late.countDown();
+            return !ended.isEmpty();
+        });
+        assertThat(took).isFalse();
     }
 
     @Test

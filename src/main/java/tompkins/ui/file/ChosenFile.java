@@ -1,0 +1,26 @@
+package tompkins.ui.file;
+
+import java.awt.Component;
+import java.io.File;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Optional;
+import tompkins.property.OneLine;
+import tompkins.ui.widget.Messages;
+import tompkins.ui.widget.Texts;
+
+/** A file as choosers and drops give it, whose name may be one that the system or its locale does not allow. */
+public final class ChosenFile {
+
+    private ChosenFile() {}
+
+    /** The path of a file; empty if no file can have its name, which is said over a component. */
+    public static Optional<Path> path(Component parent, File file) {
+        try {
+            return Optional.of(file.toPath());
+        } catch (InvalidPathException notAName) {
+            Messages.error(parent, Texts.get("file.noName", OneLine.of(file.getName())));
+            return Optional.empty();
+        }
+    }
+}
