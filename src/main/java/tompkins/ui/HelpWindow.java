@@ -115,10 +115,15 @@ final class HelpWindow {
 
     private void goTo(HelpPage wanted) {
         if (page != null && !wanted.equals(page)) {
-            past.push(place());
+            remember();
         }
         put(wanted);
         text.setCaretPosition(0);
+    }
+
+    private void remember() {
+        past.push(place());
+        back.setEnabled(true);
     }
 
     private void goBack() {
@@ -196,6 +201,9 @@ final class HelpWindow {
             goTo(HelpPage.of(file));
         }
         if (!heading.isEmpty()) {
+            if (file.isEmpty()) {
+                remember();
+            }
             scrollTo(() -> placeOf(heading));
         }
     }

@@ -111,6 +111,44 @@ class HelpWindowTest {
         assertThat(driver.find(JButton.class, "help.back").isEnabled()).isFalse();
     }
 
+    @Test
+    void backLeadsToWhereALinkToAHeadingOfTheSamePageStood() {
+        driver.menu("menu.sceneFiles");
+        WindowDriver.await("the reference", () -> title().equals("Scene files \u2013 Tompkins"));
+        String link = WindowDriver.onEventThread(this::firstLinkWithin);
+        follow(link);
+        WindowDriver.await("the heading", () -> text.getVisibleRect().y > 0);
+        Rectangle there = WindowDriver.onEventThread(text::getVisibleRect);
+
+        driver.click(driver.find(JButton.class, "help.back"));
+
+        WindowDriver.await("where the link is", () -> text.getVisibleRect().y < there.y && seesLink(link));
+        assertThat(title()).isEqualTo("Scene files \u2013 Tompkins");
+    }
+
+    private String firstLinkWithin() {
+        HTMLDocument.Iterator links = ((HTMLDocument) text.getDocument()).getIterator(HTML.Tag.A);
+        while (!String.valueOf(href(links.getAttributes())).startsWith("#")) {
+            links.next();
+        }
+        return href(links.getAttributes());
+    }
+
+    private boolean seesLink(String address) {
+        HTMLDocument.Iterator links = ((HTMLDocument) text.getDocument()).getIterator(HTML.Tag.A);
+        while (!address.equals(href(links.getAttributes()))) {
+            links.next();
+        }
+        try {
+            return text.getVisibleRect()
+                    .contains(text.modelToView2D(links.getStartOffset())
+                            .getBounds()
+                            .getLocation());
+        } catch (BadLocationException impossible) {
+            throw new AssertionError(impossible);
+        }
+    }
+
     /** Whether a heading is the first that is seen. */
     private boolean firstLine(String heading) {
         Rectangle seen = text.getVisibleRect();
