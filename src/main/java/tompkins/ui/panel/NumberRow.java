@@ -44,7 +44,7 @@ final class NumberRow {
                 Texts.get("slider.name", title),
                 tip,
                 range,
-                (value, gesture) -> model.adjust(change.apply(value), gesture),
+                (value, gesture) -> note.attempt(() -> model.adjust(change.apply(value), gesture)),
                 model::endGesture);
         field = new NumberField(
                 kind, property, title, tip, note, value -> model.set(change.apply(value.doubleValue())));

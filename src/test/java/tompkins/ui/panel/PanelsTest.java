@@ -322,6 +322,19 @@ class PanelsTest {
         assertThat(model.studio().camera().shutter().openingTime()).isCloseTo(1.5, within(1e-9));
     }
 
+    @Test
+    void whatASliderMustNotSetIsToldBeneathIt() {
+        Sphere far = new Sphere("", new Vector3d(0, 0, 1e60), 1, ColouredSurface.DEFAULT);
+        model.open(model.studio().withScene(List.of(far)), null);
+        Container panel = (Container) new ShutterPanel(model).component();
+
+        JSlider time = Components.find(panel, JSlider.class, "Opens at, slider");
+        time.setValue(time.getMaximum());
+
+        assertThat(Components.notes(panel)).anyMatch(note -> note.contains("-1e50 to 1e50"));
+        assertThat(model.studio().camera().shutter().openingTime()).isZero();
+    }
+
     /** Light in the middle reaches a detector at distance 1 at time 1, wherever the focus is. */
     @ParameterizedTest
     @ValueSource(doubles = {10, -5})
