@@ -150,6 +150,8 @@ class SaveDialogTest {
 
     @Test
     void whatPlaysIsSavedAsItWasWhenThatWasAskedFor() {
+        driver.menu("menu.playPanel");
+        WindowDriver.onEventThread(() -> Components.enter(driver.window().frame(), "seconds", "60"));
         driver.menu("menu.playSpeed");
         Path saved = folder.resolve("playing.json");
         WindowDriver.await(

@@ -66,6 +66,8 @@ public final class WindowDriver implements AutoCloseable {
         window = onEventThread(() -> TompkinsWindow.opened(
                 studio, file, () -> examples, (now, opened, from) -> Optional.of("tompkins render " + from)));
         await("a picture on the screen", () -> picture() != null);
+        // which keys reach only then
+        await("the focus", () -> window.frame().isFocused());
     }
 
     private void note(AWTEvent event) {
