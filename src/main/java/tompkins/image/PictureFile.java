@@ -7,7 +7,6 @@ import java.awt.image.BufferedImage;
 import java.awt.image.DataBuffer;
 import java.io.EOFException;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -28,7 +27,6 @@ public final class PictureFile {
     /** The most pixels that a picture may have. */
     public static final int MOST_PIXELS = 64_000_000;
 
-    private static final long MOST_BYTES = 1L << 30;
     private static final int LOWEST_INTERLACED = 5;
 
     private PictureFile() {}
@@ -36,18 +34,11 @@ public final class PictureFile {
     /**
      * Reads a picture, named after the file.
      *
-     * @throws FileException if there is no such file, or it is not a picture that can be read
+     * @throws FileException if there is no such file, it is too large, or it is not a picture that can be read
      */
     public static PixelPicture read(Path file) throws FileException {
         try {
-            if (Files.exists(file) && !Files.isRegularFile(file)) {
-                throw new FileException(file + ": not a file");
-            }
-            if (Files.size(file) > MOST_BYTES) {
-                throw new FileException(
-                        file + ": has " + Files.size(file) + " bytes; a picture may have at most " + MOST_BYTES);
-            }
-            return read(Files.readAllBytes(file), file.getFileName().toString());
+            return read(WholeFile.read(file), file.getFileName().toString());
         } catch (IOException e) {
             throw FileException.cannotRead(file, e);
         }

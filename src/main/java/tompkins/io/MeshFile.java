@@ -7,9 +7,9 @@ import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.LineNumberReader;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import tompkins.image.FileException;
+import tompkins.image.WholeFile;
 import tompkins.ray.MeshData;
 
 /** Reads triangle meshes from OBJ files: vertices and faces; faces with more corners are cut into fans of triangles. */
@@ -23,11 +23,11 @@ public final class MeshFile {
     /**
      * Reads a file from the disk.
      *
-     * @throws FileException if the file cannot be read, or is no OBJ file with triangles
+     * @throws FileException if the file cannot be read, is too large, or is no OBJ file with triangles
      */
     public static MeshData read(Path file) throws FileException {
         try {
-            return read(Files.readAllBytes(file), file.getFileName().toString());
+            return read(WholeFile.read(file), file.getFileName().toString());
         } catch (IOException failure) {
             throw FileException.cannotRead(file, failure);
         }

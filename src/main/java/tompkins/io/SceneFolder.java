@@ -7,12 +7,11 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import tompkins.image.FileFailure;
+import tompkins.image.WholeFile;
 import tompkins.ray.FileContent;
 
 /** The files under the folder of a scene file; nothing else on the disk can be reached. Each is read once. */
 final class SceneFolder {
-
-    private static final long LARGEST_FILE = 1L << 28;
 
     private final Path folder;
     private final Map<String, FileContent> read = new HashMap<>();
@@ -39,7 +38,7 @@ final class SceneFolder {
     byte[] bytes(String name, String noun) throws IOException {
         Path file = find(name, noun);
         try {
-            return Files.readAllBytes(file);
+            return WholeFile.read(file);
         } catch (IOException failure) {
             throw unreadable(failure);
         }
@@ -55,7 +54,7 @@ final class SceneFolder {
      * @throws IOException with a message for the user, if the name leaves the folder, or no file that may be read has
      *     it
      */
-    Path find(String name, String noun) throws IOException {
+    private Path find(String name, String noun) throws IOException {
         String allowed =
                 "must be the name of " + noun + " in the folder of the scene file or below, with / between the parts";
         Path file = file(name, allowed);
@@ -70,9 +69,6 @@ final class SceneFolder {
         }
         if (!Files.isRegularFile(real)) {
             throw new IOException("is not a file; it " + allowed);
-        }
-        if (Files.size(real) > LARGEST_FILE) {
-            throw new IOException("must have at most " + LARGEST_FILE + " bytes, has " + Files.size(real));
         }
         return real;
     }
