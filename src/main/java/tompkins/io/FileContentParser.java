@@ -21,6 +21,11 @@ record FileContentParser<T extends FileContent>(Class<T> type, String noun, Meth
     static final FileContentParser<MeshData> MESH =
             new FileContentParser<>(MeshData.class, "an OBJ file", MeshFile::read);
 
+    /** The parser of files that hold what another one does: a picture or a mesh. */
+    static FileContentParser<?> like(FileContent content) {
+        return content instanceof MeshData ? MESH : PICTURE;
+    }
+
     /** How the bytes of a file are understood. */
     @FunctionalInterface
     interface Method<T> {

@@ -12,6 +12,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import tompkins.image.FileException;
 import tompkins.image.PendingFile;
@@ -51,7 +52,8 @@ public final class StudioWriter {
             held.merge(content.name(), lengthInside(content), Long::sum);
             return false;
         };
-        long length = text(studio, notingLarge(named, none)).length()
+        long length = text(studio, notingLarge(content -> named.add(content.name()), none))
+                        .length()
                 + held.values().stream().mapToLong(Long::longValue).sum();
         while (length > PhotographInfo.LONGEST_SCENE && !held.isEmpty()) {
             String largest = Collections.max(held.entrySet(), Map.Entry.comparingByValue())
@@ -64,10 +66,13 @@ public final class StudioWriter {
 
     /** How much longer a text is at most for holding a file instead of naming it: four characters for three bytes. */
     private static long lengthInside(FileContent content) {
-        return 4L * ((content.file().length + 2) / 3) + LONGEST_FRAME;
+        return 4 * ((content.length() + 2L) / 3) + LONGEST_FRAME;
     }
 
-    /** The text of a scene file that holds whatever is kept of its files, however long: no other scene has the same. */
+    /**
+     * The text of a scene file that holds all files but large meshes, however long. Scenes of one text differ in such
+     * meshes at most.
+     */
     public static String writeComplete(Studio studio) {
         return text(studio, StudioWriter::isKept);
     }
@@ -83,18 +88,19 @@ public final class StudioWriter {
      * appears complete or not at all; what was there before stays until then.
      *
      * @throws IOException with a message for the user, if the file cannot be written, or could not be read again: what
-     *     is too large to be held does not lie under its folder, or the text is too long for a scene file
+     *     is too large to be held does not lie under its folder, or another file of its name does, or the text is too
+     *     long for a scene file
      */
     public static void save(Studio studio, Path file) throws IOException {
         SceneFolder folder = folderOf(file);
-        Set<String> large = new LinkedHashSet<>();
-        byte[] text = text(studio, notingLarge(large, isNotIn(folder))).getBytes(StandardCharsets.UTF_8);
+        Set<FileContent> large = new LinkedHashSet<>();
+        byte[] text = text(studio, notingLarge(large::add, isNotIn(folder))).getBytes(StandardCharsets.UTF_8);
         if (text.length > SceneText.LARGEST) {
             throw new IOException(file + ": not saved: a scene file may have at most " + SceneText.LARGEST
                     + " bytes, with its pictures it would have " + text.length + "; put them into its folder first");
         }
-        for (String name : large) {
-            requireIn(folder, name, file);
+        for (FileContent content : large) {
+            requireIn(folder, content, file);
         }
         try (PendingFile pending = PendingFile.file(file)) {
             Files.write(pending.path(), text);
@@ -108,24 +114,30 @@ public final class StudioWriter {
         return new SceneFolder(file.toAbsolutePath().getParent());
     }
 
-    private static void requireIn(SceneFolder folder, String name, Path file) throws IOException {
+    private static void requireIn(SceneFolder folder, FileContent content, Path file) throws IOException {
+        String problem = file + ": not saved: " + content.name() + " is too large to be held by a scene file, and ";
+        Path place = file.toAbsolutePath().getParent();
+        FileContent found;
         try {
-            folder.find(name, A_FILE);
+            found = folder.content(content.name(), FileContentParser.like(content));
+        } catch (FileException ofAnotherKind) {
+            found = null;
         } catch (IOException missing) {
-            throw new IOException(
-                    file + ": not saved: " + name + " is too large to be held by a scene file, and does not lie in "
-                            + file.toAbsolutePath().getParent() + "; copy it there first",
-                    missing);
+            throw new FileException(problem + "does not lie in " + place + "; copy it there first", missing);
+        }
+        if (!content.equals(found)) {
+            throw new FileException(problem + "another file of this name lies in " + place
+                    + "; save the scene in the folder of the right one");
         }
     }
 
-    /** Notes the names of what is too large to be embedded, and asks about the others. */
-    private static Predicate<FileContent> notingLarge(Set<String> names, Predicate<FileContent> embedded) {
+    /** Notes what is too large to be embedded, and asks about the others. */
+    private static Predicate<FileContent> notingLarge(Consumer<FileContent> large, Predicate<FileContent> embedded) {
         return content -> {
             if (isKept(content)) {
                 return embedded.test(content);
             }
-            names.add(content.name());
+            large.accept(content);
             return false;
         };
     }
@@ -142,7 +154,7 @@ public final class StudioWriter {
 
     /** Whether the bytes of the file are there; without a name none are needed. */
     private static boolean isKept(FileContent content) {
-        return content.name().isEmpty() || content.file().length > 0;
+        return content.name().isEmpty() || content.length() > 0;
     }
 
     private static String text(Studio studio, Predicate<FileContent> embedded) {

@@ -8,4 +8,7 @@ public interface FileContent {
 
     /** A copy of the file's bytes; empty if there were too many to keep, so that scene files can only name the file. */
     byte[] file();
+
+    /** The number of these bytes; 0 if they are not kept. */
+    int length();
 }

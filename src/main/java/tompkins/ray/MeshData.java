@@ -56,6 +56,11 @@ public final class MeshData implements FileContent {
         return file.clone();
     }
 
+    @Override
+    public int length() {
+        return file.length;
+    }
+
     /** Number of triangles. */
     public int triangles() {
         return corners.length / 3;

@@ -60,6 +60,11 @@ public final class PixelPicture implements FileContent {
         return file.clone();
     }
 
+    @Override
+    public int length() {
+        return file.length;
+    }
+
     /** The colour of the pixel that holds (u, v): u from 0 at the left to 1, v from 0 at the bottom to 1. */
     public Colour colour(double u, double v) {
         int index = index(u, v);

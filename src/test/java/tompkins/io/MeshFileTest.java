@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
@@ -16,6 +18,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.image.FileException;
+import tompkins.image.PictureFile;
 import tompkins.ray.MeshData;
 import tompkins.sceneobject.TriangleMesh;
 import tompkins.studio.Studio;
@@ -152,6 +155,48 @@ class MeshFileTest {
                 .hasMessage(elsewhere + ": not saved: large.obj is too large to be held by a scene file, and does not"
                         + " lie in " + elsewhere.getParent() + "; copy it there first");
         assertThat(elsewhere.getParent()).isEmptyDirectory();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {SQUARE + "f 1 2 3\n", "no mesh at all"})
+    void aSceneIsNotSavedBesideAnotherMeshOfTheName(String other, @TempDir Path folder) throws IOException {
+        Studio studio = withLargeMesh(folder);
+        Path elsewhere = Files.createDirectory(folder.resolve("elsewhere"));
+        Path mesh = Files.writeString(elsewhere.resolve("large.obj"), other);
+        Path scene = elsewhere.resolve("scene.json");
+
+        assertThatThrownBy(() -> StudioWriter.save(studio, scene))
+                .isInstanceOf(IOException.class)
+                .hasMessage(scene + ": not saved: large.obj is too large to be held by a scene file, and another file"
+                        + " of this name lies in " + elsewhere
+                        + "; save the scene in the folder of the right one");
+        assertThat(scene).doesNotExist();
+
+        Files.copy(folder.resolve("large.obj"), mesh, StandardCopyOption.REPLACE_EXISTING);
+        StudioWriter.save(studio, scene);
+        assertThat(StudioReader.read(scene)).isEqualTo(studio);
+    }
+
+    /** One limit for pictures and meshes, however they are read. */
+    @Test
+    void filesTooLargeToBeReadAreRefusedWithOneMessage(@TempDir Path folder) throws IOException {
+        Path large = folder.resolve("large.bin");
+        try (RandomAccessFile file = new RandomAccessFile(large.toFile(), "rw")) {
+            file.setLength((256 << 20) + 1);
+        }
+        String message = "cannot be read: it has 268435457 bytes, and may have at most 268435456";
+
+        assertThatThrownBy(() -> MeshFile.read(large)).hasMessage(large + ": " + message);
+        assertThatThrownBy(() -> PictureFile.read(large)).hasMessage(large + ": " + message);
+        String text = "{\"scene\": [{\"type\": \"TriangleMesh\", \"mesh\": \"large.bin\"}]}";
+        assertThatThrownBy(() -> StudioReader.read(text, "scene.json", folder))
+                .hasMessage("scene.json:1:45: scene[0].mesh: " + message + ", was \"large.bin\"");
+    }
+
+    /** It would never end. */
+    @Test
+    void aDeviceIsNoMesh() {
+        assertThatThrownBy(() -> MeshFile.read(Path.of("/dev/zero"))).hasMessage("/dev/zero: not a file");
     }
 
     @Test
