@@ -22,7 +22,8 @@ final class AdaptiveSchedule implements Schedule {
      */
     static final int FIRST_SAMPLES = 16;
 
-    private static final int MOST_SAMPLES = 1 << 16;
+    /** No pixel gets more, however wrong it still is. */
+    static final int MOST_SAMPLES = 1 << 16;
 
     /** A round aims a little lower than the target, so that the last rounds are not many small ones. */
     private static final double AIM = 0.95;
@@ -90,6 +91,11 @@ final class AdaptiveSchedule implements Schedule {
                 waiting.add(Pass.refining(samples, samples, mask, roughness.sampled()));
             }
         });
+    }
+
+    @Override
+    public double wantedError() {
+        return targetError;
     }
 
     @Override

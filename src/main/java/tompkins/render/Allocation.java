@@ -26,6 +26,9 @@ final class Allocation {
     private final double[] samples = new double[STEPS];
     private final double[] wishes = new double[STEPS];
 
+    /** The most samples that the pixels of each step may come to have. */
+    private final double[] most = new double[STEPS];
+
     /**
      * The allocation for what a picture has so far.
      *
@@ -35,23 +38,26 @@ final class Allocation {
      */
     Allocation(Film film, Roughness roughness, int mostSamples, BooleanSupplier stopped) {
         gains = new float[film.width() * film.height()];
-        double most = 0;
+        double highest = 0;
         for (int row = 0; row < film.height(); row++) {
             Roughness.stopIf(stopped);
             for (int pixel = film.pixel(0, row); pixel < film.pixel(0, row + 1); pixel++) {
                 int count = Math.max(1, film.samples(pixel));
                 gains[pixel] = count >= mostSamples ? 0 : (float) (roughness.variance(pixel) / count);
-                most = Math.max(most, gains[pixel]);
+                highest = Math.max(highest, gains[pixel]);
             }
         }
-        largest = most;
+        largest = highest;
         for (int row = 0; row < film.height(); row++) {
             Roughness.stopIf(stopped);
             for (int pixel = film.pixel(0, row); pixel < film.pixel(0, row + 1); pixel++) {
                 int step = step(gains[pixel]);
                 variances[step] += roughness.variance(pixel);
                 samples[step] += film.samples(pixel);
-                wishes[step] += gains[pixel] == 0 ? 0 : Math.pow(roughness.of(pixel), 1 / (POWER + 1));
+                if (gains[pixel] > 0) {
+                    wishes[step] += Math.pow(roughness.of(pixel), 1 / (POWER + 1));
+                    most[step] += mostSamples;
+                }
             }
         }
     }
@@ -73,7 +79,7 @@ final class Allocation {
         return gains[pixel];
     }
 
-    /** The highest threshold that leaves a sum of variances; the lowest of all if none does. */
+    /** The highest threshold that leaves a sum of variances; 0, the lowest of all, if none does. */
     double thresholdForVariance(double limit) {
         double below = 0;
         for (double variance : variances) {
@@ -107,7 +113,7 @@ final class Allocation {
         double sum = 0;
         for (int step = 0; step < STEPS; step++) {
             sum += threshold(step) >= threshold && wishes[step] > 0
-                    ? wishes[step] * Math.pow(threshold, -1 / (POWER + 1))
+                    ? Math.min(most[step], wishes[step] * Math.pow(threshold, -1 / (POWER + 1)))
                     : samples[step];
         }
         return sum;

@@ -281,6 +281,7 @@ public final class RenderJob {
                     plan.studio().settings().pixels(),
                     sampledPixels,
                     error,
+                    complete ? schedule.wantedError() : 0,
                     Duration.ofNanos(until - startTime));
         }
     }

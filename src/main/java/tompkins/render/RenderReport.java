@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import tompkins.property.NumberText;
 import tompkins.ray.RayCounts;
 
 /**
@@ -23,6 +24,7 @@ import tompkins.ray.RayCounts;
  * @param sampledPixels those that have samples; time may be over before all of them have
  * @param error estimated root mean square error in linear light; NaN if there is too little to tell, such as one sample
  *     through a wide aperture, or pixels without any
+ * @param wantedError the error that was to be reached; 0 if there is none, or the picture is not complete
  * @param time how long it took
  */
 public record RenderReport(
@@ -39,10 +41,18 @@ public record RenderReport(
         long pixels,
         long sampledPixels,
         double error,
+        double wantedError,
         Duration time) {
 
     static RenderReport of(
-            RayCounts counts, long nodes, long tests, long pixels, long sampledPixels, double error, Duration time) {
+            RayCounts counts,
+            long nodes,
+            long tests,
+            long pixels,
+            long sampledPixels,
+            double error,
+            double wantedError,
+            Duration time) {
         return new RenderReport(
                 counts.samples,
                 counts.rays,
@@ -57,6 +67,7 @@ public record RenderReport(
                 pixels,
                 sampledPixels,
                 error,
+                wantedError,
                 time);
     }
 
@@ -74,6 +85,10 @@ public record RenderReport(
                     "%d of %d pixels got no sample and are interpolated between the others",
                     pixels - sampledPixels,
                     pixels));
+        }
+        if (wantedError > 0 && error > wantedError) {
+            warnings.add("the estimated error did not come down to " + NumberText.of(wantedError)
+                    + ": no pixel gets more than " + AdaptiveSchedule.MOST_SAMPLES + " samples");
         }
         warn(warnings, withoutFocus, "missed the surface in focus and were focused at infinity");
         warn(warnings, withoutShutter, "never crossed the shutter and stayed black");

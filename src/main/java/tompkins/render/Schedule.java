@@ -16,6 +16,9 @@ interface Schedule {
      */
     Pass next(Film film, BooleanSupplier stopped);
 
+    /** The root mean square error at which the picture is done, unless its samples end before; 0 if none is wanted. */
+    double wantedError();
+
     /**
      * How much of the picture is done.
      *

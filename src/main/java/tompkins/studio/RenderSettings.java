@@ -17,7 +17,7 @@ public record RenderSettings(
         @Meaning(
                 value =
                         "The root mean square error, in linear light where white is 1, until which samples are taken where"
-                                + " they are needed, 0.000001 to 1; 0 for the same number of samples everywhere")
+                                + " they are needed (at most 65536 per pixel), 0.000001 to 1; 0 for the same number of samples everywhere")
         double targetError,
 
         @Meaning("Seed for the positions of the samples; the same seed gives the same picture")

@@ -2,6 +2,7 @@ package tompkins.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -160,6 +161,47 @@ class AdaptiveRenderTest {
         RenderJob job = render(studio, new Quality.TargetError(0.004));
         assertThat(job.report().error()).isBetween(0.0001, 0.004);
         assertThat(trueError(studio, job)).isLessThan(2 * 0.004);
+    }
+
+    /** Four pixels with all the samples that they may get: the work is known from the first plan on, and ends there. */
+    @Test
+    void anErrorThatCannotBeReachedIsToldOf() throws InterruptedException {
+        Studio studio = studio(spheres(), 0.2).withSettings(SMALL.withSize(2, 2));
+        List<Double> progress = new ArrayList<>();
+        RenderListener afterEachPass = RenderListener.afterEachPass(job -> progress.add(job.progress()));
+        RenderJob job = RENDERER.start(RenderPlan.of(studio), new Quality.TargetError(1e-6), afterEachPass);
+        job.await();
+
+        assertThat(job.report().samplesPerPixel()).isEqualTo(65536);
+        assertThat(job.report().warnings())
+                .containsExactly("the estimated error did not come down to 0.000001: no pixel gets more than 65536"
+                        + " samples");
+        // each round takes as many samples as all before it
+        assertThat(progress.get(progress.size() - 2)).isEqualTo(0.5);
+        assertThat(progress.get(progress.size() - 1)).isEqualTo(1);
+    }
+
+    /** Half of the pixels are noise that stays too strong, the others hardly any: those are raised, too, to no end. */
+    @Test
+    void progressIsKnownOnceNothingMoreHelps() {
+        Film film = new Film(16, 16, 1, true);
+        TimeBudget unlimited = new TimeBudget(Double.POSITIVE_INFINITY);
+        AdaptiveSchedule schedule = new AdaptiveSchedule(16 * 16, true, false, 1e-5, unlimited);
+        SplittableRandom random = new SplittableRandom(5);
+        long samples = 0;
+        for (Pass pass = schedule.next(film, () -> false); pass != null; pass = schedule.next(film, () -> false)) {
+            assertThat(schedule.progress(1)).isBetween(1.0 / 65536, 1.0);
+            for (int pixel = 0; pixel < 16 * 16; pixel++) {
+                if (pass.takes(pixel % 16, pixel / 16, pixel)) {
+                    for (int sample = 0; sample < pass.samples(); sample++) {
+                        double light = (pixel % 16 < 8 ? 1 : 1e-4) * random.nextInt(2);
+                        film.add(pixel, light, light, light, 1);
+                        samples++;
+                    }
+                }
+            }
+        }
+        assertThat(schedule.progress(samples / 256.0)).isBetween(0.99, 1.01);
     }
 
     private static RenderJob render(Studio studio, Quality quality) throws InterruptedException {
