@@ -110,7 +110,7 @@ final class TraceCommand implements Callable<Integer> {
                     hit.distance(),
                     NumberText.plain(hit.share(), 4)));
         }
-        if (life.hits().isEmpty()) {
+        if (life.hits().isEmpty() && life.reachesBackground()) {
             out.println("hits nothing: the background");
         }
         out.println(format(

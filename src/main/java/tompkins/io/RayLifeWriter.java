@@ -15,7 +15,10 @@ import tools.jackson.core.ObjectWriteContext;
 import tools.jackson.core.json.JsonFactory;
 import tools.jackson.core.util.DefaultPrettyPrinter;
 
-/** Writes the life of a ray as JSON, with 17 significant digits, for other programs to check. */
+/**
+ * Writes the life of a ray as JSON, with 17 significant digits, for other programs to check; numbers that are not
+ * finite are null.
+ */
 public final class RayLifeWriter {
 
     private static final MathContext DIGITS = new MathContext(17);
@@ -77,18 +80,22 @@ public final class RayLifeWriter {
 
     private static void write(JsonGenerator json, String name, double value) {
         json.writeName(name);
-        json.writeNumber(digits(value));
+        write(json, value);
     }
 
     private static void write(JsonGenerator json, String name, double... values) {
         json.writeArrayPropertyStart(name);
         for (double value : values) {
-            json.writeNumber(digits(value));
+            write(json, value);
         }
         json.writeEndArray();
     }
 
-    private static String digits(double value) {
-        return new BigDecimal(value).round(DIGITS).toString();
+    private static void write(JsonGenerator json, double value) {
+        if (Double.isFinite(value)) {
+            json.writeNumber(new BigDecimal(value).round(DIGITS).toString());
+        } else {
+            json.writeNull();
+        }
     }
 }

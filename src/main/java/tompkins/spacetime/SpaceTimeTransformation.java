@@ -18,7 +18,10 @@ public sealed interface SpaceTimeTransformation
      */
     Vector3d placeFrom(Vector3dc near, Event event);
 
-    /** The same light ray in the other frame, starting at the same event. */
+    /**
+     * The same light ray in the other frame, starting at the same event. Its direction is NaN if the light stands still
+     * there, as only that of a Galilean world can.
+     */
     Ray transform(Ray ray);
 
     /** Takes each ray of a block into the other frame. */

@@ -196,8 +196,13 @@ public final class SampleTracer {
             if (i % EntryNodes.RAYS == 0) {
                 found = tracer.find(entries, rays, i, Math.min(count, i + EntryNodes.RAYS));
             }
-            takeFromScene(i, found ? tracer.colour(rays, i, entries) : tracer.colour(rays, i));
+            takeFromScene(i, found ? tracer.colour(rays, i, entries) : colourWithoutHelp(i, tracer));
         }
+    }
+
+    /** A ray without a direction, whose light stands still in the scene, keeps all around it from being bounded. */
+    private Colour colourWithoutHelp(int index, RayTracer tracer) {
+        return Double.isNaN(rays.dx[index]) ? Colour.BLACK : tracer.colour(rays, index);
     }
 
     private void choosePlaces(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {

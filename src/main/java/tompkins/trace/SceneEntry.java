@@ -29,6 +29,10 @@ final class SceneEntry implements Beyond {
     @Override
     public Colour colour(Ray ray) {
         Ray crossed = crossing.cross(ray);
+        if (Double.isNaN(crossed.dx)) {
+            // light that stands still in the scene has come from nowhere
+            return Colour.BLACK;
+        }
         if (witness != null) {
             witness.crosses(crossed);
         }

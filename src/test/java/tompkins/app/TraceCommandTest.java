@@ -64,6 +64,52 @@ class TraceCommandTest {
         assertThat(json.out()).doesNotContain("gamma");
     }
 
+    /** Light of half the speed stays where it is for who moves as fast towards where it comes from. */
+    @Test
+    void lightThatStandsStillInTheSceneComesFromNowhere() throws IOException {
+        Path scene = Files.writeString(folder.resolve("still.json"), """
+                {
+                  "velocity": [0, 0, 0.5], "transformation": "galilean",
+                  "background": { "type": "UniformBackground", "colour": 1 },
+                  "settings": { "width": 1, "height": 1 },
+                  "cameraFrame": [
+                    { "type": "Plane", "point": [0, 0, -1], "normal": [0, 0, -1],
+                      "surface": { "type": "Refractive", "indexRatio": 2 } }
+                  ]
+                }
+                """);
+
+        ProgramRun text = ProgramRun.of("trace", scene, "--pixel", "0,0");
+        ProgramRun json = ProgramRun.of("trace", scene, "--pixel", "0,0", "--json");
+
+        assertThat(text.out()).endsWith("colour (linear)  0.00000000, 0.00000000, 0.00000000\n");
+        assertThat(text.out()).doesNotContain("Scene frame", "background", "NaN", "Infinity");
+        assertThat(json.code()).as(json.err()).isZero();
+        assertThat(json.out()).contains("\"camera\"").doesNotContain("\"scene\"");
+    }
+
+    /** Across its motion the camera keeps up with the phase of such light: (1, 0.5) has D = 1/(1 - 2 x 0.5) there. */
+    @Test
+    void numbersThatAreNotFiniteAreNullInJson() throws IOException {
+        Path scene = Files.writeString(folder.resolve("infinite.json"), """
+                {
+                  "velocity": [0, 0.5, 0.5], "transformation": "galilean",
+                  "settings": { "width": 1, "height": 1 },
+                  "cameraFrame": [
+                    { "type": "Plane", "point": [0, 0, -1], "normal": [0, 0, -1],
+                      "surface": { "type": "Refractive", "indexRatio": 2 } }
+                  ]
+                }
+                """);
+
+        ProgramRun json = ProgramRun.of("trace", scene, "--pixel", "0,0", "--json");
+
+        assertThat(json.code()).as(json.err()).isZero();
+        assertThat(json.out()).contains("\"frequencyRatio\" : null");
+        // d - n beta = (0, 0, 1) - 2 (0, 0.5, 0.5)
+        assertThat(numbers(json.out(), "scene", "direction")).containsExactly(0.0, -1.0, 0.0);
+    }
+
     /** Glass of index 1.5 reflects ((1.5 - 1)/(1.5 + 1))^2 = 0.04 of the light that meets it straight. */
     @Test
     void whereTheRaySplitsItsWeakerBranchIsIndented() throws IOException {
