@@ -2,6 +2,7 @@ package tompkins.camera;
 
 import java.util.List;
 import org.joml.Vector3dc;
+import tompkins.property.Require;
 import tompkins.ray.Ray;
 import tompkins.sceneobject.Placement;
 import tompkins.sceneobject.Primitive;
@@ -26,7 +27,8 @@ final class FocusSurface {
 
     /**
      * The inverse of the signed distance from the centre of the lens to the surface along a unit direction: of the
-     * nearest part in front, else of the nearest behind, 0 at infinity; NaN if the line misses the surface.
+     * nearest part in front, else of the nearest behind, 0 at infinity, which begins at 1e50; NaN if the line misses
+     * the surface.
      */
     double inverseDistance(Vector3dc centre, Vector3dc direction) {
         Ray line = Ray.from(centre.x(), centre.y(), centre.z(), direction.x(), direction.y(), direction.z(), 0);
@@ -38,6 +40,7 @@ final class FocusSurface {
                 found = inverse;
             }
         }
-        return found;
+        // where no place can be given the focus is at infinity, on its side of the lens
+        return Math.abs(found) * Require.LARGEST_COORDINATE < 1 ? 0 * found : found;
     }
 }

@@ -59,7 +59,7 @@ public record PanoramicCamera(
         topDirection = CameraAxes.requireTop(topDirection, viewDirection);
         Require.positive("horizontalAngleDegrees", horizontalAngleDegrees, 360);
         Require.positive("verticalAngleDegrees", verticalAngleDegrees, 180);
-        Require.positive("focusDistance", focusDistance);
+        Require.distance("focusDistance", focusDistance);
         Require.within("exposureStops", exposureStops, -100.0, 100.0);
         Require.present("shutter", shutter);
     }

@@ -12,7 +12,7 @@ import org.joml.Vector3dc;
 public final class Require {
 
     /** Places and times below this stay far below the root of the largest double, seen from any frame. */
-    private static final double LARGEST_COORDINATE = 1e50;
+    public static final double LARGEST_COORDINATE = 1e50;
 
     private Require() {}
 
@@ -87,6 +87,11 @@ public final class Require {
     /** A place along an axis, or a time: a number from -1e50 to 1e50. */
     public static double coordinate(String property, double value) {
         return within(property, value, -LARGEST_COORDINATE, LARGEST_COORDINATE);
+    }
+
+    /** A distance that light covers in such a time: a number above 0 and at most 1e50. */
+    public static double distance(String property, double value) {
+        return positive(property, value, LARGEST_COORDINATE);
     }
 
     /** A place of three such numbers; returns a copy that nobody else can change. */

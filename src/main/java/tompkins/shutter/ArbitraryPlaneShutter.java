@@ -30,7 +30,7 @@ public record ArbitraryPlaneShutter(
     /** Checks all values. */
     public ArbitraryPlaneShutter {
         Require.coordinate("openingTime", openingTime);
-        point = Require.finite("point", point);
+        point = Require.place("point", point);
         normal = Require.direction("normal", normal);
     }
 

@@ -30,7 +30,7 @@ public record DetectorPlaneShutter(
     /** Checks both values. */
     public DetectorPlaneShutter {
         Require.coordinate("openingTime", openingTime);
-        Require.positive("detectorDistance", detectorDistance);
+        Require.distance("detectorDistance", detectorDistance);
     }
 
     @Override

@@ -24,7 +24,7 @@ public record LensHologramShutter(
     /** Checks both values. */
     public LensHologramShutter {
         Require.coordinate("openingTime", openingTime);
-        Require.positive("detectorDistance", detectorDistance);
+        Require.distance("detectorDistance", detectorDistance);
     }
 
     @Override

@@ -3,6 +3,7 @@ package tompkins.camera;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.util.List;
 import org.joml.Vector3d;
@@ -153,6 +154,21 @@ class FocusTest {
             assertThat(counts.withoutShutter).isEqualTo(1);
             assertThat(rays.ray(50, 51, 0.5, 0, counts)).isNotNull();
         }
+    }
+
+    /** Such distances become times, and those end at 1e50, too. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1, -1})
+    void whatIsBeyondAllPlacesIsFocusedAtInfinity(double side) {
+        Vector3d normal = new Vector3d(0, 0, 1);
+        RayCounts counts = new RayCounts();
+        Shutter shutter = new FocusSurfaceShutter(0);
+        CameraRays near = rays(plane(new Vector3d(0, 0, side * 1e49), normal), shutter);
+        assertThat(near.ray(50, 50, 0, 0, counts).time).isCloseTo(side * 1e49, withinPercentage(1e-10));
+        CameraRays far = rays(plane(new Vector3d(0, 0, side * 1e51), normal), shutter);
+        assertThat(far.ray(50, 50, 0, 0, counts)).isNull();
+        assertThat(counts.withoutShutter).isEqualTo(1);
+        assertThat(counts.withoutFocus).isZero();
     }
 
     @Test

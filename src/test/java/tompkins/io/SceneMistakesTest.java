@@ -83,6 +83,14 @@ class SceneMistakesTest {
             be above 0 and at most 360, was 0
             {"camera": {"type": "PanoramicCamera", "verticalAngleDegrees": -1}} | f:1:64: camera.verticalAngleDegrees: must be \
             above 0 and at most 180, was -1
+            {"camera": {"shutter": {"type": "DetectorPlaneShutter", "detectorDistance": 1e51}}} | f:1:77: \
+            camera.shutter.detectorDistance: must be above 0 and at most 1e50, was 1e51
+            {"camera": {"shutter": {"type": "LensHologramShutter", "detectorDistance": 0}}} | f:1:76: \
+            camera.shutter.detectorDistance: must be above 0 and at most 1e50, was 0
+            {"camera": {"shutter": {"type": "ArbitraryPlaneShutter", "point": [0, 0, -1e51]}}} | f:1:67: \
+            camera.shutter.point: must be three numbers from -1e50 to 1e50, was [0, 0, -1e51]
+            {"camera": {"type": "PanoramicCamera", "focusDistance": 1e51}} | f:1:57: camera.focusDistance: must be above 0 \
+            and at most 1e50, was 1e51
             {"background": {"colour": "red"}} | f:1:27: background.colour: must be three numbers [red, green, blue], or one \
             number for a grey, was "red"
             {"background": {"colour": [0, -2, 0]}} | f:1:27: background.colour (green): must be a finite number, 0 or above, \
