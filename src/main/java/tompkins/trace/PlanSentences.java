@@ -44,12 +44,6 @@ final class PlanSentences {
         sentences.add(search());
         sentences.add(recursion());
         warnings().forEach(warning -> sentences.add("Warning: " + warning + "."));
-        if (missesFocus()) {
-            sentences.add("Warning: the focus has no surface, so that "
-                    + (studio.camera().shutter().needsFocus()
-                            ? "no ray crosses the shutter."
-                            : "everything is focused at infinity."));
-        }
         return sentences;
     }
 
@@ -60,6 +54,12 @@ final class PlanSentences {
         if (shift != null && shift.isTooFaint()) {
             warnings.add(
                     "the light of the scene is too faint to be seen in the middle of the picture, which stays dark");
+        }
+        if (missesFocus()) {
+            warnings.add("the focus has no surface, so that "
+                    + (studio.camera().shutter().needsFocus()
+                            ? "no ray crosses the shutter"
+                            : "everything is focused at infinity"));
         }
         return warnings;
     }

@@ -51,6 +51,19 @@ class CheckCommandTest {
     }
 
     @Test
+    void checkWarnsOfAPictureThatStaysBlack() throws IOException {
+        Path black = Files.writeString(
+                folder.resolve("black.json"),
+                "{ \"camera\": { \"focus\": { \"type\": \"Group\" }, \"shutter\": { \"type\": \"FocusSurfaceShutter\" } } }");
+
+        ProgramRun run = ProgramRun.of("check", black);
+
+        assertThat(run.code()).isZero();
+        assertThat(run.err().strip())
+                .isEqualTo(black + ": warning: the focus has no surface, so that no ray crosses the shutter");
+    }
+
+    @Test
     void everyMistakeOfAFileIsReportedAtItsPlace() throws IOException {
         Path scene = Files.writeString(folder.resolve("wrong.json"), """
                 {
