@@ -34,20 +34,4 @@ public final class Precise {
         }
         return high + low;
     }
-
-    /** Length of (x, y, z) without overflow or underflow of the squares. */
-    public static double length(double x, double y, double z) {
-        double scale = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
-        if (scale > 1e-140 && scale < 1e140) {
-            return Math.sqrt(x * x + y * y + z * z);
-        }
-        if (scale == 0 || !(scale < Double.POSITIVE_INFINITY)) {
-            return scale;
-        }
-        double power = Math.scalb(1.0, -Math.max(-1022, Math.min(1022, Math.getExponent(scale))));
-        double sx = x * power;
-        double sy = y * power;
-        double sz = z * power;
-        return Math.sqrt(sx * sx + sy * sy + sz * sz) / power;
-    }
 }

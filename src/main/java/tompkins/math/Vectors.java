@@ -3,7 +3,7 @@ package tompkins.math;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** Unit vectors and bases, safe for vectors of any length. */
+/** Lengths, unit vectors and bases, safe for vectors of any length. */
 public final class Vectors {
 
     /** The component of a unit vector from which on it counts as lying along that axis. */
@@ -17,17 +17,34 @@ public final class Vectors {
      * @throws ArithmeticException for the zero vector and for vectors that are not finite
      */
     public static Vector3d unit(Vector3dc vector) {
-        double scale = Math.max(Math.abs(vector.x()), Math.max(Math.abs(vector.y()), Math.abs(vector.z())));
-        if (!(scale > 0 && scale < Double.POSITIVE_INFINITY)) {
+        double largest = largest(vector);
+        if (!(largest > 0 && largest < Double.POSITIVE_INFINITY)) {
             throw new ArithmeticException("no direction: " + vector.x() + ", " + vector.y() + ", " + vector.z());
         }
-        // a power of two, so that scaling is exact
-        double power = Math.scalb(1.0, -Math.max(-1022, Math.min(1022, Math.getExponent(scale))));
+        double power = powerToUnit(largest);
         double x = vector.x() * power;
         double y = vector.y() * power;
         double z = vector.z() * power;
         double length = Math.sqrt(x * x + y * y + z * z);
         return new Vector3d(x / length, y / length, z / length);
+    }
+
+    /** The length of a finite vector. */
+    public static double length(Vector3dc vector) {
+        double power = powerToUnit(largest(vector));
+        double x = vector.x() * power;
+        double y = vector.y() * power;
+        double z = vector.z() * power;
+        return Math.sqrt(x * x + y * y + z * z) / power;
+    }
+
+    private static double largest(Vector3dc vector) {
+        return Math.max(Math.abs(vector.x()), Math.max(Math.abs(vector.y()), Math.abs(vector.z())));
+    }
+
+    /** A factor that brings a size to about 1; a power of two, so that it rounds nothing. */
+    private static double powerToUnit(double size) {
+        return Math.scalb(1.0, -Math.max(-1022, Math.min(1022, Math.getExponent(size))));
     }
 
     /**

@@ -2,6 +2,7 @@ package tompkins.spacetime;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.math.Vectors;
 import tompkins.ray.Ray;
 import tompkins.ray.RayBlock;
 
@@ -151,8 +152,8 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
      * @return |d'|/|d|: the frequency in the other frame divided by that in the first
      */
     public double direction(Vector3dc d, Vector3d result) {
-        double scale = 1 / d.length();
-        Ray turned = transform(Ray.from(0, 0, 0, d.x() * scale, d.y() * scale, d.z() * scale, 0));
+        Vector3d unit = Vectors.unit(d);
+        Ray turned = transform(Ray.from(0, 0, 0, unit.x, unit.y, unit.z, 0));
         result.set(turned.dx, turned.dy, turned.dz);
         return turned.frequency;
     }

@@ -72,7 +72,7 @@ public final class Velocity {
                 0,
                 components,
                 gamma,
-                gamma * Precise.length(x, y, z),
+                gamma * Vectors.length(components),
                 new Vector3d(gamma * x, gamma * y, gamma * z));
     }
 

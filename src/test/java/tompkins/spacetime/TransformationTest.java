@@ -179,13 +179,15 @@ class TransformationTest {
         assertThat(ahead.z).isCloseTo(1.2, within(1e-15));
     }
 
-    @Test
-    void lengthOfTheDirectionDoesNotMatter() {
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-300, 1e-160, 100, 1e160, 1e300})
+    void lengthOfTheDirectionDoesNotMatter(double length) {
         LorentzTransformation transformation = new LorentzTransformation(Velocity.of(BETA));
         Vector3d one = new Vector3d();
         Vector3d other = new Vector3d();
         double ratio = transformation.direction(new Vector3d(0.48, 0.6, 0.64), one);
-        assertThat(transformation.direction(new Vector3d(48, 60, 64), other)).isCloseTo(ratio, within(1e-15));
+        assertThat(transformation.direction(new Vector3d(0.48, 0.6, 0.64).mul(length), other))
+                .isCloseTo(ratio, within(1e-15));
         assertThat(one.distance(other)).isLessThan(1e-15);
     }
 }
