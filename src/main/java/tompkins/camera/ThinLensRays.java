@@ -83,7 +83,7 @@ final class ThinLensRays implements CameraRays {
     public void make(SamplePlaces places, RayBlock rays, RayCounts counts) {
         rays.begin(places.count());
         aim(places, rays);
-        if (constantTime && apertureRadius == 0 && focus == null) {
+        if (constantTime && apertureRadius == 0) {
             startInPinhole(rays);
             return;
         }

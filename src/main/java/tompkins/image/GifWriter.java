@@ -62,7 +62,9 @@ final class GifWriter extends AnimationWriter {
         writer.prepareWriteSequence(null);
     }
 
-    /** Whole hundredths of a second whose sum stays with the time, whatever the rate. */
+    /**
+     * Whole hundredths of a second whose sum stays with the time, up to 50 frames a second; what is faster is slowed.
+     */
     private IIOMetadataNode delayNode(int index) {
         long delay = Math.round(100.0 * (index + 1) / framesPerSecond) - Math.round(100.0 * index / framesPerSecond);
         IIOMetadataNode control = new IIOMetadataNode("GraphicControlExtension");

@@ -7,7 +7,7 @@ import tompkins.camera.PixelSampler;
 
 /**
  * One pass over the picture. Coarse passes take the first sample of every 8th, 4th, 2nd pixel in both directions, and
- * each leaves out what the coarser ones took; later passes take further samples of all pixels.
+ * each leaves out what the coarser ones took; later passes take further samples of all pixels, or of chosen ones.
  *
  * @param stride distance between pixels, 1 for all of them
  * @param coarserStride stride of the pass before this one, or 0 if this is the first

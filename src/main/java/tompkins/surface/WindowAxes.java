@@ -29,7 +29,7 @@ public enum WindowAxes {
         return first.mul(vector.x()).add(second.mul(vector.y())).add(normal.mul(vector.z()));
     }
 
-    /** A unit vector, or another one for a coordinate that does not change here. */
+    /** A unit vector, or another one where rounding leaves nothing of it. */
     private static Vector3d unit(Vector3d vector, Vector3dc other) {
         return vector.lengthSquared() > 0 ? Vectors.unit(vector) : new Vector3d(other);
     }

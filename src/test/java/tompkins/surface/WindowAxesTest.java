@@ -29,9 +29,9 @@ class WindowAxesTest {
         assertIs(WindowAxes.SURFACE.inFrame(new Vector3d(0, 0, 1), skew), new Vector3d(0, 0, -1));
     }
 
-    /** As at the pole of a sphere, where one coordinate does not change. */
+    /** As of a piece whose sides are nearly parallel. */
     @Test
-    void whereACoordinateStandsStillThereAreAxesAllTheSame() {
+    void whereRoundingLeavesNothingOfACoordinateThereAreAxesAllTheSame() {
         Hit along = hit(new SurfaceCoordinates(0.5, 1, 0.5, 0, 0, 0, 0, 0));
         assertIs(WindowAxes.SURFACE.inFrame(new Vector3d(1, 0, 0), along), new Vector3d(1, 0, 0));
         // to the right and up for one who looks at the surface
