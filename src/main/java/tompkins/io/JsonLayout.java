@@ -3,8 +3,8 @@ package tompkins.io;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import tompkins.property.NumberText;
 import tools.jackson.core.io.JsonStringEncoder;
-import tools.jackson.core.io.NumberOutput;
 
 /**
  * Lays out JSON for people: what fits on one line stands on one line, the rest has a line for each key. The same values
@@ -14,7 +14,6 @@ final class JsonLayout {
 
     private static final int WIDTH = 100;
     private static final int INDENT = 2;
-    private static final double LARGEST_PLAIN = 1e9;
 
     private JsonLayout() {}
 
@@ -39,7 +38,7 @@ final class JsonLayout {
             return bracketed("[", parts, "]", indent);
         }
         if (value instanceof Double number) {
-            return number(number);
+            return NumberText.of(number);
         }
         return value instanceof String text ? quoted(text) : value.toString();
     }
@@ -56,15 +55,5 @@ final class JsonLayout {
 
     private static String quoted(String text) {
         return '"' + String.valueOf(JsonStringEncoder.getInstance().quoteAsCharArray(text)) + '"';
-    }
-
-    /** The shortest decimal number that is read as the same bits. */
-    static String number(double value) {
-        boolean whole = value == Math.rint(value) && Math.abs(value) < LARGEST_PLAIN;
-        boolean negativeZero = value == 0 && 1 / value < 0;
-        if (whole && !negativeZero) {
-            return Long.toString((long) value);
-        }
-        return NumberOutput.toString(value, true).replace(".0E", "e").replace('E', 'e');
     }
 }

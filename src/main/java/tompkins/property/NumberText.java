@@ -2,9 +2,13 @@ package tompkins.property;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.math.RoundingMode;
 import java.util.regex.Pattern;
 
-/** Numbers as people write them, for messages, fields and command lines: {@code 2}, {@code 0.000001}, {@code 1e-9}. */
+/**
+ * Numbers as people write them, for messages, fields, command lines and scene files: {@code 2}, {@code 0.000001},
+ * {@code 1e-9}.
+ */
 public final class NumberText {
 
     private static final double SMALLEST_PLAIN = 1e-6;
@@ -34,10 +38,29 @@ public final class NumberText {
         if (value == 0) {
             return 1 / value < 0 ? "-0" : "0";
         }
-        if (size >= SMALLEST_PLAIN && size < LARGEST_PLAIN) {
-            return new BigDecimal(Double.toString(value)).stripTrailingZeros().toPlainString();
+        if (!Double.isFinite(value)) {
+            return Double.toString(value);
         }
-        return Double.toString(value).replace(".0E", "e").replace('E', 'e');
+        BigDecimal shortest = shortest(value);
+        if (size >= SMALLEST_PLAIN && size < LARGEST_PLAIN) {
+            return shortest.toPlainString();
+        }
+        int exponent = shortest.precision() - shortest.scale() - 1;
+        return shortest.movePointLeft(exponent).toPlainString() + "e" + exponent;
+    }
+
+    /**
+     * The nearest decimal number with the fewest digits, two or more, that is read as the same bits.
+     * {@link Double#toString} of Java 17 takes more than it needs for some, such as 2e23.
+     */
+    private static BigDecimal shortest(double value) {
+        BigDecimal exact = new BigDecimal(value);
+        BigDecimal rounded;
+        int digits = 2;
+        do {
+            rounded = exact.round(new MathContext(digits++, RoundingMode.HALF_EVEN));
+        } while (rounded.doubleValue() != value);
+        return rounded.stripTrailingZeros();
     }
 
     /** The number with at most the given digits, never the negative zero; what is not finite stays as it is. */
@@ -49,8 +72,7 @@ public final class NumberText {
 
     /** The first digits of a finite number, without a power of ten. */
     public static String plain(double value, int digits) {
-        return new BigDecimal(Double.toString(rounded(value, digits)))
-                .stripTrailingZeros()
-                .toPlainString();
+        double rounded = rounded(value, digits);
+        return rounded == 0 ? "0" : shortest(rounded).toPlainString();
     }
 }

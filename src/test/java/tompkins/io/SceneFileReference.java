@@ -18,6 +18,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import tompkins.property.Descriptions;
 import tompkins.property.Meaning;
+import tompkins.property.NumberText;
 import tompkins.ray.MeshData;
 import tompkins.ray.PixelPicture;
 import tompkins.spacetime.SpeedScale;
@@ -58,8 +59,8 @@ public final class SceneFileReference {
         try (InputStream in = SceneFileReference.class.getResourceAsStream(INTRODUCTION)) {
             String text = new String(in.readAllBytes(), StandardCharsets.UTF_8).replace("\r\n", "\n");
             return text.replace("@SPEEDS@", speeds())
-                    .replace("@LARGEST_GAMMA@", JsonLayout.number(Velocity.LARGEST_GAMMA))
-                    .replace("@GUARANTEED_GAMMA@", JsonLayout.number(Velocity.GUARANTEED_GAMMA))
+                    .replace("@LARGEST_GAMMA@", NumberText.of(Velocity.LARGEST_GAMMA))
+                    .replace("@GUARANTEED_GAMMA@", NumberText.of(Velocity.GUARANTEED_GAMMA))
                     .replace("@LARGEST_MESH@", Integer.toString(MeshFile.LARGEST_KEPT_FILE >> 20))
                     .replace("@LARGEST_FILE@", Integer.toString(SceneText.LARGEST >> 20))
                     .replace("@MOST_VALUES@", Integer.toString(JsonParsing.MOST_VALUES))

@@ -3,11 +3,14 @@ package tompkins.property;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.math.BigDecimal;
+import java.util.SplittableRandom;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tools.jackson.core.io.NumberOutput;
 
 class NumberTextTest {
 
@@ -24,6 +27,11 @@ class NumberTextTest {
         "1e-9, 1e-9",
         "10000000, 10000000",
         "1e9, 1e9",
+        "1234567891.5, 1.2345678915e9",
+        "2e23, 2e23",
+        "2.2e-322, 2.2e-322",
+        "4.9e-324, 4.9e-324",
+        "-9007199254740993, -9.007199254740992e15",
         "1.7976931348623157E308, 1.7976931348623157e308",
         "NaN, NaN",
         "-Infinity, -Infinity"
@@ -32,6 +40,21 @@ class NumberTextTest {
         assertThat(NumberText.of(value)).isEqualTo(text);
         assertThat(Double.valueOf(text)).isEqualTo(Double.valueOf(value));
         assertThat(Double.valueOf(NumberText.parse(" " + text))).isEqualTo(Double.valueOf(value));
+    }
+
+    /**
+     * Another program's way to the shortest digits; it takes other ones only at powers of two, where both are right.
+     */
+    @Test
+    void noDigitIsWrittenThatIsNotNeeded() {
+        SplittableRandom random = new SplittableRandom(11);
+        for (int i = 0; i < 100_000; i++) {
+            double value = Double.longBitsToDouble(random.nextLong());
+            if (Double.isFinite(value) && Math.getExponent(value) >= Double.MIN_EXPONENT) {
+                assertThat(new BigDecimal(NumberText.of(value)))
+                        .isEqualByComparingTo(new BigDecimal(NumberOutput.toString(value, true)));
+            }
+        }
     }
 
     @ParameterizedTest
