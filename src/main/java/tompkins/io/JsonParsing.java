@@ -78,11 +78,11 @@ final class JsonParsing {
         }
         JsonValue value = value("", 0);
         if (!(value instanceof JsonObject root)) {
-            throw failure("", NEEDED + ", found " + value.shown(), value);
+            throw failure(value.line(), value.column(), "", NEEDED + ", found " + value.shown());
         }
         if (next("") != null) {
-            JsonNull here = new JsonNull(line(), column());
-            throw failure("", "the scene ends before this place: there is a } too many, or a { is missing", here);
+            String message = "the scene ends before this place: there is a } too many, or a { is missing";
+            throw failure(line(), column(), "", message);
         }
         return root;
     }
@@ -98,8 +98,7 @@ final class JsonParsing {
             int number = syntax.getLocation().getLineNr();
             String line = text.lines().skip(number - 1L).findFirst().orElse("");
             int blanks = line.length() - line.stripLeading().length();
-            JsonNull place = new JsonNull(number, blanks + 1);
-            throw failure("", NEEDED + ", found " + Problems.quoted(line.strip()), place);
+            throw failure(number, blanks + 1, "", NEEDED + ", found " + Problems.quoted(line.strip()));
         }
     }
 
@@ -115,8 +114,7 @@ final class JsonParsing {
         int line = line();
         int column = column();
         if (++values > MOST_VALUES) {
-            String message = "a scene file may hold at most " + MOST_VALUES + " values";
-            throw failure(path, message, new JsonNull(line, column));
+            throw failure(line, column, path, "a scene file may hold at most " + MOST_VALUES + " values");
         }
         return switch (parser.currentToken()) {
             case START_OBJECT -> object(path, depth, line, column);
@@ -146,7 +144,7 @@ final class JsonParsing {
             int keyLine = line();
             int keyColumn = column();
             if (key.length() > LONGEST_KEY) {
-                throw failure(path, "unknown key " + Problems.quoted(key), new JsonNull(keyLine, keyColumn));
+                throw failure(keyLine, keyColumn, path, "unknown key " + Problems.quoted(key));
             }
             String inner = path.isEmpty() ? key : path + "." + key;
             next(inner);
@@ -170,8 +168,7 @@ final class JsonParsing {
 
     private void requireDepth(String path, int depth, int line, int column) {
         if (depth >= DEEPEST) {
-            String message = "brackets and braces may be at most " + DEEPEST + " deep";
-            throw failure(path, message, new JsonNull(line, column));
+            throw failure(line, column, path, "brackets and braces may be at most " + DEEPEST + " deep");
         }
     }
 
@@ -183,7 +180,7 @@ final class JsonParsing {
         boolean here = place == null || SyntaxMistake.isInComment(syntax);
         int line = here ? line() : place.getLineNr();
         int column = here ? Math.max(1, column()) : place.getColumnNr();
-        return failure(path, SyntaxMistake.message(syntax, parser), new JsonNull(line, column));
+        return failure(line, column, path, SyntaxMistake.message(syntax, parser));
     }
 
     /** The failure for a number that holds, or ends before, a place. */
@@ -197,16 +194,16 @@ final class JsonParsing {
         while (end < text.length() && isOfNumber(text.charAt(end))) {
             end++;
         }
-        JsonNull number = new JsonNull(place.getLineNr(), place.getColumnNr() - (found - start));
-        return failure(path, SyntaxMistake.ofNumber(text.substring(start, end)), number);
+        int column = place.getColumnNr() - (found - start);
+        return failure(place.getLineNr(), column, path, SyntaxMistake.ofNumber(text.substring(start, end)));
     }
 
     private static boolean isOfNumber(char letter) {
         return Character.isLetterOrDigit(letter) || "+-.".indexOf(letter) >= 0;
     }
 
-    private SceneFileException failure(String path, String message, JsonValue place) {
-        problems.add(place, path, message);
+    private SceneFileException failure(int line, int column, String path, String message) {
+        problems.add(line, column, path, message);
         return problems.exception();
     }
 
