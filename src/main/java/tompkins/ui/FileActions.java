@@ -348,7 +348,8 @@ final class FileActions implements FileContentEditor.Choosers {
                     saved(file);
                     List<String> named = StudioWriter.filesOnlyNamed(studio);
                     if (!named.isEmpty()) {
-                        status.report(Texts.get("file.savedNaming", file, String.join(", ", named)));
+                        // it asks for something
+                        status.say(Texts.get("file.savedNaming", file, String.join(", ", named)));
                     }
                 });
     }

@@ -45,6 +45,9 @@ final class PhotographView implements AutoCloseable {
          */
         void pinned(PixelProbe.Reading reading, String picture);
 
+        /** Whether the next click on the picture picks a point, from now on. */
+        void picking(boolean picking);
+
         /** There is no picture of the studio; the message says why. */
         void noPicture(String message);
 
@@ -221,12 +224,14 @@ final class PhotographView implements AutoCloseable {
     void startPicking(Runnable clicked, DoubleConsumer taker) {
         picking = new Picking(clicked, taker);
         canvas.setPicking(true);
+        listener.picking(true);
     }
 
     /** Lets clicks on the picture pin pixels again. */
     void stopPicking() {
         picking = null;
         canvas.setPicking(false);
+        listener.picking(false);
     }
 
     /** As a click that picks nothing; false if nothing was to be picked. */

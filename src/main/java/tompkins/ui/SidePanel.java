@@ -87,7 +87,6 @@ final class SidePanel {
 
     private void pick(StudioModel model, PhotographView view, Consumer<String> teller, boolean picking) {
         if (picking) {
-            teller.accept(Texts.get("lens.picking"));
             view.startPicking(lens::endPicking, distance -> focus(model, teller, distance));
         } else {
             view.stopPicking();

@@ -37,8 +37,8 @@ final class StatusBar {
     private final Timer fading;
     private String failure;
 
-    /** What is said if there is nothing else to say. */
-    private String hint = Texts.get("status.idle");
+    private boolean isEmpty;
+    private boolean picking;
 
     /** The picture on the screen, if it is said that it becomes better; else null. */
     private Picture refining;
@@ -86,9 +86,14 @@ final class StatusBar {
     }
 
     private void showIdle() {
-        setWhat(failure == null ? hint : failure);
+        setWhat(failure == null ? hint() : failure);
         what.setForeground(UIManager.getColor(failure == null ? "Label.foreground" : "Tompkins.error"));
         where.setText(" ");
+    }
+
+    /** What is said if there is nothing else to say. */
+    private String hint() {
+        return Texts.get(picking ? "lens.picking" : isEmpty ? "status.empty" : "status.idle");
     }
 
     /** A line that is too long for the window is read in its tip. */
@@ -184,10 +189,17 @@ final class StatusBar {
     }
 
     private void showHint(Studio studio) {
-        boolean shown = what.getText().equals(hint);
-        boolean empty = studio.scene().isEmpty() && studio.cameraFrame().isEmpty();
-        hint = Texts.get(empty ? "status.empty" : "status.idle");
+        boolean shown = what.getText().equals(hint());
+        isEmpty = studio.scene().isEmpty() && studio.cameraFrame().isEmpty();
         if (shown) {
+            showIdle();
+        }
+    }
+
+    /** Says whether the next click picks a point, until it does. */
+    void showPicking(boolean isPicking) {
+        if (isPicking != picking) {
+            picking = isPicking;
             showIdle();
         }
     }

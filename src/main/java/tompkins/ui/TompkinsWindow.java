@@ -265,6 +265,11 @@ public final class TompkinsWindow {
         }
 
         @Override
+        public void picking(boolean picking) {
+            status.showPicking(picking);
+        }
+
+        @Override
         public void noPicture(String message) {
             status.fail(message);
         }

@@ -20,4 +20,7 @@ class SilentListener implements PhotographView.Listener {
 
     @Override
     public void failed(String message) {}
+
+    @Override
+    public void picking(boolean picking) {}
 }

@@ -5,62 +5,37 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.List;
 import javax.swing.JLabel;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.model.Records;
 import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.picture.RenderController;
 import tompkins.ui.widget.Texts;
 
 /** The line under the photograph, without a display. */
 class StatusBarTest {
 
-    /** The first scene of all may be one that cannot be pictured. */
-    @Test
-    void thePictureIsThatOfTheSceneBeforeOnlyIfThereWasOne() {
-        try (RenderController controller = new RenderController(picture -> {}, failure -> {})) {
-            StatusBar status = new StatusBar(controller);
-            JLabel picture = Components.find(status.component(), JLabel.class, "status.picture");
-            status.fail("too large");
-            assertThat(picture.getText()).isBlank();
-            status.endFailure();
-            status.show(picture(Studio.DEFAULT));
-            status.fail("too large");
-            assertThat(picture.getText()).isEqualTo(Texts.get("status.before"));
-            status.stop();
-        }
+    private static final int SOON = 50;
+
+    @AutoClose
+    private final RenderController controller = new RenderController(picture -> {}, failure -> {});
+
+    private final StatusBar status = new StatusBar(controller, SOON);
+    private final JLabel what = label(status, "status.what");
+    private final JLabel picture = label(status, "status.picture");
+
+    @AfterEach
+    void stop() {
+        status.stop();
     }
 
-    @Test
-    void aWideApertureThatDoesNotBlurIsSpokenOf() {
-        try (RenderController controller = new RenderController(picture -> {}, failure -> {})) {
-            StatusBar status = new StatusBar(controller);
-            JLabel text = Components.find(status.component(), JLabel.class, "status.picture");
-            Studio wide = Studio.DEFAULT.withCamera(Records.with(Studio.DEFAULT.camera(), "apertureRadius", 0.2));
-            status.show(picture(wide));
-            assertThat(text.getText()).endsWith("too few samples to blur");
-            status.show(picture(wide.withSettings(wide.settings().withSamples(4))));
-            assertThat(text.getText()).doesNotContain("blur");
-            status.stop();
-        }
-    }
-
-    @Test
-    void theHintOfASceneWithoutObjectsGoesWithTheFirstOne() {
-        try (RenderController controller = new RenderController(picture -> {}, failure -> {})) {
-            StatusBar status = new StatusBar(controller);
-            JLabel text = Components.find(status.component(), JLabel.class, "status.what");
-            status.show(picture(Studio.DEFAULT));
-            assertThat(text.getText()).isEqualTo(Texts.get("status.empty"));
-            status.show(picture(Studios.sphere()));
-            assertThat(text.getText()).isEqualTo(Texts.get("status.idle"));
-            status.say("something else");
-            status.show(picture(Studio.DEFAULT));
-            assertThat(text.getText()).isEqualTo("something else");
-            status.stop();
-        }
+    private static JLabel label(StatusBar status, String name) {
+        return Components.find(status.component(), JLabel.class, name);
     }
 
     private static Picture picture(Studio studio) {
@@ -68,23 +43,64 @@ class StatusBarTest {
                 RenderPlan.of(studio), new LinearImage(1, 1, new float[3]), true, Duration.ZERO, 1, 0, List.of());
     }
 
+    /** The first scene of all may be one that cannot be pictured. */
+    @Test
+    void thePictureIsThatOfTheSceneBeforeOnlyIfThereWasOne() {
+        status.fail("too large");
+        assertThat(picture.getText()).isBlank();
+        status.endFailure();
+        status.show(picture(Studio.DEFAULT));
+        status.fail("too large");
+        assertThat(picture.getText()).isEqualTo(Texts.get("status.before"));
+    }
+
+    @Test
+    void aWideApertureThatDoesNotBlurIsSpokenOf() {
+        Studio wide = Studio.DEFAULT.withCamera(Records.with(Studio.DEFAULT.camera(), "apertureRadius", 0.2));
+        status.show(picture(wide));
+        assertThat(picture.getText()).endsWith("too few samples to blur");
+        status.show(picture(wide.withSettings(wide.settings().withSamples(4))));
+        assertThat(picture.getText()).doesNotContain("blur");
+    }
+
+    @Test
+    void theHintOfASceneWithoutObjectsGoesWithTheFirstOne() {
+        status.show(picture(Studio.DEFAULT));
+        assertThat(what.getText()).isEqualTo(Texts.get("status.empty"));
+        status.show(picture(Studios.sphere()));
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle"));
+        status.say("something else");
+        status.show(picture(Studio.DEFAULT));
+        assertThat(what.getText()).isEqualTo("something else");
+    }
+
+    /** A reading under the mouse, or a message, comes between. */
+    @Test
+    void thatAPointIsToBePickedIsSaidUntilItIs() {
+        status.showPicking(true);
+        assertThat(what.getText()).isEqualTo(Texts.get("lens.picking"));
+        status.say("something else");
+        status.show((PixelProbe.Reading) null);
+        status.show(picture(Studios.sphere()));
+        assertThat(what.getText()).isEqualTo(Texts.get("lens.picking"));
+        status.showPicking(false);
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle"));
+        status.say("nothing is there");
+        status.showPicking(false);
+        assertThat(what.getText()).isEqualTo("nothing is there");
+    }
+
     @Test
     void whatHasHappenedIsOldAfterAWhileAndWhatIsToBeDoneIsNot() {
-        try (RenderController controller = new RenderController(picture -> {}, failure -> {})) {
-            StatusBar asking = new StatusBar(controller, 50);
-            StatusBar telling = new StatusBar(controller, 50);
-            JLabel asked = Components.find(asking.component(), JLabel.class, "status.what");
-            JLabel told = Components.find(telling.component(), JLabel.class, "status.what");
-            WindowDriver.onEventThread(() -> {
-                asking.report("Saved");
-                asking.say("Click in the picture");
-                telling.report("Saved");
-                assertThat(told.getText()).isEqualTo("Saved");
-            });
-            WindowDriver.await("the usual text", () -> told.getText().equals(Texts.get("status.idle")));
-            assertThat(asked.getText()).isEqualTo("Click in the picture");
-            asking.stop();
-            telling.stop();
-        }
+        StatusBar asking = new StatusBar(controller, SOON);
+        WindowDriver.onEventThread(() -> {
+            asking.report("Saved");
+            asking.say("Click in the picture");
+            status.report("Saved");
+            assertThat(what.getText()).isEqualTo("Saved");
+        });
+        WindowDriver.await("the usual text", () -> what.getText().equals(Texts.get("status.idle")));
+        assertThat(label(asking, "status.what").getText()).isEqualTo("Click in the picture");
+        asking.stop();
     }
 }
