@@ -44,12 +44,18 @@ public final class BackgroundTask implements Progress {
     /** Shorter work shows no window. */
     private static final int PATIENCE_MILLISECONDS = 400;
 
+    /** Of the work: what is done sooner tells nothing about the rest. */
+    private static final double LEAST_SHARE = 0.01;
+
+    private static final double LONGEST_IN_SECONDS = 100;
+
     /** What runs at the moment; used by the event thread alone. */
     private static final List<BackgroundTask> RUNNING = new ArrayList<>();
 
     private final Window owner;
     private final String title;
     private final JProgressBar bar = new JProgressBar(0, STEPS);
+    private final long start = System.nanoTime();
     private volatile double progress;
     private volatile boolean cancelled;
 
@@ -72,6 +78,7 @@ public final class BackgroundTask implements Progress {
         cancel.addActionListener(event -> cancelled = true);
         Keys.bindEscape(made.getRootPane(), cancel::doClick);
         bar.getAccessibleContext().setAccessibleName(title);
+        bar.setStringPainted(true);
         panel.add(cancel, "growx 0, alignx right");
         made.setContentPane(panel);
         // what is typed meanwhile is not meant for it
@@ -159,10 +166,22 @@ public final class BackgroundTask implements Progress {
 
     private void refresh() {
         bar.setValue((int) (progress * STEPS));
+        bar.setString(remaining(progress, (System.nanoTime() - start) / 1e9));
         // showing it again would take the focus from whatever the user does meanwhile
         if (dialog == null) {
             show();
         }
+    }
+
+    /** How long it still takes, if it goes on as it has in some seconds; nothing is said before it has got anywhere. */
+    static String remaining(double share, double seconds) {
+        if (share < LEAST_SHARE) {
+            return "";
+        }
+        double left = seconds * (1 - share) / share;
+        return left < LONGEST_IN_SECONDS
+                ? Texts.get("task.secondsLeft", Math.round(left))
+                : Texts.get("task.minutesLeft", Math.round(left / 60));
     }
 
     private void show() {

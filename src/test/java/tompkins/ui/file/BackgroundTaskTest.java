@@ -119,6 +119,14 @@ class BackgroundTaskTest {
     }
 
     @Test
+    void whatIsLeftTakesAsLongAsWhatIsDone() {
+        assertThat(BackgroundTask.remaining(0, 60)).isEmpty();
+        assertThat(BackgroundTask.remaining(0.25, 10)).isEqualTo("about 30 s left");
+        assertThat(BackgroundTask.remaining(0.1, 60)).isEqualTo("about 9 min left");
+        assertThat(BackgroundTask.remaining(1, 60)).isEqualTo("about 0 s left");
+    }
+
+    @Test
     void anyErrorIsToldAndEndsTheTask() {
         start(task -> {
             throw new LinkageError("a class is missing");
