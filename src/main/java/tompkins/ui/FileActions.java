@@ -222,7 +222,12 @@ final class FileActions implements FileContentEditor.Choosers {
                         case HANDWRITING, OTHER_SCENE -> askAboutLoss(loss, file, saving);
                     }
                 });
-        saves.put(file, search);
+        awaitEnd(file, search);
+    }
+
+    /** Does not save a scene in a file again until what was done last to save one there has ended. */
+    void awaitEnd(Path file, BackgroundTask save) {
+        saves.put(file, save);
     }
 
     /** Whether a file is being saved, which is said: its content is not known, and another writer might be faster. */
@@ -281,7 +286,7 @@ final class FileActions implements FileContentEditor.Choosers {
             saved(file);
             saving.next.run();
         };
-        saves.put(
+        awaitEnd(
                 file,
                 BackgroundTask.start(
                         frame, Texts.get("file.saving", file), task -> StudioWriter.save(studio, file), done));

@@ -171,6 +171,10 @@ public final class TompkinsWindow {
         return view;
     }
 
+    FileActions files() {
+        return files;
+    }
+
     private JComponent content() {
         JPanel middle = new JPanel(new BorderLayout());
         middle.add(view.canvas(), BorderLayout.CENTER);
@@ -303,7 +307,9 @@ public final class TompkinsWindow {
                 menus.bindKeys(editor.getRootPane());
                 Keys.bindEscape(editor.getRootPane(), () -> editor.setVisible(false));
                 fitEditor();
-                editor.setLocationRelativeTo(frame);
+                // over the panel first, for the picture shows what is edited
+                editor.setLocation(frame.getX() + frame.getWidth(), frame.getY());
+                Screens.keepOnScreen(editor);
             }
             editor.setVisible(true);
         }

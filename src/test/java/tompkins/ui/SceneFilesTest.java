@@ -27,7 +27,6 @@ import tompkins.sceneobject.Box;
 import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.model.StudioModel;
-import tompkins.ui.widget.Texts;
 
 /** Scene files that other programs write, too: nothing in them is lost without a question. */
 @Timeout(600)
@@ -130,8 +129,11 @@ class SceneFilesTest {
         byte[] before = Files.readAllBytes(file);
         CountDownLatch written = new CountDownLatch(1);
         WindowDriver.onEventThread(() -> {
-            BackgroundTask.start(
-                    driver.window().frame(), Texts.get("file.saving", file), task -> written.await(), () -> {});
+            driver.window()
+                    .files()
+                    .awaitEnd(
+                            file,
+                            BackgroundTask.start(driver.window().frame(), "saving", task -> written.await(), () -> {}));
         });
         save();
         JLabel what = driver.find(JLabel.class, "status.what");
