@@ -394,6 +394,25 @@ class WindowQuestionsTest {
     }
 
     @Test
+    void furtherClicksLeaveThePanelWhereItIs() {
+        driver.click(driver.find(PictureCanvas.class, "picture"));
+        JTextArea story = driver.find(JTextArea.class, "ray.story");
+        JScrollPane panel = driver.find(JScrollPane.class, "panel");
+        WindowDriver.await(
+                "the story of the ray", () -> panel.getVerticalScrollBar().getValue() > 0);
+        String first = story.getText();
+        WindowDriver.onEventThread(() -> panel.getVerticalScrollBar().setValue(0));
+
+        Point middle = driver.centre(driver.find(PictureCanvas.class, "picture"));
+        driver.click(new Point(middle.x + 60, middle.y));
+
+        WindowDriver.await("another story", () -> !story.getText().equals(first));
+        // a scroll would have been asked for by now
+        assertThat(WindowDriver.onEventThread(() -> panel.getVerticalScrollBar().getValue()))
+                .isZero();
+    }
+
+    @Test
     void theNumbersOfThePinnedRayCanBeCopied() throws IOException, UnsupportedFlavorException {
         driver.click(driver.find(PictureCanvas.class, "picture"));
         JTextArea story = driver.find(JTextArea.class, "ray.story");

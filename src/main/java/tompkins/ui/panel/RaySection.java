@@ -17,7 +17,6 @@ public final class RaySection {
     private final JPanel content = Rows.column();
     private final Note story = Note.selectable();
     private final Section section;
-    private PixelProbe.Reading shown;
 
     /** A section; {@code unpin} is called by its button. */
     public RaySection(Runnable unpin) {
@@ -38,21 +37,22 @@ public final class RaySection {
     }
 
     /**
-     * Shows a ray, or nothing if it is null. Another pixel's ray is scrolled into view.
+     * Shows a ray, or nothing if it is null. The first one is scrolled into view; later ones leave the panel where it
+     * is, for somebody may be using another part of it while clicking.
      *
      * @param picture what the picture is called that the ray belongs to, or null if it is the studio's
      */
     public void show(PixelProbe.Reading reading, String picture) {
+        boolean isFirst = reading != null && !section.component().isVisible();
         section.component().setVisible(reading != null);
+        if (isFirst) {
+            // later, when it has its place
+            SwingUtilities.invokeLater(this::scrollIntoView);
+        }
         if (reading != null) {
             String heading = picture == null ? "" : Texts.get("ray.other", picture) + "\n";
             story.setText(heading + String.join("\n", PixelProbe.story(reading)));
-            if (shown == null || shown.column() != reading.column() || shown.row() != reading.row()) {
-                // later, when it has its place
-                SwingUtilities.invokeLater(this::scrollIntoView);
-            }
         }
-        shown = reading;
     }
 
     private void scrollIntoView() {
