@@ -90,11 +90,14 @@ final class HelpWindow {
         window.setLocation(owner.getX() + owner.getWidth(), owner.getY());
     }
 
-    /** Shows a page, from its top. */
+    /** Shows a page: the one that was read last where it was left, others from their top. */
     void show(HelpPage wanted) {
         Screens.keepOnScreen(window);
-        goTo(wanted);
+        if (!wanted.equals(page)) {
+            goTo(wanted);
+        }
         window.setVisible(true);
+        window.toFront();
         text.requestFocusInWindow();
     }
 

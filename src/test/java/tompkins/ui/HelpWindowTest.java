@@ -126,6 +126,21 @@ class HelpWindowTest {
         assertThat(title()).isEqualTo("Scene files \u2013 Tompkins");
     }
 
+    @Test
+    void aDocumentOpensAgainWhereItWasLeft() {
+        WindowDriver.onEventThread(() -> text.scrollRectToVisible(new Rectangle(0, text.getHeight() - 1, 1, 1)));
+        int left = WindowDriver.onEventThread(() -> text.getVisibleRect().y);
+        driver.key(KeyEvent.VK_ESCAPE);
+        WindowDriver.await("its end", () -> !text.isShowing());
+
+        driver.menu("menu.tour");
+
+        WindowDriver.await("the tour", text::isShowing);
+        assertThat(WindowDriver.onEventThread(() -> text.getVisibleRect().y))
+                .isPositive()
+                .isEqualTo(left);
+    }
+
     private String firstLinkWithin() {
         HTMLDocument.Iterator links = ((HTMLDocument) text.getDocument()).getIterator(HTML.Tag.A);
         while (!String.valueOf(href(links.getAttributes())).startsWith("#")) {
