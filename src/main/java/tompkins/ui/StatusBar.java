@@ -9,6 +9,7 @@ import javax.swing.JProgressBar;
 import javax.swing.Timer;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
+import tompkins.studio.PanoramaBackground;
 import tompkins.studio.Studio;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PixelProbe;
@@ -190,7 +191,9 @@ final class StatusBar {
 
     private void showHint(Studio studio) {
         boolean shown = what.getText().equals(hint());
-        isEmpty = studio.scene().isEmpty() && studio.cameraFrame().isEmpty();
+        isEmpty = studio.scene().isEmpty()
+                && studio.cameraFrame().isEmpty()
+                && !(studio.background() instanceof PanoramaBackground);
         if (shown) {
             showIdle();
         }

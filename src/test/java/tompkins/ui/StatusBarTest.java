@@ -9,6 +9,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
+import tompkins.studio.PanoramaBackground;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.model.Records;
@@ -69,6 +70,8 @@ class StatusBarTest {
         assertThat(what.getText()).isEqualTo(Texts.get("status.empty"));
         status.show(picture(Studios.sphere()));
         assertThat(what.getText()).isEqualTo(Texts.get("status.idle"));
+        status.show(picture(Records.with(Studio.DEFAULT, "background", PanoramaBackground.DEFAULT)));
+        assertThat(what.getText()).as("the sky is there to be seen").isEqualTo(Texts.get("status.idle"));
         status.say("something else");
         status.show(picture(Studio.DEFAULT));
         assertThat(what.getText()).isEqualTo("something else");
