@@ -37,11 +37,6 @@ public enum AnimationFormat {
         return endings;
     }
 
-    /** Whether this computer can write the format: all but MP4 always, MP4 if ffmpeg is on the path. */
-    public boolean isAvailable() {
-        return this != MP4 || Mp4Writer.findProgram(System.getenv("PATH")).isPresent();
-    }
-
     /**
      * Begins an animation.
      *

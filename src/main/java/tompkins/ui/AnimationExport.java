@@ -31,7 +31,6 @@ final class AnimationExport {
     /** Asks where to save an animation of a studio. */
     void ask(Studio studio, Animation animation) {
         List<FormatFilter<AnimationFormat>> formats = Stream.of(AnimationFormat.values())
-                .filter(AnimationFormat::isAvailable)
                 .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
                 .toList();
         SaveDialog.ask(
