@@ -2,7 +2,6 @@ package tompkins.camera;
 
 import java.util.List;
 import org.joml.Vector3dc;
-import tompkins.property.Require;
 import tompkins.ray.Ray;
 import tompkins.sceneobject.Placement;
 import tompkins.sceneobject.Primitive;
@@ -11,6 +10,9 @@ import tompkins.sceneobject.SceneObject;
 
 /** The surface on which a camera is focused: any scene object, at rest in the camera frame. */
 final class FocusSurface {
+
+    /** Objects of all lengths that can be worked with are nearer; the times of what is farther away are no times. */
+    private static final double INFINITE = 1e60;
 
     private final List<Primitive> primitives;
 
@@ -27,7 +29,7 @@ final class FocusSurface {
 
     /**
      * The inverse of the signed distance from the centre of the lens to the surface along a unit direction: of the
-     * nearest part in front, else of the nearest behind, 0 at infinity, which begins at 1e50; NaN if the line misses
+     * nearest part in front, else of the nearest behind, 0 at infinity, which begins at 1e60; NaN if the line misses
      * the surface.
      */
     double inverseDistance(Vector3dc centre, Vector3dc direction) {
@@ -40,7 +42,7 @@ final class FocusSurface {
                 found = inverse;
             }
         }
-        // where no place can be given the focus is at infinity, on its side of the lens
-        return Math.abs(found) * Require.LARGEST_COORDINATE < 1 ? 0 * found : found;
+        // the zero keeps the side of the lens
+        return Math.abs(found) * INFINITE < 1 ? 0 * found : found;
     }
 }

@@ -12,7 +12,7 @@ import org.joml.Vector3dc;
 public final class Require {
 
     /** Places and times below this stay far below the root of the largest double, seen from any frame. */
-    public static final double LARGEST_COORDINATE = 1e50;
+    private static final double LARGEST_COORDINATE = 1e50;
 
     private Require() {}
 
