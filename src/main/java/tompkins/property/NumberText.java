@@ -11,6 +11,7 @@ import java.util.regex.Pattern;
  */
 public final class NumberText {
 
+    private static final int FEWEST_DIGITS = 2;
     private static final double SMALLEST_PLAIN = 1e-6;
     private static final double LARGEST_PLAIN = 1e9;
 
@@ -55,12 +56,18 @@ public final class NumberText {
      */
     private static BigDecimal shortest(double value) {
         BigDecimal exact = new BigDecimal(value);
-        BigDecimal rounded;
-        int digits = 2;
-        do {
-            rounded = exact.round(new MathContext(digits++, RoundingMode.HALF_EVEN));
-        } while (rounded.doubleValue() != value);
-        return rounded.stripTrailingZeros();
+        int digits = Math.max(
+                FEWEST_DIGITS,
+                new BigDecimal(Double.toString(value)).stripTrailingZeros().precision());
+        BigDecimal shortest = nearest(exact, digits);
+        while (digits > FEWEST_DIGITS && nearest(exact, digits - 1).doubleValue() == value) {
+            shortest = nearest(exact, --digits);
+        }
+        return shortest.stripTrailingZeros();
+    }
+
+    private static BigDecimal nearest(BigDecimal exact, int digits) {
+        return exact.round(new MathContext(digits, RoundingMode.HALF_EVEN));
     }
 
     /** The number with at most the given digits, never the negative zero; what is not finite stays as it is. */
