@@ -146,7 +146,8 @@ final class AccuracyReport {
         line("|---|---|");
         line("| an edge through the pixel, one sample | 0.5 of full scale |");
         line("| the same with n samples spread evenly | falls as n^(-3/4) |");
-        line("| rounding to 8 bits | " + number(0.5 / 255) + " of full scale |");
+        line("| 8 bits, the linear tone curve rounds down | " + number(1.0 / 255) + " of full scale |");
+        line("| 8 bits, the sRGB tone curve rounds to the nearest level | half a step |");
         line("| light given up below 1/1024 of the sample | " + number(1.0 / 1024) + " of the brightest source |");
         line("| direction in the scene at gamma 1e6, 8 gamma u | " + number(8e6 * U / pixel) + " pixels |");
         line("| sums of samples in single precision | " + number(0x1p-24) + " of the value, for each pass |");

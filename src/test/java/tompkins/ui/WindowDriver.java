@@ -35,6 +35,8 @@ import tompkins.ui.picture.Picture;
 /** Uses a real window as a person does, with mouse and keys. */
 public final class WindowDriver implements AutoCloseable {
 
+    private static final int MOST_CLICKS = 5;
+    private static final long CLICK_NANOSECONDS = 3_000_000_000L;
     private static final long LONGEST_WAIT_SECONDS = 60;
 
     /** How long an event may be on its way from the display to the event queue. */
@@ -299,10 +301,13 @@ public final class WindowDriver implements AutoCloseable {
 
     /** As above, without the last key. */
     void typeWithoutEnter(JComponent field, String text) {
-        click(field);
-        await(
-                "the focus",
-                () -> KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner() == field);
+        // a window that has just come up, or a form that is laid out anew, may miss the first click
+        for (int tries = 0; tries < MOST_CLICKS && !onEventThread(field::isFocusOwner); tries++) {
+            click(field);
+            long end = System.nanoTime() + CLICK_NANOSECONDS;
+            await("an answer", () -> field.isFocusOwner() || System.nanoTime() > end);
+        }
+        await("the focus", field::isFocusOwner);
         key(KeyEvent.VK_A, KeyEvent.VK_CONTROL);
         text.chars().forEach(letter -> key(KeyEvent.getExtendedKeyCodeForChar(letter)));
     }
