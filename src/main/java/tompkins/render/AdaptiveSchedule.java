@@ -9,10 +9,10 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 
 /**
- * Takes samples where they are needed. Begins with the centre of each pixel, or where that tells nothing of the error
- * with {@link #FIRST_SAMPLES}. Then, round by round, pixels get twice as many where one sample more lowers the
- * picture's error most. Which ones depends on the picture alone, so that the result does not depend on the number of
- * threads.
+ * Takes samples where they are needed. Begins with the centre of each pixel, and then looks with {@link #FIRST_SAMPLES}
+ * at every 17th, where there may be what no centre meets; or begins with so many everywhere, where the centres tell
+ * nothing of the error. Then, round by round, pixels get twice as many where one sample more lowers the picture's error
+ * most. Which ones depends on the picture alone, so that the result does not depend on the number of threads.
  */
 final class AdaptiveSchedule implements Schedule {
 
@@ -21,6 +21,14 @@ final class AdaptiveSchedule implements Schedule {
      * promised (see the chart of antialiasing, "error found against error promised", in docs/speed-and-accuracy.md).
      */
     static final int FIRST_SAMPLES = 16;
+
+    /**
+     * Of so many pixels one is looked at: a prime, so that all rows, columns and diagonals have such pixels. What is
+     * found in one leads on to its neighbours.
+     */
+    private static final int LOOK_PERIOD = 17;
+
+    private static final int LOOK_STEP = 5;
 
     /** No pixel gets more, however wrong it still is. */
     static final int MOST_SAMPLES = 1 << 16;
@@ -32,6 +40,7 @@ final class AdaptiveSchedule implements Schedule {
     private final int pixels;
     private final double targetError;
     private final TimeBudget time;
+    private boolean hasLooked;
     private double work;
     private volatile double expectedWork;
     private final AtomicInteger passesBegun = new AtomicInteger();
@@ -47,6 +56,7 @@ final class AdaptiveSchedule implements Schedule {
         this.pixels = pixels;
         this.targetError = targetError;
         this.time = time;
+        hasLooked = severalFirst;
         // a single sample as wide as its pixel would blur what it does not resolve, and the pixel would pass for
         // settled
         waiting.addAll(Pass.of(severalFirst ? FIRST_SAMPLES : 1, FIRST_SAMPLES, coarseFirst));
@@ -56,12 +66,34 @@ final class AdaptiveSchedule implements Schedule {
     @Override
     public Pass next(Film film, BooleanSupplier stopped) {
         if (waiting.isEmpty() && !time.isOver()) {
-            plan(film, stopped);
+            if (hasLooked) {
+                plan(film, stopped);
+            } else {
+                look(film);
+            }
         }
         Pass pass = waiting.poll();
         work += pass == null ? 0 : pass.work();
         passesBegun.incrementAndGet();
         return pass;
+    }
+
+    /** At the borders the centres have no neighbours beyond, which would tell of an edge between them. */
+    private void look(Film film) {
+        hasLooked = true;
+        BitSet looked = new BitSet(pixels);
+        for (int row = 0; row < film.height(); row++) {
+            for (int column = 0; column < film.width(); column++) {
+                int pixel = film.pixel(column, row);
+                boolean isBorder = row == 0 || column == 0 || row == film.height() - 1 || column == film.width() - 1;
+                boolean isLookedAt = isBorder || (column + LOOK_STEP * row) % LOOK_PERIOD == 0;
+                if (isLookedAt && film.samples(pixel) == 1) {
+                    film.restart(pixel);
+                    looked.set(pixel);
+                }
+            }
+        }
+        waiting.add(Pass.refining(0, FIRST_SAMPLES, looked, film.sampledPixels()));
     }
 
     private void plan(Film film, BooleanSupplier stopped) {

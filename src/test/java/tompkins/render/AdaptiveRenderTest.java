@@ -1,6 +1,8 @@
 package tompkins.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -16,11 +18,13 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.ThinLensCamera;
 import tompkins.ray.Colour;
+import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
+import tompkins.studio.UniformBackground;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.LuminousSurface;
 import tompkins.trace.RenderPlan;
@@ -38,11 +42,50 @@ class AdaptiveRenderTest {
         RENDERER.close();
     }
 
+    /** One in the centre, which sixteen replace at the border and in every 17th pixel. */
     @Test
-    void pinholeWithoutEdgesTakesOneSample() throws InterruptedException {
-        RenderJob job = render(studio(List.of(), 0), new Quality.TargetError(0.001));
-        assertThat(job.report().samples()).isEqualTo(64 * 48);
+    void pinholeWithoutEdgesTakesFewSamples() throws InterruptedException {
+        Studio empty = studio(List.of(), 0).withSettings(SMALL.withSize(640, 480));
+        RenderJob job = render(empty, new Quality.TargetError(0.001));
+        double border = 2.0 * (640 + 480 - 2) / (640 * 480);
+        assertThat(job.report().samplesPerPixel()).isCloseTo(1 + 16 * (border + (1 - border) / 17), within(0.001));
         assertThat(job.report().error()).isZero();
+    }
+
+    /**
+     * A bright strip, 0.4 pixels high, that no centre of a pixel meets: between two rows, and beyond those last ones.
+     */
+    @ParameterizedTest
+    @ValueSource(doubles = {3, 23.75, -23.75})
+    void whatLiesBetweenTheCentresIsFound(double middle) throws InterruptedException {
+        double pixel = 2 * 10 * Math.tan(Math.toRadians(10)) / 64;
+        Vector3d corner = new Vector3d(-5, (middle - 0.2) * pixel, 10);
+        Parallelogram strip = new Parallelogram(
+                "strip",
+                corner,
+                new Vector3d(10, 0, 0),
+                new Vector3d(0, 0.4 * pixel, 0),
+                new LuminousSurface(Colour.WHITE, false));
+        Studio studio = studio(List.of(strip), 0);
+        double background = ((UniformBackground) studio.background()).colour().red();
+        assertThat(background).isLessThan(0.6);
+        assertThat(lightAbove(background, render(studio, new Quality.Samples(1))))
+                .as("the centres meet nothing")
+                .isZero();
+
+        RenderJob job = render(studio, new Quality.TargetError(0.004));
+
+        assertThat(lightAbove(background, job)).isCloseTo(64 * 0.4 * (1 - background), withinPercentage(2));
+        assertThat(trueError(studio, job)).isLessThan(1.25 * 0.004);
+    }
+
+    private static double lightAbove(double background, RenderJob job) {
+        float[] values = job.image().rgb();
+        double sum = 0;
+        for (int i = 0; i < values.length; i += 3) {
+            sum += values[i] - (float) background;
+        }
+        return sum;
     }
 
     @Test
