@@ -307,9 +307,7 @@ public final class TompkinsWindow {
                 menus.bindKeys(editor.getRootPane());
                 Keys.bindEscape(editor.getRootPane(), () -> editor.setVisible(false));
                 fitEditor();
-                // over the panel first, for the picture shows what is edited
-                editor.setLocation(frame.getX() + frame.getWidth(), frame.getY());
-                Screens.keepOnScreen(editor);
+                editor.setLocationRelativeTo(frame);
             }
             editor.setVisible(true);
         }
