@@ -28,6 +28,7 @@ final class AdaptiveSchedule implements Schedule {
      */
     private static final int LOOK_PERIOD = 17;
 
+    /** The pixels looked at move on by so many columns from row to row, so that they do not stand in columns. */
     private static final int LOOK_STEP = 5;
 
     /** No pixel gets more, however wrong it still is. */
@@ -69,7 +70,7 @@ final class AdaptiveSchedule implements Schedule {
             if (hasLooked) {
                 plan(film, stopped);
             } else {
-                look(film);
+                look(film, stopped);
             }
         }
         Pass pass = waiting.poll();
@@ -79,10 +80,11 @@ final class AdaptiveSchedule implements Schedule {
     }
 
     /** At the borders the centres have no neighbours beyond, which would tell of an edge between them. */
-    private void look(Film film) {
+    private void look(Film film, BooleanSupplier stopped) {
         hasLooked = true;
         BitSet looked = new BitSet(pixels);
         for (int row = 0; row < film.height(); row++) {
+            Roughness.stopIf(stopped);
             for (int column = 0; column < film.width(); column++) {
                 int pixel = film.pixel(column, row);
                 boolean isBorder = row == 0 || column == 0 || row == film.height() - 1 || column == film.width() - 1;

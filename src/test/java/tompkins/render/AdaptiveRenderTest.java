@@ -1,6 +1,7 @@
 package tompkins.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assertions.withinPercentage;
 
@@ -9,6 +10,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicLong;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
@@ -245,6 +247,16 @@ class AdaptiveRenderTest {
             }
         }
         assertThat(schedule.progress(samples / 256.0)).isBetween(0.99, 1.01);
+    }
+
+    @Test
+    void nobodyWaitsForALookThatIsNotWantedAnyMore() {
+        AdaptiveSchedule schedule =
+                new AdaptiveSchedule(64 * 48, false, false, 0.01, new TimeBudget(Double.POSITIVE_INFINITY));
+        Film film = new Film(64, 48, 1, true);
+        assertThat(schedule.next(film, () -> false)).as("the centres").isNotNull();
+
+        assertThatThrownBy(() -> schedule.next(film, () -> true)).isInstanceOf(CancellationException.class);
     }
 
     private static RenderJob render(Studio studio, Quality quality) throws InterruptedException {
