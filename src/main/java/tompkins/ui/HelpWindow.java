@@ -117,7 +117,7 @@ final class HelpWindow {
     }
 
     private void goTo(HelpPage wanted) {
-        if (page != null && !wanted.equals(page)) {
+        if (page != null) {
             remember();
         }
         put(wanted);
