@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.function.Consumer;
 
 /**
  * An animation that is being saved, frame by frame: no more than a frame is held in memory. It appears under its name
@@ -35,16 +36,27 @@ public abstract sealed class AnimationWriter implements Closeable
     }
 
     /**
+     * Adds a frame as it is.
+     *
+     * @throws FileException as {@link #add(LinearImage, PhotographInfo, Consumer)}
+     */
+    public final void add(LinearImage frame, PhotographInfo info) throws FileException {
+        add(frame, info, levels -> {});
+    }
+
+    /**
      * Adds a frame. All frames have the size of the first.
      *
      * @param info what the frame says about itself: numbered pictures keep it for each, an animated PNG for its first
      *     frame, the other formats have no place for it
+     * @param drawing draws over the frame
      * @throws FileException if the frame cannot be written; the animation is then closed
      * @throws IllegalArgumentException if the frame has another size than the first, or a size that the format does not
      *     allow
      * @throws IllegalStateException after {@link #finish} or {@link #close}
      */
-    public final void add(LinearImage frame, PhotographInfo info) throws FileException {
+    public final void add(LinearImage frame, PhotographInfo info, Consumer<BufferedImage> drawing)
+            throws FileException {
         requireOpen();
         if (frames == 0) {
             width = frame.width();
@@ -54,7 +66,9 @@ public abstract sealed class AnimationWriter implements Closeable
                     + ", was " + frame.width() + " x " + frame.height());
         }
         try {
-            write(BufferedImages.toBufferedImage(frame, curve), info, frames);
+            BufferedImage levels = BufferedImages.toBufferedImage(frame, curve);
+            drawing.accept(levels);
+            write(levels, info, frames);
         } catch (IOException e) {
             throw givenUp(e);
         }

@@ -6,6 +6,7 @@ import java.util.stream.Stream;
 import javax.swing.JFrame;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
+import tompkins.image.LinearImage;
 import tompkins.image.PhotographInfo;
 import tompkins.io.SelfDescription;
 import tompkins.studio.Studio;
@@ -15,6 +16,7 @@ import tompkins.ui.file.PhotographTaker;
 import tompkins.ui.file.Progress;
 import tompkins.ui.file.SaveDialog;
 import tompkins.ui.panel.Animation;
+import tompkins.ui.picture.PictureLabel;
 import tompkins.ui.widget.Texts;
 
 /** Saves an animation as a file, or as a folder of pictures. */
@@ -22,10 +24,12 @@ final class AnimationExport {
 
     private final JFrame frame;
     private final FileActions files;
+    private final Captions captions;
 
-    AnimationExport(JFrame frame, FileActions files) {
+    AnimationExport(JFrame frame, FileActions files, Captions captions) {
         this.frame = frame;
         this.files = files;
+        this.captions = captions;
     }
 
     /** Asks where to save an animation of a studio. */
@@ -44,15 +48,17 @@ final class AnimationExport {
 
     /** Saves an animation, with progress and cancel. */
     void save(Studio studio, Animation animation, Path file, AnimationFormat format) {
+        boolean captioned = captions.areShown();
         BackgroundTask.start(
                 frame,
                 Texts.get("file.saving", file),
-                progress -> write(studio, animation, file, format, progress),
+                progress -> write(studio, animation, file, format, captioned, progress),
                 () -> files.exported(file));
     }
 
     /** Takes all pictures and writes them; leaves nothing behind if the task is cancelled or fails. */
-    static void write(Studio studio, Animation animation, Path file, AnimationFormat format, Progress progress)
+    static void write(
+            Studio studio, Animation animation, Path file, AnimationFormat format, boolean captioned, Progress progress)
             throws Exception {
         int frames = animation.frames();
         try (PhotographTaker taker = new PhotographTaker();
@@ -61,7 +67,12 @@ final class AnimationExport {
             for (int i = 0; i < frames; i++) {
                 Studio moment = animation.studio(studio, animation.timeOf(i));
                 PhotographInfo info = SelfDescription.of(moment);
-                writer.add(taker.take(moment, progress, (double) i / frames, 1.0 / frames), info);
+                LinearImage image = taker.take(moment, progress, (double) i / frames, 1.0 / frames);
+                writer.add(image, info, picture -> {
+                    if (captioned) {
+                        PictureLabel.paint(picture, Captions.of(moment, animation.property()));
+                    }
+                });
             }
             writer.finish();
         }

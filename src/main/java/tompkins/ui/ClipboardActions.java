@@ -3,12 +3,14 @@ package tompkins.ui;
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
+import java.awt.image.BufferedImage;
 import java.util.Optional;
 import javax.swing.JFrame;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.ImageSelection;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.PictureLabel;
 import tompkins.ui.picture.ScreenPicture;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
@@ -19,28 +21,44 @@ final class ClipboardActions {
     private final JFrame frame;
     private final StudioModel model;
     private final PhotographView view;
+    private final Captions captions;
     private final CommandLineWriter commandLine;
     private final StatusBar status;
 
     ClipboardActions(
-            JFrame frame, StudioModel model, PhotographView view, CommandLineWriter commandLine, StatusBar status) {
+            JFrame frame,
+            StudioModel model,
+            PhotographView view,
+            Captions captions,
+            CommandLineWriter commandLine,
+            StatusBar status) {
         this.frame = frame;
         this.model = model;
         this.view = view;
+        this.captions = captions;
         this.commandLine = commandLine;
         this.status = status;
     }
 
-    /** Puts the picture on the screen on the clipboard, in its own size. */
+    /** Puts the picture on the screen on the clipboard, in its own size, with its caption if it has one. */
     void copyPicture() {
         Picture picture = view.canvas().shown().now();
         if (picture != null) {
+            String caption = captions.areShown() ? captions.of(picture.studio()) : null;
             BackgroundTask.find(
                     frame,
                     Texts.get("file.copying"),
-                    () -> ScreenPicture.levels(picture),
+                    () -> levels(picture, caption),
                     image -> toClipboard(new ImageSelection(image), Texts.get("file.pictureCopied")));
         }
+    }
+
+    private static BufferedImage levels(Picture picture, String caption) {
+        BufferedImage levels = ScreenPicture.levels(picture);
+        if (caption != null) {
+            PictureLabel.paint(levels, caption);
+        }
+        return levels;
     }
 
     /** Puts the command line that takes this photograph on the clipboard. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import javax.swing.ButtonGroup;
+import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
@@ -58,13 +59,21 @@ final class Menus {
     private final ClipboardActions clipboard;
     private final History history;
     private final Settings settings;
+    private final Captions captions;
     private final Commands commands;
 
-    Menus(FileActions files, ClipboardActions clipboard, History history, Settings settings, Commands commands) {
+    Menus(
+            FileActions files,
+            ClipboardActions clipboard,
+            History history,
+            Settings settings,
+            Captions captions,
+            Commands commands) {
         this.files = files;
         this.clipboard = clipboard;
         this.history = history;
         this.settings = settings;
+        this.captions = captions;
         this.commands = commands;
         bar.add(fileMenu());
         bar.add(examples);
@@ -111,7 +120,11 @@ final class Menus {
     }
 
     private static JMenuItem add(JMenu menu, String key, String accelerator, Runnable action) {
-        JMenuItem item = new JMenuItem(Texts.get(key));
+        return add(menu, new JMenuItem(), key, accelerator, action);
+    }
+
+    private static JMenuItem add(JMenu menu, JMenuItem item, String key, String accelerator, Runnable action) {
+        item.setText(Texts.get(key));
         item.setName(key);
         if (accelerator != null) {
             item.setAccelerator(Keys.ofMenu(accelerator));
@@ -212,6 +225,9 @@ final class Menus {
             menu.add(item);
         }
         menu.addSeparator();
+        JCheckBoxMenuItem caption = new JCheckBoxMenuItem();
+        caption.setSelected(captions.areShown());
+        add(menu, caption, "menu.caption", "F7", () -> captions.setShown(caption.isSelected()));
         add(menu, "menu.panel", "F11", commands::togglePanel);
         add(menu, "menu.stop", "ESCAPE", commands::stop);
         return menu;

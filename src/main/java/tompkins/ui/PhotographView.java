@@ -1,14 +1,9 @@
 package tompkins.ui;
 
 import java.awt.geom.Point2D;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Objects;
 import java.util.function.DoubleConsumer;
 import javax.swing.SwingUtilities;
-import tompkins.light.ColourLaw;
-import tompkins.spacetime.SpeedScale;
-import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.model.StudioModel;
@@ -22,9 +17,7 @@ import tompkins.ui.picture.RenderController;
 import tompkins.ui.picture.ScreenPicture;
 import tompkins.ui.picture.ScreenPictures;
 import tompkins.ui.widget.Messages;
-import tompkins.ui.widget.SpeedText;
 import tompkins.ui.widget.Texts;
-import tompkins.ui.widget.Wording;
 
 /** The photograph of the current studio on its canvas, with what it is compared with, and the probe of its pixels. */
 final class PhotographView implements AutoCloseable {
@@ -158,15 +151,7 @@ final class PhotographView implements AutoCloseable {
     String keepPicture() {
         keptPicture = canvas.shown().now();
         Studio kept = keptPicture == null ? model.studio() : keptPicture.studio();
-        List<String> words = new ArrayList<>();
-        words.add(Texts.get("compare.kept", kept.shortTitle(), SpeedText.of(kept.velocity(), SpeedScale.BETA)));
-        if (kept.transformation() != TransformationLaw.LORENTZ) {
-            words.add(Texts.get("compare.kept." + kept.transformation()));
-        }
-        if (kept.colours() != ColourLaw.UNCHANGED) {
-            words.add(Wording.label(kept.colours()));
-        }
-        return String.join(", ", words);
+        return Texts.get("compare.kept", kept.shortTitle(), Captions.motion(kept));
     }
 
     /** Marks a place of the picture and tells the life of its ray; of no place if it is null. */

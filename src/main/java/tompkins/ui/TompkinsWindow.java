@@ -60,6 +60,7 @@ public final class TompkinsWindow {
     private final StatusBar status;
     private final PlayPanel play;
     private final FileActions files;
+    private final Captions captions;
     private final Menus menus;
     private HelpWindow help;
     private JDialog editor;
@@ -72,13 +73,15 @@ public final class TompkinsWindow {
         status = new StatusBar(view.controller());
         side = new SidePanel(model, view, status::report);
         files = new FileActions(frame, model, view, status, settings, this::pause);
-        play = new PlayPanel(model, new AnimationExport(frame, files)::ask);
+        captions = new Captions(view.canvas(), settings);
+        play = new PlayPanel(model, new AnimationExport(frame, files, captions)::ask, captions::setAnimated);
         frame.setContentPane(content());
         menus = new Menus(
                 files,
-                new ClipboardActions(frame, model, view, commandLine, status),
+                new ClipboardActions(frame, model, view, captions, commandLine, status),
                 new History(model, frame, this::pause, this::sayOtherScene),
                 settings,
+                captions,
                 new WindowCommands());
         frame.setJMenuBar(menus.bar());
         menus.bindOtherRedo(frame.getRootPane());

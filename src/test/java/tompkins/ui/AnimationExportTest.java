@@ -3,11 +3,15 @@ package tompkins.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Stream;
+import javax.imageio.ImageIO;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -16,6 +20,7 @@ import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
 import tompkins.ui.file.Progress;
 import tompkins.ui.panel.Animation;
 import tompkins.ui.panel.NumberProperty;
@@ -31,13 +36,47 @@ class AnimationExportTest {
     @Test
     void framesHoldTheirOwnScenes() throws Exception {
         Path frames = folder.resolve("frames");
-        AnimationExport.write(Studios.sphere(), FASTER, frames, AnimationFormat.NUMBERED_PNG, progress());
+        AnimationExport.write(Studios.sphere(), FASTER, frames, AnimationFormat.NUMBERED_PNG, false, progress());
         try (Stream<Path> files = Files.list(frames)) {
             assertThat(files).hasSize(10);
         }
         String last = PhotographFile.readScene(frames.resolve("frame0010.png")).orElseThrow();
         assertThat(StudioReader.read(last, "last", folder).velocity())
                 .isEqualTo(Velocity.of(SpeedScale.BETA, 0.8, new Vector3d(0, 0, 1)));
+    }
+
+    /** The caption covers the lower left corner, nothing else, and tells frames apart that show the same. */
+    @Test
+    void captionsAreWrittenIntoTheFrames() throws Exception {
+        Path plain = folder.resolve("plain");
+        Path captioned = folder.resolve("captioned");
+        Studio empty = Studios.sphere().withScene(List.of());
+        AnimationExport.write(empty, FASTER, plain, AnimationFormat.NUMBERED_PNG, false, progress());
+        AnimationExport.write(empty, FASTER, captioned, AnimationFormat.NUMBERED_PNG, true, progress());
+
+        Rectangle first = difference(plain, captioned, "frame0001.png");
+        assertThat(first.x).isBetween(1, 12);
+        assertThat(first.getMaxY()).isBetween(36.0, 47.0);
+        assertThat(first.height).isBetween(9, 24);
+        assertThat(ImageIO.read(captioned.resolve("frame0001.png").toFile()).getRGB(0, 0, 64, 48, null, 0, 64))
+                .isNotEqualTo(ImageIO.read(captioned.resolve("frame0010.png").toFile())
+                        .getRGB(0, 0, 64, 48, null, 0, 64));
+        assertThat(difference(plain, plain, "frame0001.png").isEmpty()).isTrue();
+    }
+
+    /** The smallest rectangle around all pixels that differ. */
+    private static Rectangle difference(Path one, Path other, String name) throws IOException {
+        BufferedImage a = ImageIO.read(one.resolve(name).toFile());
+        BufferedImage b = ImageIO.read(other.resolve(name).toFile());
+        Rectangle found = new Rectangle(-1, -1);
+        for (int y = 0; y < a.getHeight(); y++) {
+            for (int x = 0; x < a.getWidth(); x++) {
+                if (a.getRGB(x, y) != b.getRGB(x, y)) {
+                    found = found.union(new Rectangle(x, y, 1, 1));
+                }
+            }
+        }
+        return found;
     }
 
     @Test
@@ -52,7 +91,7 @@ class AnimationExportTest {
             }
         };
         assertThatThrownBy(() -> AnimationExport.write(
-                        Studios.lattice(), FASTER, folder.resolve("a.gif"), AnimationFormat.GIF, cancelled))
+                        Studios.lattice(), FASTER, folder.resolve("a.gif"), AnimationFormat.GIF, false, cancelled))
                 .isInstanceOf(CancellationException.class);
         try (Stream<Path> files = Files.list(folder)) {
             assertThat(files).isEmpty();

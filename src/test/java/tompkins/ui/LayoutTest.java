@@ -164,7 +164,7 @@ class LayoutTest {
 
     private void checkPlayPanelAndEditor(Look look, float size, Locale locale) {
         use(look, size, locale);
-        PlayPanel play = new PlayPanel(model, (studio, animation) -> {});
+        PlayPanel play = new PlayPanel(model, (studio, animation) -> {}, number -> {});
         play.setShown(true);
         int width = Math.max(play.component().getMinimumSize().width, Look.pixels(40));
         Components.layOut(play.component(), width);

@@ -76,12 +76,13 @@ class PhotographViewTest {
                 "the picture",
                 () -> view.canvas().shown().now() != null
                         && view.canvas().shown().now().complete());
-        assertThat(WindowDriver.onEventThread(view::keepPicture)).endsWith("\u03b2 = 1-5e-15");
+        assertThat(WindowDriver.onEventThread(view::keepPicture)).endsWith("\u03b2 = 1-5e-15, \u03b3 = 10000000");
         WindowDriver.onEventThread(() -> model.set(model.studio().withColours(ColourLaw.SEARCHLIGHT)));
         WindowDriver.await(
                 "the picture with other colours",
                 () -> view.canvas().shown().now().studio().colours() == ColourLaw.SEARCHLIGHT);
-        assertThat(WindowDriver.onEventThread(view::keepPicture)).endsWith("\u03b2 = 1-5e-15, Searchlight effect");
+        assertThat(WindowDriver.onEventThread(view::keepPicture))
+                .endsWith("\u03b2 = 1-5e-15, \u03b3 = 10000000, Searchlight effect");
         WindowDriver.onEventThread(() -> model.set(
                 model.studio().withColours(ColourLaw.UNCHANGED).withTransformation(TransformationLaw.GALILEAN)));
         WindowDriver.await(

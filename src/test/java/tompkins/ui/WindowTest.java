@@ -13,6 +13,7 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
@@ -256,6 +257,23 @@ class WindowTest {
         WindowDriver.onEventThread(() ->
                 model.set(model.studio().withSettings(model.studio().settings().withSize(width, height))));
         driver.completePicture();
+    }
+
+    @Test
+    void theMenuWritesACaptionIntoThePictureAndTakesItAway() {
+        driver.completePicture();
+        PictureCanvas canvas = driver.find(PictureCanvas.class, "picture");
+        int[] plain = WindowDriver.onEventThread(() -> painted(canvas));
+        driver.menu("menu.caption");
+        WindowDriver.await("the caption", () -> !Arrays.equals(plain, painted(canvas)));
+        driver.key(KeyEvent.VK_F7);
+        WindowDriver.await("the picture without it", () -> Arrays.equals(plain, painted(canvas)));
+    }
+
+    private static int[] painted(PictureCanvas canvas) {
+        BufferedImage image = new BufferedImage(canvas.getWidth(), canvas.getHeight(), BufferedImage.TYPE_INT_RGB);
+        canvas.paint(image.createGraphics());
+        return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
     }
 
     @Test

@@ -5,6 +5,7 @@ import java.awt.FontMetrics;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import javax.swing.DefaultComboBoxModel;
 import javax.swing.DefaultListCellRenderer;
@@ -41,6 +42,7 @@ public final class PlayPanel {
     private static final double LONGEST_SECONDS = 600;
 
     private final StudioModel model;
+    private final Consumer<NumberProperty> chosen;
     private final SceneSize size = new SceneSize();
     private final JPanel panel = new JPanel(new MigLayout(
             "novisualpadding, insets 6 10 6 10, fillx, hidemode 3, gap 6 4", "[pref!][grow,fill][pref!][pref!]"));
@@ -73,9 +75,15 @@ public final class PlayPanel {
     /** The number as the animation left it. */
     private double played;
 
-    /** The panel; {@code export} takes a studio and the animation of it that is to be saved. */
-    public PlayPanel(StudioModel model, BiConsumer<Studio, Animation> export) {
+    /**
+     * The panel.
+     *
+     * @param export takes a studio and the animation of it that is to be saved
+     * @param chosen told which number is to be animated; null while the panel is hidden
+     */
+    public PlayPanel(StudioModel model, BiConsumer<Studio, Animation> export, Consumer<NumberProperty> chosen) {
         this.model = model;
+        this.chosen = chosen;
         fromField = field("play.from", number -> setEnds(allowed("from", number), to));
         toField = field("play.to", number -> setEnds(from, allowed("to", number)));
         secondsField =
@@ -165,6 +173,7 @@ public final class PlayPanel {
             setPlaying(false);
             EntryField.in(panel).forEach(EntryField::revert);
         }
+        chosen.accept(shown ? property() : null);
     }
 
     private void update() {
@@ -247,6 +256,7 @@ public final class PlayPanel {
         NumberProperty property = property();
         double now = present();
         played = now;
+        chosen.accept(property);
         if (property.equals(NumberProperty.speed(SpeedScale.BETA))) {
             suggest(0, 0.99);
         } else if (property.equals(NumberProperty.speed(SpeedScale.RAPIDITY))) {

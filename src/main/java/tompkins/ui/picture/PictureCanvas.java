@@ -17,8 +17,11 @@ import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
+import tompkins.studio.Studio;
+import tompkins.ui.picture.PictureLabel.Corner;
 import tompkins.ui.widget.Texts;
 
 /**
@@ -39,9 +42,6 @@ public final class PictureCanvas extends JPanel {
 
     private static final int GRIP = 6;
 
-    /** Between two pictures beside each other. */
-    private static final int GAP = 8;
-
     private final Consumer<Dimension> resized;
     private ScreenPicture shown = ScreenPicture.EMPTY;
     private Comparison comparison = Comparison.NONE;
@@ -51,6 +51,9 @@ public final class PictureCanvas extends JPanel {
     private boolean draggingDivider;
     private Point2D pin;
     private boolean picking;
+
+    /** What to write into a picture of a studio; null if nothing. */
+    private Function<Studio, String> captions;
 
     /** Where the mouse is; null if that is elsewhere. */
     private Point mouseAt;
@@ -106,7 +109,7 @@ public final class PictureCanvas extends JPanel {
 
     private Picture pointedPicture() {
         Point2D keys = keyPointer.place();
-        return keys != null ? seenAt(keys) : mouseAt == null ? null : shownAt(mouseAt);
+        return keys != null ? arrangement().seenAt(keys) : mouseAt == null ? null : shownAt(mouseAt);
     }
 
     /** Tells what the keys or the mouse points at. */
@@ -169,6 +172,12 @@ public final class PictureCanvas extends JPanel {
         repaint();
     }
 
+    /** What to write into the picture of a studio, and into that of another one; null if nothing. */
+    public void setCaptions(Function<Studio, String> texts) {
+        captions = texts;
+        repaint();
+    }
+
     /** Whether the next click picks a point, which the cursor shows. */
     public void setPicking(boolean pick) {
         picking = pick;
@@ -177,53 +186,27 @@ public final class PictureCanvas extends JPanel {
 
     /** Where the picture lies in this component. */
     public Rectangle pictureBounds() {
-        Picture picture = shown.now();
-        return picture == null
-                ? new Rectangle(0, 0, room(), getHeight())
-                : Fit.place(picture.image().width(), picture.image().height(), room(), getHeight());
+        return arrangement().bounds();
     }
 
-    /** Where the other picture lies, of the same size. */
-    private Rectangle otherBounds() {
-        Rectangle bounds = pictureBounds();
-        if (isBeside()) {
-            bounds.x += getWidth() - room();
-        }
-        return bounds;
-    }
-
-    private boolean isBeside() {
-        return comparison == Comparison.BESIDE && !otherAlone;
-    }
-
-    /** The width that there is for each picture. */
-    private int room() {
-        return isBeside() ? Math.max(1, (getWidth() - GAP) / 2) : getWidth();
+    private PictureArrangement arrangement() {
+        return new PictureArrangement(shown, comparison, otherAlone, divider, getSize());
     }
 
     private void tellSize() {
         GraphicsConfiguration screen = getGraphicsConfiguration();
         double scale = screen == null ? 1 : screen.getDefaultTransform().getScaleX();
-        resized.accept(new Dimension(
-                Math.max(1, (int) Math.round(room() * scale)), Math.max(1, (int) Math.round(getHeight() * scale))));
+        resized.accept(new Dimension(Math.max(1, (int) Math.round(arrangement().room() * scale)), Math.max(1, (int)
+                Math.round(getHeight() * scale))));
     }
 
     /** Whether two pictures are seen. */
     public boolean showsTwo() {
-        return splits() || isBeside() && shown.otherImage() != null;
+        return arrangement().showsTwo();
     }
 
     boolean splits() {
-        return comparison == Comparison.SPLIT && shown.otherImage() != null && !otherAlone;
-    }
-
-    private boolean showsOtherAlone() {
-        return otherAlone && shown.otherImage() != null;
-    }
-
-    private int dividerX() {
-        Rectangle bounds = pictureBounds();
-        return bounds.x + (int) Math.round(divider * bounds.width);
+        return arrangement().splits();
     }
 
     @Override
@@ -239,25 +222,27 @@ public final class PictureCanvas extends JPanel {
     }
 
     private void paintPictures(Graphics2D g) {
-        Rectangle bounds = pictureBounds();
-        boolean difference = comparison == Comparison.DIFFERENCE && shown.difference() != null && !otherAlone;
-        if (difference) {
+        PictureArrangement seen = arrangement();
+        Rectangle bounds = seen.bounds();
+        if (seen.showsDifference()) {
             paint(g, shown.difference(), bounds);
-            label(g, Texts.get("compare.differenceLabel", otherName), bounds, false);
-        } else if (showsOtherAlone()) {
+            label(g, Texts.get("compare.differenceLabel", otherName), bounds, Corner.TOP_LEFT);
+            caption(g, shown.now(), bounds, Corner.BOTTOM_LEFT);
+        } else if (seen.showsOtherAlone()) {
             paint(g, shown.otherImage(), bounds);
-            label(g, otherName, bounds, false);
+            label(g, otherName, bounds, Corner.TOP_LEFT);
+            caption(g, shown.other(), bounds, Corner.BOTTOM_LEFT);
+        } else if (seen.splits()) {
+            paintSplit(g, bounds, seen.dividerX());
         } else {
             paint(g, shown.nowImage(), bounds);
+            caption(g, shown.now(), bounds, Corner.BOTTOM_LEFT);
         }
         if (comparison != Comparison.NONE && shown.other() != null && shown.otherImage() == null) {
-            label(g, Texts.get("compare.otherShape", otherName), bounds, false);
+            label(g, Texts.get("compare.otherShape", otherName), bounds, Corner.TOP_LEFT);
         }
-        if (splits()) {
-            paintSplit(g, bounds);
-        }
-        if (isBeside()) {
-            paintBeside(g, bounds);
+        if (seen.isBeside() && shown.otherImage() != null) {
+            paintBeside(g, bounds, seen.otherBounds());
         }
         if (pin != null) {
             paintPin(g, bounds);
@@ -265,15 +250,13 @@ public final class PictureCanvas extends JPanel {
         keyPointer.paint(g);
     }
 
-    private void paintBeside(Graphics2D g, Rectangle bounds) {
-        if (shown.otherImage() != null) {
-            Rectangle there = otherBounds();
-            paint(g, shown.otherImage(), there);
-            label(g, otherName, there, false);
-            label(g, Texts.get("compare.now"), bounds, false);
-            if (pin != null) {
-                paintPin(g, there);
-            }
+    private void paintBeside(Graphics2D g, Rectangle bounds, Rectangle there) {
+        paint(g, shown.otherImage(), there);
+        label(g, otherName, there, Corner.TOP_LEFT);
+        caption(g, shown.other(), there, Corner.BOTTOM_LEFT);
+        label(g, Texts.get("compare.now"), bounds, Corner.TOP_LEFT);
+        if (pin != null) {
+            paintPin(g, there);
         }
     }
 
@@ -281,25 +264,33 @@ public final class PictureCanvas extends JPanel {
         g.drawImage(image, bounds.x, bounds.y, bounds.width, bounds.height, null);
     }
 
-    private void paintSplit(Graphics2D g, Rectangle bounds) {
-        int x = dividerX();
+    private void paintSplit(Graphics2D g, Rectangle bounds, int x) {
         Shape clip = g.getClip();
         Rectangle left = new Rectangle(bounds.x, bounds.y, x - bounds.x, bounds.height);
         Rectangle right = new Rectangle(x, bounds.y, bounds.x + bounds.width - x, bounds.height);
         g.clip(right);
         paint(g, shown.otherImage(), bounds);
-        label(g, otherName, right, true);
+        label(g, otherName, right, Corner.TOP_RIGHT);
+        caption(g, shown.other(), right, Corner.BOTTOM_RIGHT);
         g.setClip(clip);
         g.clip(left);
-        label(g, Texts.get("compare.now"), left, false);
+        paint(g, shown.nowImage(), bounds);
+        label(g, Texts.get("compare.now"), left, Corner.TOP_LEFT);
+        caption(g, shown.now(), left, Corner.BOTTOM_LEFT);
         g.setClip(clip);
         Mark.paintDivider(g, x, bounds.y, bounds.height);
     }
 
-    private void label(Graphics2D g, String text, Rectangle bounds, boolean atRight) {
+    private void caption(Graphics2D g, Picture picture, Rectangle bounds, Corner corner) {
+        if (captions != null) {
+            label(g, captions.apply(picture.studio()), bounds, corner);
+        }
+    }
+
+    private void label(Graphics2D g, String text, Rectangle bounds, Corner corner) {
         Font font =
                 getFont() == null ? UIManager.getFont("Label.font") : getFont().deriveFont(Font.BOLD);
-        Caption.paint(g, font, text, bounds, atRight);
+        PictureLabel.paint(g, font, text, bounds, corner);
     }
 
     private void paintPin(Graphics2D g, Rectangle bounds) {
@@ -307,46 +298,22 @@ public final class PictureCanvas extends JPanel {
         Mark.paintPin(g, bounds.x + pin.getX() * scale, bounds.y + pin.getY() * scale);
     }
 
-    private boolean isOverOther(Point point) {
-        return isBeside() && shown.otherImage() != null && otherBounds().contains(point);
-    }
-
     /** The place of the picture, or of the one beside it, at a point of this component; null if there is none. */
     public Point2D pictureAt(Point point) {
-        Rectangle bounds = isOverOther(point) ? otherBounds() : pictureBounds();
-        if (shown.now() == null || !bounds.contains(point)) {
-            return null;
-        }
-        double scale = (double) shown.now().image().width() / bounds.width;
-        int right = shown.now().image().width() - 1;
-        int bottom = shown.now().image().height() - 1;
-        int column = Math.min(right, (int) ((point.x + 0.5 - bounds.x) * scale));
-        int row = Math.min(bottom, (int) ((point.y + 0.5 - bounds.y) * scale));
-        return new Point2D.Double(column + 0.5, row + 0.5);
+        return arrangement().pictureAt(point);
     }
 
     /**
      * The picture that is seen at a point of this component, beyond the divider the other one; null if there is none.
      */
     public Picture shownAt(Point point) {
-        Point2D place = pictureAt(point);
-        if (place == null) {
-            return null;
-        }
-        return isOverOther(point) ? shown.other() : seenAt(place);
-    }
-
-    /** The picture that is seen at a place of the present one. */
-    private Picture seenAt(Point2D place) {
-        boolean beyond =
-                splits() && place.getX() > divider * shown.now().image().width();
-        return beyond || showsOtherAlone() ? shown.other() : shown.now();
+        return arrangement().shownAt(point);
     }
 
     private final class CanvasMouse extends MouseAdapter {
 
         private boolean nearDivider(MouseEvent event) {
-            return splits() && !picking && Math.abs(event.getX() - dividerX()) <= GRIP;
+            return splits() && !picking && Math.abs(event.getX() - arrangement().dividerX()) <= GRIP;
         }
 
         /** The mouse points now, and the keys no more. */

@@ -191,7 +191,7 @@ class PanelsTest {
     @Test
     void aSpeedWithoutPicturesIsMarkedWhereverItIsTyped() {
         model.set(FrontWindow.with(model.studio(), LorentzWindow.DEFAULT));
-        PlayPanel play = new PlayPanel(model, (studio, animation) -> {});
+        PlayPanel play = new PlayPanel(model, (studio, animation) -> {}, number -> {});
         play.run(NumberProperty.speed(SpeedScale.RAPIDITY));
         play.setPlaying(false);
         Studio before = model.studio();

@@ -44,7 +44,8 @@ class PlayPanelTest {
 
     private final StudioModel model = new StudioModel(Studios.sphere(), null);
     private final List<Animation> exported = new ArrayList<>();
-    private final PlayPanel play = new PlayPanel(model, (studio, animation) -> exported.add(animation));
+    private final List<NumberProperty> told = new ArrayList<>();
+    private final PlayPanel play = new PlayPanel(model, (studio, animation) -> exported.add(animation), told::add);
     private final Container panel = (Container) play.component();
     private final JComboBox<?> numbers = Components.find(panel, JComboBox.class, "Value to animate");
 
@@ -92,6 +93,16 @@ class PlayPanelTest {
 
     private void scrub(int place) {
         Components.find(panel, JSlider.class, "Time").setValue(place);
+    }
+
+    @Test
+    void tellsWhichNumberIsAnimatedWhileItIsShown() {
+        choose(OPENING_TIME);
+        assertThat(told.get(told.size() - 1)).isEqualTo(NumberProperty.openingTime());
+        play.setShown(false);
+        assertThat(told.get(told.size() - 1)).isNull();
+        play.setShown(true);
+        assertThat(told.get(told.size() - 1)).isEqualTo(NumberProperty.openingTime());
     }
 
     @Test

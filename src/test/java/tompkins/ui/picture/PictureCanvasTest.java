@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Dimension;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
+import java.awt.image.BufferedImage;
 import java.beans.PropertyChangeEvent;
 import java.beans.PropertyChangeListener;
 import java.time.Duration;
@@ -16,6 +18,7 @@ import java.util.stream.IntStream;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
+import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
@@ -65,6 +68,50 @@ class PictureCanvasTest {
 
     private Point2D lastRead() {
         return read.get(read.size() - 1);
+    }
+
+    /** A picture that is black, and brighter where something is written. */
+    private Rectangle written() {
+        canvas.setSize(WIDTH, HEIGHT);
+        BufferedImage painted = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        canvas.paint(painted.createGraphics());
+        Rectangle found = new Rectangle(-1, -1);
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                if ((painted.getRGB(x, y) & 0xff) > 128) {
+                    found = found.union(new Rectangle(x, y, 1, 1));
+                }
+            }
+        }
+        return found;
+    }
+
+    @Test
+    void captionsStandInTheLowerLeftCornerWhileTheyAreWanted() {
+        assertThat(written().isEmpty()).isTrue();
+        canvas.setCaptions(studio -> studio.velocity().speed() == 0 ? "IIII" : "");
+        Rectangle caption = written();
+        assertThat(caption.x).isLessThan(WIDTH / 4);
+        assertThat(caption.y).isGreaterThan(HEIGHT * 3 / 4);
+        assertThat(caption.getMaxY()).isLessThan(HEIGHT);
+        canvas.setCaptions(null);
+        assertThat(written().isEmpty()).isTrue();
+    }
+
+    @Test
+    void eachOfTwoPicturesHasItsOwnCaption() {
+        Picture now = pictures(Studio.DEFAULT).now();
+        Picture other =
+                pictures(Studio.DEFAULT.withVelocity(Velocity.of(0, 0, 0.5))).now();
+        canvas.show(new ScreenPicture(now, ScreenPicture.levels(now), other, ScreenPicture.levels(other), null));
+        canvas.setComparison(Comparison.SPLIT, "");
+        List<Studio> asked = new ArrayList<>();
+        canvas.setCaptions(studio -> {
+            asked.add(studio);
+            return "";
+        });
+        written();
+        assertThat(asked).containsExactlyInAnyOrder(now.studio(), other.studio());
     }
 
     @Test

@@ -1,0 +1,85 @@
+package tompkins.ui.picture;
+
+import java.awt.AlphaComposite;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+
+/** A line of text in white on black in a corner of a picture. */
+public final class PictureLabel {
+
+    /** Where in a picture a label stands. */
+    enum Corner {
+        TOP_LEFT,
+        TOP_RIGHT,
+        BOTTOM_LEFT,
+        BOTTOM_RIGHT
+    }
+
+    /** Distance from the edges of the picture, room beside the text, and room above and below it, in sizes of type. */
+    private static final double GAP = 0.9;
+
+    private static final double MARGIN = 0.6;
+    private static final double HALF_MARGIN = 0.25;
+
+    /** In a picture that is saved, type is so large a part of its height, but never too small to be read. */
+    private static final double HEIGHT_SHARE = 1 / 28.0;
+
+    private static final int SMALLEST = 9;
+
+    private PictureLabel() {}
+
+    /** Writes a text into the lower left corner of a picture that leaves the program, in its own size. */
+    public static void paint(BufferedImage picture, String text) {
+        int size = (int) Math.max(SMALLEST, Math.round(HEIGHT_SHARE * picture.getHeight()));
+        Graphics2D graphics = picture.createGraphics();
+        Rectangle whole = new Rectangle(picture.getWidth(), picture.getHeight());
+        paint(graphics, new Font(Font.SANS_SERIF, Font.BOLD, size), text, whole, Corner.BOTTOM_LEFT);
+        graphics.dispose();
+    }
+
+    /** Writes a text into a corner of a picture; what there is no room for is left out at its end. */
+    static void paint(Graphics2D graphics, Font font, String text, Rectangle picture, Corner corner) {
+        Graphics2D g = (Graphics2D) graphics.create();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setFont(font);
+        FontMetrics metrics = g.getFontMetrics();
+        int gap = sizes(GAP, font);
+        int margin = sizes(MARGIN, font);
+        int halfMargin = sizes(HALF_MARGIN, font);
+        String fitting = shortened(text, metrics, picture.width - 2 * (gap + margin));
+        int width = metrics.stringWidth(fitting) + 2 * margin;
+        int height = metrics.getHeight() + 2 * halfMargin;
+        boolean atRight = corner == Corner.TOP_RIGHT || corner == Corner.BOTTOM_RIGHT;
+        boolean atTop = corner == Corner.TOP_LEFT || corner == Corner.TOP_RIGHT;
+        int left = atRight ? picture.x + picture.width - gap - width : picture.x + gap;
+        int top = atTop ? picture.y + gap : picture.y + picture.height - gap - height;
+        g.setComposite(AlphaComposite.SrcOver.derive(0.65f));
+        g.setColor(Color.BLACK);
+        g.fillRoundRect(left, top, width, height, gap, gap);
+        g.setComposite(AlphaComposite.SrcOver);
+        g.setColor(Color.WHITE);
+        g.drawString(fitting, left + margin, top + halfMargin + metrics.getAscent());
+        g.dispose();
+    }
+
+    private static int sizes(double share, Font font) {
+        return (int) Math.round(share * font.getSize2D());
+    }
+
+    private static String shortened(String text, FontMetrics metrics, int room) {
+        if (metrics.stringWidth(text) <= room) {
+            return text;
+        }
+        int length = text.length();
+        while (length > 0 && metrics.stringWidth(text.substring(0, length) + "\u2026") > room) {
+            length--;
+        }
+        return text.substring(0, length) + "\u2026";
+    }
+}

@@ -1,0 +1,54 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tompkins.light.ColourLaw;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.ui.panel.NumberProperty;
+import tompkins.ui.picture.PictureCanvas;
+
+class CaptionsTest {
+
+    /** 3-4-5: gamma is exactly 1.25. */
+    private static final Studio FAST = Studios.sphere().withVelocity(Velocity.of(0, 0, 0.6));
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void theyTellTheSpeedAndWhateverIsUnusual() {
+        assertThat(Captions.of(FAST, null)).isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25");
+        assertThat(Captions.of(Studios.sphere(), null)).isEqualTo("\u03b2 = 0, \u03b3 = 1");
+        assertThat(Captions.of(FAST.withTransformation(TransformationLaw.GALILEAN), null))
+                .isEqualTo("\u03b2 = 0.6, Galilean");
+        assertThat(Captions.of(FAST.withColours(ColourLaw.DOPPLER), null))
+                .isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25, Doppler shift");
+    }
+
+    @Test
+    void theyTellTheNumberThatIsAnimated() {
+        Studio later = NumberProperty.openingTime().with().apply(FAST, 1.5);
+        assertThat(Captions.of(later, NumberProperty.openingTime()))
+                .isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25, Opening time of the shutter = 1.5");
+        assertThat(Captions.of(later, NumberProperty.speed(SpeedScale.RAPIDITY)))
+                .as("the speed is told already")
+                .isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25");
+    }
+
+    @Test
+    void theWishIsRemembered() {
+        Settings settings = new Settings(folder.resolve("window.properties"));
+        Captions captions = new Captions(new PictureCanvas(size -> {}), settings);
+        assertThat(captions.areShown()).isFalse();
+        captions.setShown(true);
+        Settings again = new Settings(folder.resolve("window.properties"));
+        assertThat(new Captions(new PictureCanvas(size -> {}), again).areShown())
+                .isTrue();
+    }
+}
