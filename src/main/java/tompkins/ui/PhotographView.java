@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import java.awt.geom.Point2D;
 import java.util.Objects;
+import java.util.function.BooleanSupplier;
 import java.util.function.DoubleConsumer;
 import javax.swing.SwingUtilities;
 import tompkins.studio.Studio;
@@ -10,6 +11,7 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.panel.Compared;
 import tompkins.ui.picture.Comparison;
+import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.PixelProbe;
@@ -54,6 +56,7 @@ final class PhotographView implements AutoCloseable {
     private final ScreenPictures screen;
     private final RenderController controller;
     private final RenderController otherController;
+    private final BooleanSupplier animated;
     private final PixelProbe hover = new PixelProbe(this::fail);
     private final PixelProbe pinned = new PixelProbe(this::fail);
     private final PixelProbe picked = new PixelProbe(this::fail);
@@ -66,9 +69,11 @@ final class PhotographView implements AutoCloseable {
     private String pinnedName;
     private Picking picking;
 
-    PhotographView(StudioModel model, Listener listener) {
+    /** The photograph of a model; {@code animated} says whether the model changes by itself at the moment. */
+    PhotographView(StudioModel model, Listener listener, BooleanSupplier animated) {
         this.model = model;
         this.listener = listener;
+        this.animated = animated;
         screen = new ScreenPictures(this::show, this::fail);
         canvas = new PictureCanvas(screen::setCanvas);
         canvas.setMouse(new ProbeMouse());
@@ -93,8 +98,12 @@ final class PhotographView implements AutoCloseable {
 
     /** Makes the picture of the current studio. */
     void render() {
-        controller.show(model.studio());
+        controller.show(model.studio(), pace());
         renderOther();
+    }
+
+    private Pace pace() {
+        return animated.getAsBoolean() ? Pace.FILM : Pace.HAND;
     }
 
     /** Ends the work on all pictures; what is there stays until the next change. */
@@ -134,7 +143,7 @@ final class PhotographView implements AutoCloseable {
             screen.setOther(compared.other() == ComparePanel.Other.KEPT_PICTURE ? keptPicture : null);
         } else if (!studio.equals(otherStudio)) {
             otherStudio = studio;
-            otherController.show(studio);
+            otherController.show(studio, pace());
         }
     }
 

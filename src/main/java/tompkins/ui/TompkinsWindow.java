@@ -69,7 +69,7 @@ public final class TompkinsWindow {
         settings.look().install();
         Path place = file == null ? null : PlainPath.of(file);
         model = new StudioModel(studio, place);
-        view = new PhotographView(model, new PictureListener());
+        view = new PhotographView(model, new PictureListener(), this::isPlaying);
         status = new StatusBar(view.controller());
         side = new SidePanel(model, view, status::report);
         files = new FileActions(frame, model, view, status, settings, this::pause);
@@ -156,6 +156,10 @@ public final class TompkinsWindow {
     private void sayOtherScene() {
         view.setPin(null);
         status.report(Texts.get("history.otherScene", model.studio().title()));
+    }
+
+    private boolean isPlaying() {
+        return play.isPlaying();
     }
 
     private void pause() {

@@ -98,7 +98,7 @@ class LayoutTest {
     }
 
     private SidePanel sidePanel() {
-        view = new PhotographView(model, new SilentListener());
+        view = new PhotographView(model, new SilentListener(), () -> false);
         return new SidePanel(model, view, message -> {});
     }
 

@@ -39,7 +39,7 @@ class PhotographViewTest {
     private final StudioModel model =
             new StudioModel(Studios.lattice().withSettings(Studios.sphere().settings()), null);
     private final PhotographView view =
-            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener()));
+            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener(), () -> false));
 
     @BeforeAll
     static void look() {
@@ -128,12 +128,15 @@ class PhotographViewTest {
     @Test
     void whatIsReadAfterTheMouseHasLeftIsNotShown() {
         List<PixelProbe.Reading> read = new ArrayList<>();
-        PhotographView watched = WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener() {
-            @Override
-            public void read(PixelProbe.Reading reading) {
-                read.add(reading);
-            }
-        }));
+        PhotographView watched = WindowDriver.onEventThread(() -> new PhotographView(
+                model,
+                new SilentListener() {
+                    @Override
+                    public void read(PixelProbe.Reading reading) {
+                        read.add(reading);
+                    }
+                },
+                () -> false));
         try (watched) {
             PictureCanvas canvas = watched.canvas();
             WindowDriver.onEventThread(() -> {

@@ -14,17 +14,11 @@ import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
 /**
- * Makes the picture of the newest studio, away from the event thread. While a slider is dragged each picture gets as
- * far as a frame of a smooth motion allows, then the next one takes its place; when the hand rests the picture is
- * completed.
+ * Makes the picture of the newest studio, away from the event thread. While a slider is dragged, or an animation runs,
+ * each picture gets as far as its {@link Pace} allows, then the next one takes its place; when nothing changes any more
+ * the picture is completed.
  */
 public final class RenderController implements AutoCloseable {
-
-    /** A picture is shown coarse if the next finer one would come later than this after the change. */
-    private static final Duration PATIENCE = Duration.ofMillis(30);
-
-    /** A picture that has been worked on for so long has been seen, and gives way to a newer one. */
-    private static final Duration FRAME = Duration.ofMillis(30);
 
     /**
      * A picture that has nothing to show after this time gives way all the same. The next one gets twice the time, for
@@ -38,7 +32,7 @@ public final class RenderController implements AutoCloseable {
     /** The sum of the parts of the work may miss 1 by its rounding. */
     private static final double ALMOST_ONE = 1 - 1e-9;
 
-    private record Request(Studio studio, long time) {}
+    private record Request(Studio studio, Pace pace, long time) {}
 
     private final Renderer renderer = new Renderer();
     private final Consumer<Picture> pictures;
@@ -72,8 +66,8 @@ public final class RenderController implements AutoCloseable {
     }
 
     /** Asks for the picture of a studio instead of all that were asked for before. Returns at once. */
-    public void show(Studio studio) {
-        Request request = new Request(studio, System.nanoTime());
+    public void show(Studio studio, Pace pace) {
+        Request request = new Request(studio, pace, System.nanoTime());
         stopped = false;
         wanted.set(request);
         planner.submit(request);
@@ -174,7 +168,9 @@ public final class RenderController implements AutoCloseable {
 
         boolean mayEnd(long longestWait) {
             long age = System.nanoTime() - startTime;
-            return ended || shown && age >= FRAME.toNanos() || age >= longestWait;
+            return ended
+                    || shown && request.pace.givesWay(age)
+                    || age >= Math.max(longestWait, request.pace.shortestChance());
         }
 
         @Override
@@ -182,7 +178,7 @@ public final class RenderController implements AutoCloseable {
             long now = System.nanoTime();
             // each of the coarse passes takes three times the samples of all before it
             long nextPass = now - request.time + 3 * (now - startTime);
-            boolean finerSoon = !shown && nextPass < PATIENCE.toNanos();
+            boolean finerSoon = !shown && request.pace.waits(samples(rendered), nextPass);
             boolean last = rendered.progress() > ALMOST_ONE;
             if (!finerSoon && !last && !rendered.isCancelled()) {
                 deliver(rendered, false);
@@ -200,19 +196,22 @@ public final class RenderController implements AutoCloseable {
             }
         }
 
+        private static double samples(RenderJob rendered) {
+            return (double) rendered.samples()
+                    / ((double) rendered.plan().width() * rendered.plan().height());
+        }
+
         private void deliver(RenderJob rendered, boolean complete) {
             Duration time = Duration.ofNanos(System.nanoTime() - request.time);
             // the error takes a moment to work out: not while the picture follows a hand
             boolean tellsError = complete || System.nanoTime() - startTime > LONGEST_WAIT.toNanos();
             RenderReport report = tellsError ? rendered.report() : null;
-            double samples = (double) rendered.samples()
-                    / ((double) rendered.plan().width() * rendered.plan().height());
             Picture picture = new Picture(
                     rendered.plan(),
                     rendered.image(),
                     complete,
                     time,
-                    samples,
+                    samples(rendered),
                     tellsError ? report.error() : Double.NaN,
                     complete ? report.warnings() : List.of());
             synchronized (shownLock) {

@@ -49,7 +49,7 @@ class RenderControllerTest {
     void thePictureIsThatOfTheRendererToTheBit() throws InterruptedException {
         Studio studio = Studios.lattice()
                 .withSettings(Studio.DEFAULT.settings().withSize(160, 120).withSamples(5));
-        controller.show(studio);
+        controller.show(studio, Pace.HAND);
         await(() -> !pictures.isEmpty() && last().complete());
         try (Renderer renderer = new Renderer(1)) {
             float[] expected = renderer.render(RenderPlan.of(studio)).image().rgb();
@@ -65,7 +65,7 @@ class RenderControllerTest {
         Studio newest = studio;
         for (int i = 0; i < 60; i++) {
             newest = studio.withVelocity(Velocity.of(0, 0, i / 100.0));
-            controller.show(newest);
+            controller.show(newest, Pace.HAND);
             Thread.sleep(3);
         }
         Studio expected = newest;
@@ -79,9 +79,9 @@ class RenderControllerTest {
     void aPictureThatWasOvertakenIsNotShownAfterTheNewerOne() throws InterruptedException {
         Studio small = Studios.sphere();
         Studio large = small.withSettings(small.settings().withSize(4000, 3000));
-        controller.show(large);
+        controller.show(large, Pace.HAND);
         await(() -> controller.progress() == 1);
-        controller.show(small);
+        controller.show(small, Pace.HAND);
         await(() -> !pictures.isEmpty() && last().studio().equals(small) && last().complete());
         await(() -> Thread.getAllStackTraces().entrySet().stream()
                 .filter(thread -> thread.getKey().getName().startsWith("tompkins-"))
@@ -90,12 +90,50 @@ class RenderControllerTest {
         assertThat(last().studio()).isEqualTo(small);
     }
 
+    /** A film waits longer for each picture than a hand does: of eight sizes some get a pass more before they show. */
+    @Test
+    void picturesOfAFilmBeginFinerThanThoseThatFollowAHand() throws InterruptedException {
+        double atOnce = 0;
+        double inFilm = 0;
+        for (int width = 600; width <= 2000; width += 200) {
+            Studio studio = Studios.lattice()
+                    .withSettings(Studio.DEFAULT
+                            .settings()
+                            .withSize(width, width * 3 / 4)
+                            .withSamples(16));
+            atOnce += firstSamples(studio, Pace.HAND);
+            inFilm += firstSamples(studio, Pace.FILM);
+        }
+        assertThat(inFilm).isGreaterThan(atOnce);
+    }
+
+    private double firstSamples(Studio studio, Pace pace) throws InterruptedException {
+        controller.stop();
+        await(() -> !controller.isBusy());
+        pictures.clear();
+        controller.show(studio, pace);
+        await(() -> !pictures.isEmpty());
+        return pictures.get(0).samples();
+    }
+
+    /** The second picture waits until the first one has been seen. */
+    @Test
+    void eachPictureOfAFilmIsSeen() throws InterruptedException {
+        Studio first = Studios.lattice();
+        Studio second = first.withVelocity(Velocity.of(0, 0, 0.5));
+        controller.show(first, Pace.FILM);
+        await(() -> controller.progress() > 0);
+        controller.show(second, Pace.FILM);
+        await(() -> !pictures.isEmpty() && last().complete() && last().studio().equals(second));
+        assertThat(pictures.get(0).studio()).isEqualTo(first);
+    }
+
     @Test
     void aSlowPictureShowsSomethingAndGivesWay() throws InterruptedException {
-        controller.show(Studios.slow());
+        controller.show(Studios.slow(), Pace.HAND);
         await(() -> !pictures.isEmpty());
         assertThat(last().complete()).isFalse();
-        controller.show(Studios.sphere());
+        controller.show(Studios.sphere(), Pace.HAND);
         await(() -> last().studio().equals(Studios.sphere()) && last().complete());
     }
 
@@ -107,7 +145,7 @@ class RenderControllerTest {
                 .withSettings(new RenderSettings(320, 240, 1, 0, 1, 5_000, ToneCurve.LINEAR));
         int changes = 0;
         while (pictures.isEmpty()) {
-            controller.show(mirrors.withVelocity(Velocity.of(0, 0, ++changes * 1e-4)));
+            controller.show(mirrors.withVelocity(Velocity.of(0, 0, ++changes * 1e-4)), Pace.HAND);
             Thread.sleep(20);
         }
         assertThat(last().complete()).isFalse();
@@ -115,7 +153,7 @@ class RenderControllerTest {
 
     @Test
     void stopEndsTheWorkAndKeepsThePicture() throws InterruptedException {
-        controller.show(Studios.slow());
+        controller.show(Studios.slow(), Pace.HAND);
         await(() -> !pictures.isEmpty());
         controller.stop();
         await(() -> !controller.isBusy());
@@ -124,7 +162,7 @@ class RenderControllerTest {
         assertThat(pictures).hasSize(count).noneMatch(Picture::complete);
         controller.stop();
         assertThat(controller.isStopped()).as("stopped twice").isTrue();
-        controller.show(Studios.sphere());
+        controller.show(Studios.sphere(), Pace.HAND);
         assertThat(controller.isStopped()).isFalse();
         await(() -> last().complete());
         controller.stop();
@@ -133,7 +171,7 @@ class RenderControllerTest {
 
     @Test
     void aPictureThatIsStillBeingPlannedCanBeStopped() throws InterruptedException {
-        controller.show(Studios.sphere().withScene(Collections.nCopies(400_000, Sphere.DEFAULT)));
+        controller.show(Studios.sphere().withScene(Collections.nCopies(400_000, Sphere.DEFAULT)), Pace.HAND);
         await(RenderControllerTest::isPlanning);
         assertThat(controller.isBusy()).isTrue();
         assertThat(controller.progress()).isEqualTo(0);
@@ -144,7 +182,7 @@ class RenderControllerTest {
         Thread.sleep(100);
         assertThat(controller.isBusy()).isFalse();
         assertThat(pictures).isEmpty();
-        controller.show(Studios.sphere());
+        controller.show(Studios.sphere(), Pace.HAND);
         await(() -> !pictures.isEmpty() && last().complete());
     }
 
@@ -158,10 +196,10 @@ class RenderControllerTest {
     @Test
     void aPictureThatCannotBeMadeIsReportedAndTheNextOneComes() throws InterruptedException {
         Studio group = Studios.sphere().withScene(List.of(nested()));
-        controller.show(group);
+        controller.show(group, Pace.HAND);
         await(() -> !failures.isEmpty());
         assertThat(controller.isBusy()).isFalse();
-        controller.show(Studios.sphere());
+        controller.show(Studios.sphere(), Pace.HAND);
         await(() -> !pictures.isEmpty() && last().complete());
     }
 

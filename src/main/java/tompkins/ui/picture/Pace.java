@@ -1,0 +1,45 @@
+package tompkins.ui.picture;
+
+import java.time.Duration;
+
+/** How soon a picture has to be on the screen, and how good. */
+public enum Pace {
+    /** Pictures follow a hand: each shows at once, coarse if need be, and gets finer until the next one comes. */
+    HAND(Duration.ofMillis(30), Duration.ofMillis(30), Double.POSITIVE_INFINITY),
+
+    /**
+     * Pictures follow each other by themselves: each is shown once, as good as twelve a second allow, and is good
+     * enough with a sample in each pixel.
+     */
+    FILM(Duration.ofMillis(80), Duration.ZERO, 1);
+
+    private final long patience;
+    private final long frame;
+    private final double enough;
+
+    Pace(Duration patience, Duration frame, double enough) {
+        this.patience = patience.toNanos();
+        this.frame = frame.toNanos();
+        this.enough = enough;
+    }
+
+    /**
+     * Whether to wait for a finer picture before anything is shown.
+     *
+     * @param samples mean number of samples of a pixel that there are
+     * @param finerAfter nanoseconds from the change to when the next finer picture is expected
+     */
+    boolean waits(double samples, long finerAfter) {
+        return samples < enough && finerAfter < patience;
+    }
+
+    /** Whether a picture that was shown may give way to a newer one so many nanoseconds after it was begun. */
+    boolean givesWay(long age) {
+        return age >= frame;
+    }
+
+    /** For so many nanoseconds at least a picture that has nothing to show does not give way. */
+    long shortestChance() {
+        return 2 * patience;
+    }
+}

@@ -1,0 +1,27 @@
+package tompkins.ui.picture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+class PaceTest {
+
+    private static final long MILLISECOND = 1_000_000;
+
+    @Test
+    void aHandSeesSomethingSoonAndThenAFrameLong() {
+        assertThat(Pace.HAND.waits(1 / 64.0, 29 * MILLISECOND)).isTrue();
+        assertThat(Pace.HAND.waits(1 / 64.0, 31 * MILLISECOND)).isFalse();
+        assertThat(Pace.HAND.waits(1, 29 * MILLISECOND)).isTrue();
+        assertThat(Pace.HAND.givesWay(29 * MILLISECOND)).isFalse();
+        assertThat(Pace.HAND.givesWay(31 * MILLISECOND)).isTrue();
+    }
+
+    @Test
+    void aFilmWaitsForASampleInEachPixelThatComesInTime() {
+        assertThat(Pace.FILM.waits(1 / 64.0, 79 * MILLISECOND)).isTrue();
+        assertThat(Pace.FILM.waits(1 / 64.0, 81 * MILLISECOND)).isFalse();
+        assertThat(Pace.FILM.waits(1, 40 * MILLISECOND)).isFalse();
+        assertThat(Pace.FILM.givesWay(MILLISECOND)).isTrue();
+    }
+}
