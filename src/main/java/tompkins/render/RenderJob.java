@@ -11,8 +11,10 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Consumer;
 import tompkins.image.LinearImage;
+import tompkins.light.ColourLaw;
 import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
+import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleTracer;
 
@@ -273,6 +275,7 @@ public final class RenderJob {
         long until = end.getCount() == 0 ? endTime : System.nanoTime();
         int sampledPixels = film.sampledPixels();
         double error = estimatedError(sampledPixels);
+        Clipping clipping = clipping();
         synchronized (counts) {
             return RenderReport.of(
                     counts,
@@ -280,10 +283,19 @@ public final class RenderJob {
                     tests,
                     plan.studio().settings().pixels(),
                     sampledPixels,
+                    clipping,
                     error,
                     complete ? schedule.wantedError() : 0,
                     Duration.ofNanos(until - startTime));
         }
+    }
+
+    /** Without such colours brightness is what the scene says, and black may be meant. */
+    private Clipping clipping() {
+        Studio studio = plan.studio();
+        return studio.colours() == ColourLaw.UNCHANGED
+                ? Clipping.NONE
+                : Clipping.of(film.image(), studio.settings().toneCurve());
     }
 
     private double estimatedError(int sampledPixels) {

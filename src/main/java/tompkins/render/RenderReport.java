@@ -22,6 +22,8 @@ import tompkins.ray.RayCounts;
  * @param tests primitives that were tested
  * @param pixels pixels of the picture
  * @param sampledPixels those that have samples; time may be over before all of them have
+ * @param blackPixels those that are too faint for a screen, where the motion changes brightness; otherwise 0
+ * @param whitePixels those that are brighter than white, where the motion changes brightness; otherwise 0
  * @param error estimated root mean square error in linear light; NaN if there is too little to tell, such as one sample
  *     through a wide aperture, or pixels without any
  * @param wantedError the error that was to be reached; 0 if there is none, or the picture is not complete
@@ -40,9 +42,17 @@ public record RenderReport(
         long tests,
         long pixels,
         long sampledPixels,
+        long blackPixels,
+        long whitePixels,
         double error,
         double wantedError,
         Duration time) {
+
+    /** More pixels than this share of a picture are black only if its exposure is wrong. */
+    private static final double MOST_BLACK = 0.9;
+
+    /** More pixels than this share of a picture are white only if its exposure is wrong. */
+    private static final double MOST_WHITE = 0.5;
 
     static RenderReport of(
             RayCounts counts,
@@ -50,6 +60,7 @@ public record RenderReport(
             long tests,
             long pixels,
             long sampledPixels,
+            Clipping clipping,
             double error,
             double wantedError,
             Duration time) {
@@ -66,6 +77,8 @@ public record RenderReport(
                 tests,
                 pixels,
                 sampledPixels,
+                clipping.black(),
+                clipping.white(),
                 error,
                 wantedError,
                 time);
@@ -84,6 +97,21 @@ public record RenderReport(
                     Locale.ROOT,
                     "%d of %d pixels got no sample and are interpolated between the others",
                     pixels - sampledPixels,
+                    pixels));
+        }
+        if (blackPixels > MOST_BLACK * pixels) {
+            warnings.add(String.format(
+                    Locale.ROOT,
+                    "%d of %d pixels are black: light becomes too faint away from the middle; a higher exposure shows"
+                            + " more of it",
+                    blackPixels,
+                    pixels));
+        }
+        if (whitePixels > MOST_WHITE * pixels) {
+            warnings.add(String.format(
+                    Locale.ROOT,
+                    "%d of %d pixels are brighter than white: a lower exposure shows more of them",
+                    whitePixels,
                     pixels));
         }
         if (wantedError > 0 && error > wantedError) {
