@@ -2,8 +2,11 @@ package tompkins.app;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import org.joml.Vector3dc;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -17,16 +20,19 @@ import tompkins.property.NumberText;
 import tompkins.property.OneLine;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.SpeedScale;
+import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.trace.RayLife;
+import tompkins.trace.RenderPlan;
 
-/** Shows the life of one ray. */
+/** Shows the lives of rays. */
 @Command(
         mixinStandardHelpOptions = true,
         versionProvider = ProgramVersion.class,
-        description = "Shows the life of one ray: its events and directions in both frames, its hits, its colour. Where"
+        description = "Shows the life of a ray: its events and directions in both frames, its hits, its colour. Where"
                 + " it splits, as in glass, all hits of the weaker branch come first, indented; entry and frequency are those of"
-                + " the main branch. The share is the most light of the pixel that the ray of a hit can still add.")
+                + " the main branch. The share is the most light of the pixel that the ray of a hit can still add."
+                + " Several --pixel show several rays, each under its pixel, with --json in one list.")
 final class TraceCommand implements Callable<Integer> {
 
     /** Half of the way from the centre of the lens to its right edge. */
@@ -40,7 +46,7 @@ final class TraceCommand implements Callable<Integer> {
             required = true,
             paramLabel = "X,Y",
             description = "column and row of the pixel, from 0 at the upper left; its centre is taken")
-    private String pixel;
+    private List<String> pixels;
 
     @Option(
             names = "--pupil",
@@ -62,33 +68,58 @@ final class TraceCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        int[] place = StudioOptions.pair(
-                pixel, ",", "--pixel must be two whole numbers inside the picture with a comma between them");
+        List<int[]> places = pixels.stream().map(TraceCommand::place).toList();
         double[] lens = StudioOptions.numbers("--pupil", pupil, PUPIL_EXAMPLE);
         Studio studio = options.applyTo(StudioReader.read(scene));
-        int width = studio.settings().width();
-        int height = studio.settings().height();
-        if (place[0] < 0 || place[1] < 0 || place[0] >= width || place[1] >= height) {
-            throw new MistakeException(String.format(
-                    Locale.ROOT, "--pixel must be from 0,0 to %d,%d, was %s", width - 1, height - 1, pixel));
-        }
+        places.forEach(place -> requireInside(place, studio.settings()));
         if (Math.hypot(lens[0], lens[1]) > 1) {
             throw new MistakeException(
                     "--pupil must lie in the unit disc, such as --pupil=" + PUPIL_EXAMPLE + ", was " + pupil);
         }
-        RayLife life = RayLife.of(ScenePlan.of(studio, scene), place[0] + 0.5, place[1] + 0.5, lens[0], lens[1]);
+        RenderPlan plan = ScenePlan.of(studio, scene);
+        List<RayLife> lives = new ArrayList<>();
+        for (int[] place : places) {
+            // null for a ray without events
+            lives.add(RayLife.of(plan, place[0] + 0.5, place[1] + 0.5, lens[0], lens[1]));
+        }
         PrintWriter out = spec.commandLine().getOut();
-        if (life == null) {
-            out.println(json ? "null" : "This ray never crosses the shutter: it brings no light and has no events.");
-        } else if (json) {
-            out.println(RayLifeWriter.json(life, studio));
+        if (json) {
+            String list = lives.stream().map(life -> json(life, studio)).collect(Collectors.joining(",\n"));
+            out.println(lives.size() == 1 ? list : "[" + list + "]");
         } else {
-            print(out, life, studio);
+            for (int i = 0; i < lives.size(); i++) {
+                if (lives.size() > 1) {
+                    out.println(format("%sPixel %d, %d", i == 0 ? "" : "\n", places.get(i)[0], places.get(i)[1]));
+                }
+                print(out, lives.get(i), studio);
+            }
         }
         return 0;
     }
 
+    private static int[] place(String pixel) {
+        return StudioOptions.pair(
+                pixel, ",", "--pixel must be two whole numbers inside the picture with a comma between them");
+    }
+
+    private static void requireInside(int[] place, RenderSettings settings) {
+        int right = settings.width() - 1;
+        int bottom = settings.height() - 1;
+        if (place[0] < 0 || place[1] < 0 || place[0] > right || place[1] > bottom) {
+            throw new MistakeException(String.format(
+                    Locale.ROOT, "--pixel must be from 0,0 to %d,%d, was %d,%d", right, bottom, place[0], place[1]));
+        }
+    }
+
+    private static String json(RayLife life, Studio studio) {
+        return life == null ? "null" : RayLifeWriter.json(life, studio);
+    }
+
     private static void print(PrintWriter out, RayLife life, Studio studio) {
+        if (life == null) {
+            out.println("This ray never crosses the shutter: it brings no light and has no events.");
+            return;
+        }
         out.println("Camera frame");
         printStart(out, life.cameraStart(), life.cameraDirection());
         if (life.sceneStart() != null) {

@@ -50,6 +50,38 @@ class TraceCommandTest {
                 .contains("\"object\" : \"plane\"", "\"frame\" : \"scene\"", "\"surface\" : \"ColouredSurface\"");
     }
 
+    /** Pixels of a picture 90 degrees and three pixels wide look 2/3 to the left of the axis, and 2/3 to the right. */
+    @Test
+    void severalPixelsComeInTheirOrder() throws IOException {
+        Path scene = Files.writeString(folder.resolve("wall.json"), """
+                {
+                  "camera": { "horizontalAngleDegrees": 90, "verticalAngleDegrees": 90 },
+                  "settings": { "width": 3, "height": 3 },
+                  "scene": [{ "type": "Plane", "point": [0, 0, 9], "normal": [0, 0, 1] }]
+                }
+                """);
+        String[] both = {"trace", scene.toString(), "--pixel", "0,1", "--pixel", "2,1"};
+
+        String text = ProgramRun.of((Object[]) both).out();
+        String json = ProgramRun.of("trace", scene, "--json", "--pixel", "0,1", "--pixel", "2,1")
+                .out();
+
+        assertThat(text.lines().filter(line -> line.startsWith("Pixel"))).containsExactly("Pixel 0, 1", "Pixel 2, 1");
+        assertThat(text.lines().filter(line -> line.startsWith("hit ")).count()).isEqualTo(2);
+        String first =
+                ProgramRun.of("trace", scene, "--json", "--pixel", "0,1").out().strip();
+        String second =
+                ProgramRun.of("trace", scene, "--json", "--pixel", "2,1").out().strip();
+        assertThat(json.strip()).isEqualTo("[" + first + ",\n" + second + "]");
+        double left = numbers(first, "hits", "position").get(0);
+        double right = numbers(second, "hits", "position").get(0);
+        assertThat(Math.abs(left)).isCloseTo(6, within(1e-12));
+        assertThat(left).isCloseTo(-right, within(1e-12));
+        assertThat(ProgramRun.of("trace", scene, "--pixel", "0,1", "--pixel", "3,1")
+                        .err())
+                .contains("--pixel must be from 0,0 to 2,2, was 3,1");
+    }
+
     @Test
     void speedsOfNewtonsWorldHaveNoLorentzFactor() throws IOException {
         Path scene = Files.writeString(folder.resolve("newton.json"), """
