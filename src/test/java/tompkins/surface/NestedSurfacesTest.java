@@ -1,0 +1,64 @@
+package tompkins.surface;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Surfaces made of others, as deep as a scene file may nest them. */
+class NestedSurfacesTest {
+
+    private static final int DEEP = 190;
+
+    /** Where a surface of two parts may hold another one of two parts. */
+    private enum Place {
+        FIRST {
+            @Override
+            Surface around(Surface inner) {
+                return new Tiling(inner, Clear.DEFAULT, 1, 1, true);
+            }
+        },
+        SECOND {
+            @Override
+            Surface around(Surface inner) {
+                return new Tiling(Clear.DEFAULT, inner, 1, 1, true);
+            }
+        },
+        DARK {
+            @Override
+            Surface around(Surface inner) {
+                return new CutOut(CutOut.DEFAULT.picture(), inner, Clear.DEFAULT);
+            }
+        },
+        BRIGHT {
+            @Override
+            Surface around(Surface inner) {
+                return new CutOut(CutOut.DEFAULT.picture(), Clear.DEFAULT, inner);
+            }
+        };
+
+        abstract Surface around(Surface inner);
+    }
+
+    /** Twice the work for each level would be 2^190. */
+    @ParameterizedTest
+    @EnumSource
+    @Timeout(value = 20, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    void whatTheyAreIsKnownInNoTime(Place place) {
+        Surface clear = Stream.iterate((Surface) Clear.DEFAULT, place::around)
+                .skip(DEEP)
+                .findFirst()
+                .orElseThrow();
+        Surface opaque = Stream.iterate((Surface) ColouredSurface.DEFAULT, place::around)
+                .skip(DEEP)
+                .findFirst()
+                .orElseThrow();
+
+        assertThat(clear.shadow()).isEqualTo(Shadow.NEVER);
+        assertThat(opaque.shadow()).isEqualTo(Shadow.BY_POINT);
+        assertThat(clear.continuesRays()).isTrue();
+        assertThat(opaque.continuesRays()).isTrue();
+    }
+}
