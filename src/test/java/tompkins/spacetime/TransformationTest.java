@@ -2,10 +2,12 @@ package tompkins.spacetime;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.ray.Ray;
@@ -33,6 +35,31 @@ class TransformationTest {
 
     private static SpaceTimeTransformation transformation(TransformationLaw law) {
         return law.sceneFromCamera(Velocity.of(BETA));
+    }
+
+    /**
+     * Almost along the motion, near the speed of light: d - beta is (theta, 0, epsilon - theta^2/2), and the frequency
+     * grows by epsilon + beta theta^2/2, with epsilon = 1 - beta = 1/(2 gamma^2).
+     */
+    @ParameterizedTest
+    @CsvSource({"1e3, 0", "1e3, 1e-6", "1e3, 1e-4", "1e8, 0", "1e8, 1e-17", "1e8, 1e-9", "6.5e7, 0", "9.45e7, 1e-8"})
+    void galileanLightKeepsItsDigitsStraightAhead(double gamma, double theta) {
+        Velocity velocity = Velocity.of(SpeedScale.GAMMA, gamma, new Vector3d(0, 0, 1));
+        Ray ray = Ray.from(0, 0, 0, Math.sin(theta), 0, Math.cos(theta), 0);
+
+        Ray moved = TransformationLaw.GALILEAN.sceneFromCamera(velocity).transform(ray);
+
+        // of 1 - beta = 1/(2 gamma^2) (1 + 1/(4 gamma^2) + ...) the second term matters at low gamma
+        double epsilon = 1 / (2 * gamma * gamma) * (1 + 1 / (4 * gamma * gamma));
+        // the direction of the ray itself is rounded
+        double along = epsilon - (1 - Math.cos(theta));
+        double halfSine = Math.sin(theta / 2);
+        double length = Math.hypot(Math.sin(theta), along);
+        assertThat(moved.frequency)
+                .isCloseTo(epsilon + (1 - epsilon) * 2 * halfSine * halfSine, withinPercentage(1e-8));
+        assertThat(moved.dz).isCloseTo(along / length, within(1e-12));
+        assertThat(moved.dx).isCloseTo(Math.sin(theta) / length, within(1e-12));
+        assertThat(moved.slowness).isCloseTo(1 / length, withinPercentage(1e-9));
     }
 
     /** A ray is two events: its start, and one on its way. */
