@@ -14,6 +14,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -49,7 +50,8 @@ public final class PendingFile implements Closeable {
     /**
      * A pending file that will have the name of {@code target}. A link is followed: what it points to is replaced.
      *
-     * @throws IOException if there is no such folder, or something that must not be replaced has the name
+     * @throws IOException if there is no such folder, something that must not be replaced has the name, or it is a link
+     *     to a file of another kind
      */
     public static PendingFile file(Path target) throws IOException {
         if (Files.isDirectory(target)) {
@@ -58,10 +60,20 @@ public final class PendingFile implements Closeable {
         if (Files.exists(target) && !Files.isWritable(target)) {
             throw new FileException(target + ": cannot be written: the file is write-protected");
         }
-        if (Files.isSymbolicLink(target) && Files.notExists(target)) {
+        if (Files.isSymbolicLink(target) && !Files.exists(target)) {
             throw new FileException(target + ": cannot be written: it is a link to a file that does not exist");
         }
-        return beside(Files.exists(target) ? target.toRealPath() : target, false);
+        Path place = Files.exists(target) ? target.toRealPath() : target;
+        if (Files.isSymbolicLink(target) && !ending(place).equals(ending(target))) {
+            throw new FileException(target + ": cannot be written: it is a link to " + place
+                    + ", a file of another kind, which would be lost");
+        }
+        return beside(place, false);
+    }
+
+    private static String ending(Path file) {
+        String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
+        return name.substring(name.lastIndexOf('.') + 1);
     }
 
     /**
