@@ -20,6 +20,9 @@ public record Colour(double red, double green, double blue) {
     /** Pictures hold floats, up to 2^128: this leaves room for a sum of a million samples. */
     private static final double LARGEST = 0x1p104;
 
+    /** What a description may ask for: light of many lamps on bright things still fits into a picture. */
+    private static final double BRIGHTEST = 1e20;
+
     /** The same value in all channels. */
     public static Colour grey(double value) {
         return new Colour(value, value, value);
@@ -28,13 +31,13 @@ public record Colour(double red, double green, double blue) {
     /**
      * The colour, if a description may use it.
      *
-     * @throws tompkins.property.InvalidPropertyException if it is missing, or a channel is negative or not finite
+     * @throws tompkins.property.InvalidPropertyException if it is missing, or a channel is not from 0 to 1e20
      */
     public static Colour required(String property, Colour colour) {
         Require.present(property, colour);
-        Require.notNegative(property + " (red)", colour.red);
-        Require.notNegative(property + " (green)", colour.green);
-        Require.notNegative(property + " (blue)", colour.blue);
+        Require.within(property + " (red)", colour.red, 0, BRIGHTEST);
+        Require.within(property + " (green)", colour.green, 0, BRIGHTEST);
+        Require.within(property + " (blue)", colour.blue, 0, BRIGHTEST);
         return colour;
     }
 

@@ -64,7 +64,7 @@ public final class Velocity {
             throw new InvalidPropertyException(
                     "velocity",
                     "shorter than 1 (the speed of light)",
-                    Require.text(components) + " with length " + NumberText.of(components.length()));
+                    Require.text(components) + " with length " + NumberText.of(Vectors.length(components)));
         }
         double gamma = 1 / Math.sqrt(oneMinusSquares);
         return new Velocity(

@@ -16,8 +16,9 @@ import tompkins.ray.Ray;
         "The boundary of a transparent medium such as glass: bends light and slows it down inside, reflects part of it,"
                 + " loses nothing")
 public record Refractive(
-        @Meaning("Refractive index inside the object divided by that outside (glass in air: 1.5)")
-        double indexRatio) implements Surface {
+        @Meaning("Refractive index inside the object divided by that outside (glass in air: 1.5), from 1e-6 to 1e6")
+        double indexRatio)
+        implements Surface {
 
     /** Glass in air. */
     public static final Refractive DEFAULT = new Refractive(1.5);
@@ -28,9 +29,12 @@ public record Refractive(
      */
     private static final int LONGEST_CAPTURE = 32;
 
-    /** Checks the ratio. */
+    /** Far beyond all media, and not so far that times inside become infinite. */
+    private static final double LARGEST_RATIO = 1e6;
+
+    /** Checks the ratio: from 1e-6 to 1e6. */
     public Refractive {
-        Require.positive("indexRatio", indexRatio);
+        Require.within("indexRatio", indexRatio, 1 / LARGEST_RATIO, LARGEST_RATIO);
     }
 
     @Override

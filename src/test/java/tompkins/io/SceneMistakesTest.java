@@ -93,7 +93,7 @@ class SceneMistakesTest {
             and at most 1e50, was 1e51
             {"background": {"colour": "red"}} | f:1:27: background.colour: must be three numbers [red, green, blue], or one \
             number for a grey, was "red"
-            {"background": {"colour": [0, -2, 0]}} | f:1:27: background.colour (green): must be a finite number, 0 or above, \
+            {"background": {"colour": [0, -2, 0]}} | f:1:27: background.colour (green): must be from 0 to 1e20, \
             was -2
             {"velocity": [0.6, 0, 0.8]}   | f:1:14: velocity: must be shorter than 1 (the speed of light), was [0.6, 0, 0.8] \
             with length 1
