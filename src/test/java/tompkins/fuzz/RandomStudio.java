@@ -114,6 +114,12 @@ public final class RandomStudio {
         return maker.valid(() -> maker.surface(type, 1));
     }
 
+    /** A shutter of one type. */
+    public static Shutter shutter(long seed, Class<?> type) {
+        RandomStudio maker = new RandomStudio(seed, 0.8, null);
+        return maker.valid(() -> maker.shutter(type));
+    }
+
     /** A camera with a shutter, of sizes between 1/2 and 20. */
     public static Camera camera(long seed) {
         RandomStudio maker = new RandomStudio(seed, 0.8, null);
@@ -190,7 +196,7 @@ public final class RandomStudio {
                 new ImagePointGrid(
                         name, objectWithin(depth), place(), place(), place(), new Vector2i(1 + random.nextInt(3), 2));
             case "Hidden" -> new Hidden(objectWithin(depth));
-            default -> throw new IllegalStateException("no random " + name + " yet");
+            default -> throw missing(type, "object");
         };
     }
 
@@ -219,7 +225,7 @@ public final class RandomStudio {
             case "Refractive" -> new Refractive(pick(1.0, 1 + 1e-12, 1.5, 0.5, 2.4, size()));
             case "LorentzWindow" -> new LorentzWindow(velocity(), pick(WindowAxes.values()), random.nextDouble());
             case "GalileoWindow" -> new GalileoWindow(velocity(), pick(WindowAxes.values()), random.nextDouble());
-            default -> throw new IllegalStateException("no random " + type + " yet");
+            default -> throw missing(type, "surface");
         };
     }
 
@@ -259,15 +265,23 @@ public final class RandomStudio {
     }
 
     private Shutter shutter() {
-        return switch (pick(Shutter.class.getPermittedSubclasses()).getSimpleName()) {
+        return shutter(pick(Shutter.class.getPermittedSubclasses()));
+    }
+
+    private Shutter shutter(Class<?> type) {
+        return switch (type.getSimpleName()) {
             case "AperturePlaneShutter" -> new AperturePlaneShutter(number());
             case "DetectorPlaneShutter" -> new DetectorPlaneShutter(number(), size());
             case "LensHologramShutter" -> new LensHologramShutter(number(), size());
             case "FocusSurfaceShutter" -> new FocusSurfaceShutter(number());
             case "ArbitraryPlaneShutter" -> new ArbitraryPlaneShutter(number(), place(), direction());
             case "FixedPointSurfaceShutter" -> FixedPointSurfaceShutter.DEFAULT;
-            default -> throw new IllegalStateException("no such random shutter yet");
+            default -> throw missing(type, "shutter");
         };
+    }
+
+    private static IllegalStateException missing(Class<?> type, String method) {
+        return new IllegalStateException("add " + type.getSimpleName() + " to RandomStudio." + method);
     }
 
     private Velocity velocity() {

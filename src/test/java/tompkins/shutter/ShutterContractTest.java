@@ -3,15 +3,17 @@ package tompkins.shutter;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.lang.reflect.Field;
-import java.util.Arrays;
+import java.lang.reflect.RecordComponent;
 import java.util.SplittableRandom;
+import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.fuzz.RandomStudio;
 import tompkins.math.Vectors;
+import tompkins.property.Descriptions;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
@@ -19,22 +21,18 @@ import tompkins.spacetime.Velocity;
 /** What every shutter promises. */
 class ShutterContractTest {
 
+    private static final int RANDOM_ONES = 5;
+
     private static final SpaceTimeTransformation MOVING =
             TransformationLaw.LORENTZ.sceneFromCamera(Velocity.of(0.2, -0.1, 0.97));
 
     private final SplittableRandom random = new SplittableRandom(9);
 
     static Stream<Shutter> shutters() {
-        return Arrays.stream(Shutter.class.getPermittedSubclasses()).map(ShutterContractTest::standard);
-    }
-
-    private static Shutter standard(Class<?> type) {
-        try {
-            Field constant = type.getField("DEFAULT");
-            return (Shutter) constant.get(null);
-        } catch (ReflectiveOperationException e) {
-            throw new IllegalStateException(e);
-        }
+        return Descriptions.members(Shutter.class).stream()
+                .flatMap(type -> Stream.concat(
+                        Stream.of((Shutter) Descriptions.standard(type)),
+                        LongStream.range(0, RANDOM_ONES).mapToObj(seed -> RandomStudio.shutter(seed, type))));
     }
 
     private LensRay lensRay(double inverseFocusDistance) {
@@ -71,8 +69,23 @@ class ShutterContractTest {
         LensRay ray = lensRay(0.2);
         double expected = shutter instanceof FixedPointSurfaceShutter ? 0 : 2.5;
         double moved = later.transmissionTime(ray, MOVING) - shutter.transmissionTime(ray, MOVING);
-        assertThat(moved).isCloseTo(expected, within(1e-14));
-        assertThat(later.openingTime() - shutter.openingTime()).isEqualTo(expected);
+        assertThat(moved).isCloseTo(expected, within(1e-14 * (1 + Math.abs(shutter.transmissionTime(ray, MOVING)))));
+        assertThat(later.openingTime() - shutter.openingTime()).isCloseTo(expected, within(1e-14));
+    }
+
+    @ParameterizedTest
+    @MethodSource("shutters")
+    void openingLaterChangesNothingElse(Shutter shutter) {
+        Shutter later = shutter.openedAt(2.5);
+        boolean hasOpeningTime = false;
+        for (RecordComponent component : Descriptions.components(shutter.getClass())) {
+            boolean isOpeningTime = component.getName().equals("openingTime");
+            hasOpeningTime |= isOpeningTime;
+            assertThat(Descriptions.value(component, later))
+                    .as("%s of %s", component.getName(), later)
+                    .isEqualTo(isOpeningTime ? 2.5 : Descriptions.value(component, shutter));
+        }
+        assertThat(shutter.hasOpeningTime()).isEqualTo(hasOpeningTime);
     }
 
     /** All rays of a pixel reach its image point after the same time: both models differ by a constant. */
