@@ -7,8 +7,16 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.property.Descriptions;
+import tompkins.sceneobject.Hidden;
+import tompkins.sceneobject.SceneObject;
+import tompkins.studio.DescribedTypes;
 import tompkins.studio.Studio;
+import tompkins.surface.Surface;
 
 class BundledScenesTest {
 
@@ -29,6 +37,21 @@ class BundledScenesTest {
         for (String name : names) {
             assertThat(BundledScenes.studio(name).title()).as(name).isNotEmpty();
         }
+    }
+
+    static Stream<Class<?>> objectsAndSurfaces() {
+        return Stream.of(SceneObject.class, Surface.class)
+                .flatMap(family -> Descriptions.members(family).stream())
+                .filter(type -> type != Hidden.class);
+    }
+
+    /** All but what cannot be seen; shutters are exchanged in the window, and have no scenes of their own. */
+    @ParameterizedTest
+    @MethodSource("objectsAndSurfaces")
+    void everyObjectAndSurfaceIsShownByAScene(Class<?> type) throws IOException {
+        assertThat(DescribedTypes.in(BundledScenes.studios().stream()))
+                .as("add a scene with a %s to scenes/", type.getSimpleName())
+                .anyMatch(type::equals);
     }
 
     @Test

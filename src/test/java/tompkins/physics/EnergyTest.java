@@ -6,18 +6,23 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.fuzz.RandomStudio;
 import tompkins.light.ColourLaw;
 import tompkins.ray.Colour;
+import tompkins.ray.MeshData;
 import tompkins.render.RenderReport;
 import tompkins.sceneobject.Box;
+import tompkins.sceneobject.ClosedTypes;
 import tompkins.sceneobject.Cone;
 import tompkins.sceneobject.Cylinder;
+import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
+import tompkins.sceneobject.TriangleMesh;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
@@ -60,7 +65,25 @@ class EnergyTest {
                 new Sphere("sphere", new Vector3d(0.1, 0, 9), 1, surface),
                 new Box("box", low, new Vector3d(0.8, 0.7, 10), surface),
                 new Cylinder("cylinder", low, high, 0.7, true, surface),
-                new Cone("cone", high, low, 0.8, true, surface));
+                new Cone("cone", high, low, 0.8, true, surface),
+                new Placed(
+                        "mesh",
+                        new TriangleMesh("octahedron", MeshData.OCTAHEDRON, surface),
+                        1,
+                        new Vector3d(1, 2, 3),
+                        40,
+                        new Vector3d(0.1, 0, 9)));
+    }
+
+    @Test
+    void everyClosedTypeIsTried() {
+        List<Class<?>> tried = solids(Clear.DEFAULT)
+                .<Class<?>>map(solid ->
+                        solid instanceof Placed placed ? placed.object().getClass() : solid.getClass())
+                .toList();
+        assertThat(tried)
+                .as("EnergyTest.solids")
+                .containsAll(ClosedTypes.types().toList());
     }
 
     @ParameterizedTest

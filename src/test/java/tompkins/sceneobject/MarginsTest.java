@@ -3,6 +3,8 @@ package tompkins.sceneobject;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -10,6 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.fuzz.RandomStudio;
+import tompkins.property.Descriptions;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayBlock;
@@ -51,6 +55,21 @@ class MarginsTest {
             }
         }
         assertThat(kept).isGreaterThan(50);
+    }
+
+    /** Those without bounds, planes, have no edges. */
+    @Test
+    void everyKindOfPrimitiveWithBoundsIsTried() {
+        Set<Class<?>> tried = new EdgeRays(7)
+                .shapes(new Vector3d()).stream().map(Primitive::getClass).collect(Collectors.toSet());
+        for (Class<?> type : Descriptions.members(SceneObject.class)) {
+            for (Primitive primitive :
+                    PrimitiveCollector.primitivesOf(RandomStudio.object(1, type, ColouredSurface.DEFAULT))) {
+                assertThat(primitive.bounds() == null || tried.contains(primitive.getClass()))
+                        .as("add a %s to EdgeRays.shapes", type.getSimpleName())
+                        .isTrue();
+            }
+        }
     }
 
     @ParameterizedTest

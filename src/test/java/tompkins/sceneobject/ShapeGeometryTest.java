@@ -172,6 +172,16 @@ class ShapeGeometryTest {
                 new Disc("", new Vector3d(), new Vector3d(0.5, 1, -1), 2, TILED));
     }
 
+    /** A mesh has no round of its own: its coordinates are those of each triangle. */
+    @Test
+    void everyClosedTypeIsSeenFromOutside() {
+        assertThat(closedShapes().<Class<?>>map(Object::getClass))
+                .as("closedShapes")
+                .containsAll(ClosedTypes.types()
+                        .filter(type -> type != TriangleMesh.class)
+                        .toList());
+    }
+
     private static void assertCoordinates(SceneObject object, Vector3dc origin, Vector3dc d, double u, double v) {
         Ray ray = ray(origin, d.add(origin, new Vector3d()));
         Primitive primitive = PrimitiveCollector.primitivesOf(object).get(0);

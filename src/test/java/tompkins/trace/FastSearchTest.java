@@ -3,15 +3,25 @@ package tompkins.trace;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.camera.Camera;
+import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
+import tompkins.sceneobject.Hidden;
+import tompkins.sceneobject.SceneObject;
+import tompkins.shutter.Shutter;
+import tompkins.studio.DescribedTypes;
 import tompkins.studio.SceneFiles;
 import tompkins.studio.Studio;
+import tompkins.surface.Surface;
 
 /**
  * Everything that makes the search fast (trees, candidates of a block of rays, grids of lamps) leaves every colour as
@@ -44,6 +54,19 @@ class FastSearchTest {
     static Stream<Named<Studio>> studios() {
         return Stream.concat(VariedStudios.all(), SceneFiles.all())
                 .map(named -> Named.of(named.getName(), small(named.getPayload())));
+    }
+
+    /** All but what has no primitives. */
+    @Test
+    void everyTypeIsSearched() {
+        Set<Class<?>> described = DescribedTypes.in(studios().map(Named::getPayload));
+        for (Class<?> family : List.of(SceneObject.class, Surface.class, Shutter.class, Camera.class)) {
+            for (Class<?> type : Descriptions.members(family)) {
+                assertThat(described.contains(type) || type == Hidden.class)
+                        .as("add %s to VariedStudios", type.getSimpleName())
+                        .isTrue();
+            }
+        }
     }
 
     private static Studio small(Studio studio) {
