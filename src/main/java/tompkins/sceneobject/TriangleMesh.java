@@ -48,7 +48,8 @@ public record TriangleMesh(
             Vector3d first = corner(mesh, triangle, 0);
             Vector3d spanU = placement.vector(corner(mesh, triangle, 1).sub(first));
             Vector3d spanV = placement.vector(corner(mesh, triangle, 2).sub(first));
-            if (hasArea(spanU, spanV)) {
+            // an area that is no number is not left out: the primitive refuses it
+            if (area(spanU, spanV) != 0) {
                 collector.add(new FlatPrimitive(
                         description, surface, FlatPrimitive.Outline.TRIANGLE, placement.point(first), spanU, spanV));
             }
@@ -64,12 +65,12 @@ public record TriangleMesh(
 
     private static boolean hasArea(MeshData mesh, int triangle) {
         Vector3d first = corner(mesh, triangle, 0);
-        return hasArea(
+        double area = area(
                 corner(mesh, triangle, 1).sub(first), corner(mesh, triangle, 2).sub(first));
+        return area > 0 && area < Double.POSITIVE_INFINITY;
     }
 
-    private static boolean hasArea(Vector3d spanU, Vector3d spanV) {
-        double area = Vectors.cross(spanU, spanV).length();
-        return area > 0 && area < Double.POSITIVE_INFINITY;
+    private static double area(Vector3d spanU, Vector3d spanV) {
+        return Vectors.cross(spanU, spanV).length();
     }
 }

@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.camera.ThinLensCamera;
 import tompkins.property.InvalidPropertyException;
 import tompkins.sceneobject.Box;
+import tompkins.sceneobject.ClosedTypes;
 import tompkins.sceneobject.Cone;
 import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.Group;
@@ -41,6 +42,7 @@ class ObjectPreparationTest {
                 new Sphere("sphere", new Vector3d(0, 0, 3 * size), size, COLOURED),
                 new Cylinder("cylinder", left, right, size, true, COLOURED),
                 new Cone("cone", left, right, size, true, COLOURED),
+                new Placed("mesh", TriangleMesh.DEFAULT, size, new Vector3d(1, 1, 0), 30, new Vector3d(0, 0, 3 * size)),
                 new Box("box", left, new Vector3d(size, size, 4 * size), COLOURED),
                 new Parallelogram("area", left, new Vector3d(2 * size, 0, 0), new Vector3d(0, size, 0), COLOURED),
                 new Placed(
@@ -50,6 +52,17 @@ class ObjectPreparationTest {
                         new Vector3d(0, 1, 0),
                         0,
                         new Vector3d()));
+    }
+
+    @Test
+    void everyClosedTypeIsTried() {
+        List<Class<?>> tried = ofSize(1).stream()
+                .<Class<?>>map(object ->
+                        object instanceof Placed placed ? placed.object().getClass() : object.getClass())
+                .toList();
+        assertThat(tried)
+                .as("ObjectPreparationTest.ofSize")
+                .containsAll(ClosedTypes.types().toList());
     }
 
     static Stream<SceneObject> tooLarge() {
