@@ -15,6 +15,7 @@ import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
 import tompkins.light.PointLight;
 import tompkins.ray.Colour;
+import tompkins.ray.MeshData;
 import tompkins.ray.PixelPicture;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Cone;
@@ -28,6 +29,7 @@ import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Silhouette;
 import tompkins.sceneobject.Sphere;
 import tompkins.sceneobject.Triangle;
+import tompkins.sceneobject.TriangleMesh;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.ArbitraryPlaneShutter;
 import tompkins.shutter.DetectorPlaneShutter;
@@ -49,6 +51,7 @@ import tompkins.surface.GalileoWindow;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.LuminousSurface;
 import tompkins.surface.Mirror;
+import tompkins.surface.PictureSurface;
 import tompkins.surface.Refractive;
 import tompkins.surface.Surface;
 import tompkins.surface.WindowAxes;
@@ -230,6 +233,13 @@ public final class VariedStudios {
                         new Vector3d(1, 1, 0),
                         30,
                         new Vector3d(-0.5, 0.8, 7)),
+                new Placed(
+                        "placed mesh",
+                        new TriangleMesh("mesh", MeshData.OCTAHEDRON, new PictureSurface(chequers, false)),
+                        0.3,
+                        new Vector3d(1, 1, 0),
+                        20,
+                        new Vector3d(0.6, -0.2, 7.5)),
                 new Cone("cone", new Vector3d(-1.2, 1.5, 8), new Vector3d(-1.2, 0.5, 8), 0.4, true, GREY),
                 new Cylinder("rod", new Vector3d(-1, -1, 9), new Vector3d(1, 1, 9), 0.1, true, GREY),
                 new Cylinder(
