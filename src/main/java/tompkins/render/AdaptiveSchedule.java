@@ -49,7 +49,9 @@ final class AdaptiveSchedule implements Schedule {
     /**
      * A schedule for one picture.
      *
+     * @param pixels number of pixels of the picture
      * @param severalFirst whether one sample per pixel tells nothing of the error
+     * @param coarseFirst whether the first pass is taken coarse to fine
      * @param targetError root mean square error of the exposed picture, or 0
      * @param time when to stop at the latest
      */

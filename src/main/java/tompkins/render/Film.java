@@ -103,7 +103,7 @@ final class Film {
      */
     void means(int row, double[] into) {
         for (int column = 0; column < width; column++) {
-            int pixel = row * width + column;
+            int pixel = pixel(column, row);
             int count = samples(pixel);
             for (int channel = 0; channel < 3; channel++) {
                 into[3 * (column + 1) + channel] = exposure * sums[3 * pixel + channel] / count;
@@ -157,7 +157,7 @@ final class Film {
     private boolean isComplete(int stride) {
         for (int row = 0; row < height; row += stride) {
             for (int column = 0; column < width; column += stride) {
-                if (samples[row * width + column] == 0) {
+                if (samples[pixel(column, row)] == 0) {
                     return false;
                 }
             }
@@ -184,7 +184,7 @@ final class Film {
     private float[] coarseRow(int row, int stride) {
         float[] light = new float[3 * width];
         for (int column = 0; column < width; column += stride) {
-            put(row * width + column, light, 3 * column);
+            put(pixel(column, row), light, 3 * column);
         }
         for (int column = 0; column < width; column++) {
             int left = column - column % stride;

@@ -72,7 +72,7 @@ final class Roughness {
                 Arrays.fill(below, Double.NaN);
             }
             for (int column = 0; column < width; column++) {
-                int pixel = row * width + column;
+                int pixel = film.pixel(column, row);
                 int samples = film.samples(pixel);
                 if (samples > 0) {
                     double roughness = samples > 1
@@ -136,7 +136,7 @@ final class Roughness {
             stopIf(stopped);
             for (int column = 0; column < width; column++) {
                 if (!Float.isNaN(own[bordered(row, column)])) {
-                    mean[row * width + column] = meanAround(own, row, column);
+                    mean[film.pixel(column, row)] = meanAround(own, row, column);
                 }
             }
         }
