@@ -107,12 +107,17 @@ public final class VelocityPanel {
 
     private JComponent buttons() {
         JPanel row = Rows.of("wrap 2, gap 4", "[grow,fill,sg][grow,fill,sg]");
-        row.add(button(
-                "rest", () -> take(Velocity.of(SpeedScale.BETA, 0, velocity().givenDirection()))));
+        row.add(button("rest", this::rest));
         row.add(button("forwards", () -> turn(camera().viewDirection(), null)));
         row.add(button("backwards", () -> turn(new Vector3d().sub(camera().viewDirection()), null)));
         row.add(button("sideways", () -> turn(camera().rightDirection(), null)));
         return row;
+    }
+
+    private void rest() {
+        take(Velocity.of(SpeedScale.BETA, 0, velocity().givenDirection()));
+        // a speed that was refused, for it was at rest already
+        speed.revert();
     }
 
     private JButton button(String key, Runnable action) {

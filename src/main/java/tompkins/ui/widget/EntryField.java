@@ -11,7 +11,9 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.AbstractAction;
+import javax.swing.JComponent;
 import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
 import javax.swing.text.JTextComponent;
 import tompkins.property.InvalidPropertyException;
 
@@ -22,6 +24,10 @@ import tompkins.property.InvalidPropertyException;
  * stays then, too.
  */
 public final class EntryField {
+
+    static {
+        MousePress.watch(EntryField::takeBeforePress);
+    }
 
     private final JTextComponent field;
     private final String tip;
@@ -104,6 +110,24 @@ public final class EntryField {
         return fields.stream().noneMatch(EntryField::isPending);
     }
 
+    /**
+     * What is typed is taken before anything is pressed that takes the focus: the focus may leave the field only after
+     * the click, and what was typed would overrule the click.
+     */
+    private static void takeBeforePress(Component pressed) {
+        Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        if (owner instanceof JTextComponent text
+                && text.getClientProperty(EntryField.class) instanceof EntryField field
+                && pressed != owner
+                && pressed instanceof JComponent component
+                && component.isEnabled()
+                && component.isFocusable()
+                && component.isRequestFocusEnabled()
+                && SwingUtilities.getWindowAncestor(pressed) == SwingUtilities.getWindowAncestor(owner)) {
+            field.commit();
+        }
+    }
+
     private static Stream<EntryField> of(Component component) {
         if (component instanceof JTextComponent text
                 && text.getClientProperty(EntryField.class) instanceof EntryField field) {
@@ -169,7 +193,7 @@ public final class EntryField {
             field.putClientProperty("JComponent.outline", "error");
             String message = Wording.message(wrong);
             field.getAccessibleContext().setAccessibleDescription(message);
-            note.setError(message);
+            note.setErrorAfterPress(message);
         }
     }
 
@@ -196,7 +220,7 @@ public final class EntryField {
         if (isWrong()) {
             field.putClientProperty("JComponent.outline", null);
             field.getAccessibleContext().setAccessibleDescription(tip);
-            note.setText("");
+            note.clearAfterPress();
         }
     }
 }

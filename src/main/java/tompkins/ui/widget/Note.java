@@ -28,6 +28,9 @@ public final class Note {
 
     private boolean error;
 
+    /** What it is to say when the mouse is not pressed any more; null if nothing. */
+    private Runnable awaited;
+
     /** A note with a text; a note without text takes no room. */
     public Note(String text) {
         area.setEditable(false);
@@ -73,7 +76,28 @@ public final class Note {
         show("\u26A0 " + message, true);
     }
 
+    /** As {@link #setError}, but not while the mouse is pressed: what is pressed must not move away from under it. */
+    void setErrorAfterPress(String message) {
+        afterPress(() -> setError(message));
+    }
+
+    /** As an empty {@link #setText}, but not while the mouse is pressed. */
+    void clearAfterPress() {
+        afterPress(() -> setText(""));
+    }
+
+    private void afterPress(Runnable change) {
+        awaited = change;
+        MousePress.afterwards(() -> {
+            // unless it has been told something else since
+            if (awaited == change) {
+                change.run();
+            }
+        });
+    }
+
     private void show(String text, boolean isError) {
+        awaited = null;
         error = isError;
         if (!area.getText().equals(text)) {
             area.setText(text);

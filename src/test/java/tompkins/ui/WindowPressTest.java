@@ -1,0 +1,112 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Component;
+import java.awt.Point;
+import java.awt.event.InputEvent;
+import java.awt.event.MouseEvent;
+import java.nio.file.Path;
+import java.util.List;
+import javax.swing.JButton;
+import javax.swing.JTextField;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+
+/** What a press of the mouse does while something is half typed, or to what has the focus, in a real window. */
+@Timeout(300)
+class WindowPressTest {
+
+    @TempDir
+    private Path folder;
+
+    @AutoClose
+    private WindowDriver driver;
+
+    private JTextField speed;
+
+    @BeforeEach
+    void open() {
+        Studio studio = Studios.lattice()
+                .withVelocity(Velocity.of(0, 0, 0.3))
+                .withSettings(Studio.DEFAULT.settings().withSize(160, 120));
+        driver = new WindowDriver(folder, studio, folder.resolve("lattice.json"), List.of(studio));
+        speed = driver.find(JTextField.class, "Speed");
+    }
+
+    private static void dispatch(Component component, int event) {
+        int down = event == MouseEvent.MOUSE_PRESSED ? InputEvent.BUTTON1_DOWN_MASK : 0;
+        component.dispatchEvent(new MouseEvent(component, event, 0, down, 5, 5, 1, false, MouseEvent.BUTTON1));
+    }
+
+    /** The focus moves only after such a click. */
+    private void clickWithoutTimeBetween(JButton button) {
+        WindowDriver.onEventThread(() -> {
+            dispatch(button, MouseEvent.MOUSE_PRESSED);
+            dispatch(button, MouseEvent.MOUSE_RELEASED);
+        });
+        WindowDriver.await("the focus", button::isFocusOwner);
+    }
+
+    private boolean complains() {
+        return Components.notes(driver.window().frame()).stream().anyMatch(note -> note.startsWith("\u26A0"));
+    }
+
+    @Test
+    void aQuickClickComesAfterWhatIsTyped() {
+        driver.typeWithoutEnter(speed, "0.5");
+        clickWithoutTimeBetween(driver.find(JButton.class, "Rest"));
+        assertThat(driver.studio().velocity().speed()).isZero();
+        assertThat(speed.getText()).isEqualTo("0");
+        driver.typeWithoutEnter(speed, "0.5");
+        clickWithoutTimeBetween(driver.find(JButton.class, "Backwards"));
+        assertThat(driver.studio().velocity().components()).isEqualTo(new Vector3d(0, 0, -0.5));
+        assertThat(speed.getText()).isEqualTo("0.5");
+    }
+
+    @Test
+    void aClickTakesTheWrongSpeedAway() {
+        JButton rest = driver.find(JButton.class, "Rest");
+        for (String text : List.of("0.3", "0")) {
+            driver.type(speed, text);
+            driver.typeWithoutEnter(speed, "1.2");
+            clickWithoutTimeBetween(rest);
+            assertThat(driver.studio().velocity().speed()).isZero();
+            assertThat(speed.getText()).isEqualTo("0");
+            assertThat(Components.isMarked(speed)).isFalse();
+            assertThat(complains()).isFalse();
+        }
+    }
+
+    @Test
+    void whatIsPressedDoesNotMoveAway() {
+        JButton backwards = driver.find(JButton.class, "Backwards");
+        driver.typeWithoutEnter(speed, "1.2");
+        Point before = WindowDriver.onEventThread(backwards::getLocationOnScreen);
+        WindowDriver.onEventThread(() -> dispatch(backwards, MouseEvent.MOUSE_PRESSED));
+        WindowDriver.await("the focus", backwards::isFocusOwner);
+        WindowDriver.await("the mark", () -> Components.isMarked(speed));
+        WindowDriver.onEventThread(driver.window().frame()::validate);
+        assertThat(WindowDriver.onEventThread(backwards::getLocationOnScreen)).isEqualTo(before);
+        WindowDriver.onEventThread(() -> dispatch(backwards, MouseEvent.MOUSE_RELEASED));
+        WindowDriver.await("the message", this::complains);
+        assertThat(driver.studio().velocity().components()).isEqualTo(new Vector3d(0, 0, -0.3));
+
+        // nor when the message goes
+        driver.typeWithoutEnter(speed, "0.4");
+        Point below = WindowDriver.onEventThread(backwards::getLocationOnScreen);
+        assertThat(below.y).isGreaterThan(before.y);
+        WindowDriver.onEventThread(() -> dispatch(backwards, MouseEvent.MOUSE_PRESSED));
+        WindowDriver.await("the focus", backwards::isFocusOwner);
+        WindowDriver.onEventThread(driver.window().frame()::validate);
+        assertThat(WindowDriver.onEventThread(backwards::getLocationOnScreen)).isEqualTo(below);
+        WindowDriver.onEventThread(() -> dispatch(backwards, MouseEvent.MOUSE_RELEASED));
+        WindowDriver.await("no message", () -> !complains());
+    }
+}
