@@ -327,7 +327,7 @@ class SceneMistakesTest {
         assertThat(messageOf("{\"camera\": {\"shutter\": {\"type\": \"DetectorPlane\"}}}"))
                 .isEqualTo("f:1:33: camera.shutter: unknown type \"DetectorPlane\"; allowed are " + shutters
                         + "; did you mean \"DetectorPlaneShutter\"?");
-        assertThat(shutters).startsWith("AperturePlaneShutter, DetectorPlaneShutter, ");
+        assertThat(shutters).contains("AperturePlaneShutter", "DetectorPlaneShutter");
     }
 
     /**
