@@ -21,6 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.image.LinearImage;
+import tompkins.light.AmbientLight;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.PaperStudios;
@@ -31,6 +32,7 @@ import tompkins.surface.Surface;
 import tompkins.surface.Tiling;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.VariedStudios;
+import tompkins.ui.model.Records;
 
 @Timeout(120)
 class RendererTest {
@@ -244,18 +246,20 @@ class RendererTest {
         return plan.get();
     }
 
-    /** A float ends at 3.4 x 10^38. */
+    /** A float ends at 3.4 x 10^38; what lamps and surfaces have may be 10^20 each. */
     @ParameterizedTest
-    @CsvSource({"1e30, 0", "1e39, 48", "1e300, 48"})
-    void lightThatNoPictureCanHoldStaysBlackAndIsToldOf(double light, int told) throws InterruptedException {
-        Surface sky = new LuminousSurface(Colour.grey(light), false);
-        RenderPlan plan = RenderPlan.of(size(PaperStudios.fig1a(), 8, 6, 1)
+    @CsvSource({"1e10, 1e20, 0", "1e19, 1e20, 48", "1e20, 1e20, 48"})
+    void lightThatNoPictureCanHoldStaysBlackAndIsToldOf(double lamp, double share, int told)
+            throws InterruptedException {
+        Surface sky = new ColouredSurface(Colour.grey(share), Colour.BLACK);
+        RenderPlan plan = RenderPlan.of(Records.with(
+                        size(PaperStudios.fig1a(), 8, 6, 1), "lights", List.of(new AmbientLight(Colour.grey(lamp))))
                 .withScene(List.of(new Sphere("sky", new Vector3d(0, 0, 0), 1000, sky))));
 
         RenderJob job = render(plan, 1);
 
         assertThat(job.report().notFinite()).isEqualTo(told);
-        assertThat(job.image().value(3, 2, 1)).isEqualTo(told == 0 ? (float) light : 0);
+        assertThat(job.image().value(3, 2, 1)).isEqualTo(told == 0 ? (float) (lamp * share) : 0);
         assertThat(job.report().warnings()).hasSize(told == 0 ? 0 : 1);
     }
 
