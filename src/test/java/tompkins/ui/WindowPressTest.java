@@ -5,10 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Component;
 import java.awt.Point;
 import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.List;
 import javax.swing.JButton;
+import javax.swing.JLabel;
 import javax.swing.JTextField;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AutoClose;
@@ -18,6 +20,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
+import tompkins.ui.picture.PictureCanvas;
 
 /** What a press of the mouse does while something is half typed, or to what has the focus, in a real window. */
 @Timeout(300)
@@ -68,6 +71,9 @@ class WindowPressTest {
         clickWithoutTimeBetween(driver.find(JButton.class, "Backwards"));
         assertThat(driver.studio().velocity().components()).isEqualTo(new Vector3d(0, 0, -0.5));
         assertThat(speed.getText()).isEqualTo("0.5");
+        driver.typeWithoutEnter(driver.find(JTextField.class, "Direction x"), "7");
+        clickWithoutTimeBetween(driver.find(JButton.class, "Forwards"));
+        assertThat(driver.studio().velocity().components()).isEqualTo(new Vector3d(0, 0, 0.5));
     }
 
     @Test
@@ -108,5 +114,21 @@ class WindowPressTest {
         assertThat(WindowDriver.onEventThread(backwards::getLocationOnScreen)).isEqualTo(below);
         WindowDriver.onEventThread(() -> dispatch(backwards, MouseEvent.MOUSE_RELEASED));
         WindowDriver.await("no message", () -> !complains());
+    }
+
+    @Test
+    void theRingWaitsForAKey() {
+        PictureCanvas canvas = driver.find(PictureCanvas.class, "picture");
+        JLabel what = driver.find(JLabel.class, "status.where");
+        driver.click(canvas);
+        JButton unpin = driver.find(JButton.class, "Unpin");
+        WindowDriver.await("the pinned pixel", unpin::isShowing);
+        driver.move(driver.centre(speed));
+        WindowDriver.await("no reading", () -> what.getText().isBlank());
+        driver.click(unpin);
+        WindowDriver.await("the focus", canvas::isFocusOwner);
+        WindowDriver.onEventThread(() -> assertThat(what.getText()).isBlank());
+        driver.key(KeyEvent.VK_RIGHT);
+        WindowDriver.await("a reading", () -> !what.getText().isBlank());
     }
 }

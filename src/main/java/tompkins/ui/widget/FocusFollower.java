@@ -39,8 +39,14 @@ public final class FocusFollower {
 
     /** Whether the Tab key brought the focus; what the mouse presses must not move away under it. */
     public static boolean isTraversal(FocusEvent event) {
-        return event.getCause() == FocusEvent.Cause.TRAVERSAL_FORWARD
+        boolean forward = event.getCause() == FocusEvent.Cause.TRAVERSAL_FORWARD;
+        return forward && !isLost(event.getOppositeComponent())
                 || event.getCause() == FocusEvent.Cause.TRAVERSAL_BACKWARD;
+    }
+
+    /** Whether a component had to give up the focus, which then goes forward by itself. */
+    private static boolean isLost(Component before) {
+        return before != null && !(before.isShowing() && before.isEnabled());
     }
 
     private static boolean belongsTo(Window window, Component component) {
