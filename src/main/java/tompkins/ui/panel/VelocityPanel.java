@@ -84,7 +84,8 @@ public final class VelocityPanel {
             String name = Texts.get("scale." + each.name() + ".name");
             Naming.name(button, name, name + ", " + each.range());
             button.putClientProperty(
-                    "FlatLaf.style", "selectedBackground: $Component.accentColor; selectedForeground: #fff");
+                    "FlatLaf.style",
+                    "selectedBackground: $Component.accentColor; selectedForeground: $Tompkins.chosen");
             button.addActionListener(event -> {
                 scale = each;
                 update();

@@ -1,0 +1,97 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Color;
+import java.awt.Container;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import javax.swing.JToggleButton;
+import javax.swing.UIManager;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import tompkins.spacetime.SpeedScale;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.panel.VelocityPanel;
+import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Texts;
+
+/** Text stands out from what is behind it, as the Web Content Accessibility Guidelines 2 measure it, in all looks. */
+class ContrastTest {
+
+    /** Level AA of the guidelines, for text of any size. */
+    private static final double LEAST = 4.5;
+
+    @AfterAll
+    static void restore() {
+        Look.LIGHT.install();
+    }
+
+    private static double contrast(Color one, Color other) {
+        double first = luminance(one);
+        double second = luminance(other);
+        return (Math.max(first, second) + 0.05) / (Math.min(first, second) + 0.05);
+    }
+
+    private static double luminance(Color colour) {
+        double[] linear = DoubleStream.of(colour.getRed(), colour.getGreen(), colour.getBlue())
+                .map(level -> level / 255)
+                .map(level -> level <= 0.03928 ? level / 12.92 : Math.pow((level + 0.055) / 1.055, 2.4))
+                .toArray();
+        return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
+    }
+
+    /** The contrast of what is painted in the middle of a component with the colour that is there most often. */
+    private static double painted(JToggleButton button) {
+        button.setSize(120, 30);
+        BufferedImage image = new BufferedImage(120, 30, BufferedImage.TYPE_INT_RGB);
+        button.paint(image.createGraphics());
+        List<Color> colours = new ArrayList<>();
+        for (int y = 6; y < 24; y++) {
+            for (int x = 10; x < 110; x++) {
+                colours.add(new Color(image.getRGB(x, y)));
+            }
+        }
+        Color ground = colours.stream()
+                .distinct()
+                .max((a, b) -> Collections.frequency(colours, a) - Collections.frequency(colours, b))
+                .orElseThrow();
+        return colours.stream()
+                .mapToDouble(colour -> contrast(colour, ground))
+                .max()
+                .orElseThrow();
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void theChosenScaleIsRead(Look look) {
+        look.install();
+        Container panel = (Container) new VelocityPanel(new StudioModel(Studios.lattice(), null)).component();
+        for (SpeedScale scale : SpeedScale.values()) {
+            JToggleButton button = Components.find(panel, JToggleButton.class, Texts.get("scale." + scale + ".name"));
+            button.doClick();
+            assertThat(painted(button)).as("%s, %s", look, scale).isGreaterThanOrEqualTo(LEAST);
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void textIsRead(Look look) {
+        look.install();
+        Color panel = UIManager.getColor("Panel.background");
+        for (String text : List.of("Label.foreground", "Tompkins.note", "Tompkins.error")) {
+            assertThat(contrast(UIManager.getColor(text), panel))
+                    .as("%s, %s", look, text)
+                    .isGreaterThanOrEqualTo(LEAST);
+        }
+        for (String kind : List.of("Button", "ToggleButton", "TextField", "ComboBox", "ToolTip")) {
+            assertThat(contrast(UIManager.getColor(kind + ".foreground"), UIManager.getColor(kind + ".background")))
+                    .as("%s, %s", look, kind)
+                    .isGreaterThanOrEqualTo(LEAST);
+        }
+    }
+}
