@@ -15,8 +15,9 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JDialog;
-import javax.swing.JLabel;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
+import javax.swing.text.BadLocationException;
 import org.jfree.chart.ChartPanel;
 import org.jfree.chart.entity.XYItemEntity;
 import org.jfree.data.xy.XYDataset;
@@ -102,6 +103,26 @@ class QualityWindowTest {
     }
 
     @Test
+    void allThatIsSaidIsRead() {
+        WindowDriver.await("all points", () -> state().startsWith("Click a point"));
+        WindowDriver.onEventThread(() -> {
+            // where the longest sentence takes two lines
+            dialog().setSize(500, 600);
+            dialog().validate();
+            JTextArea text = Components.find(dialog().getContentPane(), JTextArea.class, "state");
+            Rectangle2D end;
+            try {
+                end = text.modelToView2D(text.getDocument().getLength());
+            } catch (BadLocationException e) {
+                throw new AssertionError(e);
+            }
+            assertThat(end.getMaxX()).isLessThanOrEqualTo(text.getWidth());
+            assertThat(end.getMaxY()).isLessThanOrEqualTo(text.getHeight());
+            assertThat(end.getY()).as("a second line").isPositive();
+        });
+    }
+
+    @Test
     void anotherChartTakesItsPlace() {
         JDialog first = WindowDriver.onEventThread(QualityWindowTest::dialog);
         JButton measure = driver.find(JButton.class, "Chart this picture");
@@ -168,7 +189,8 @@ class QualityWindowTest {
     }
 
     private static String state() {
-        return Components.find(dialog().getContentPane(), JLabel.class, "state").getText();
+        return Components.find(dialog().getContentPane(), JTextArea.class, "state")
+                .getText();
     }
 
     /** A point of a curve, the cheapest first, or null if it is not there yet. */

@@ -136,7 +136,7 @@ public final class QualityPanel {
 
         private final JDialog dialog;
         private final ChartPanel chart = new ChartPanel(null);
-        private final JLabel state = new JLabel();
+        private final Note state = Note.ofLines(2);
         private volatile boolean closed;
         private final Studio studio = model.studio();
 
@@ -157,7 +157,7 @@ public final class QualityPanel {
         ChartWindow(Window owner) {
             dialog = new JDialog(owner, Texts.get("section.quality"));
             dialog.setName("quality");
-            state.setName("state");
+            state.component().setName("state");
             chart.setName("chart");
             dialog.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
             Keys.bindEscape(dialog.getRootPane(), dialog::dispose);
@@ -183,8 +183,10 @@ public final class QualityPanel {
             chart.addMouseListener(chooser);
             JPanel content = new JPanel(new BorderLayout());
             content.add(chart, BorderLayout.CENTER);
-            state.setBorder(BorderFactory.createEmptyBorder(6, 10, 6, 10));
-            content.add(state, BorderLayout.SOUTH);
+            JPanel below = new JPanel(new BorderLayout());
+            below.setBorder(BorderFactory.createEmptyBorder(6, 10, 6, 10));
+            below.add(state.component());
+            content.add(below, BorderLayout.SOUTH);
             dialog.setContentPane(content);
             dialog.pack();
             dialog.setLocationRelativeTo(owner);

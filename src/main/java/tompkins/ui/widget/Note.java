@@ -41,6 +41,14 @@ public final class Note {
         setText(text);
     }
 
+    /** A note that always has room for some lines, so that what is above does not move with its text. */
+    public static Note ofLines(int lines) {
+        Note note = new Note("");
+        note.area.setRows(lines);
+        note.area.setVisible(true);
+        return note;
+    }
+
     /** A note whose text can be selected and copied, with the mouse and with the keys. */
     public static Note selectable() {
         Note note = new Note("");
@@ -101,7 +109,7 @@ public final class Note {
         error = isError;
         if (!area.getText().equals(text)) {
             area.setText(text);
-            area.setVisible(!text.isEmpty());
+            area.setVisible(area.getRows() > 0 || !text.isEmpty());
             area.revalidate();
         }
         area.setDisabledTextColor(colour());
