@@ -44,11 +44,7 @@ final class SidePanel {
     SidePanel(StudioModel model, PhotographView view, Consumer<String> teller) {
         shutter = new ShutterPanel(model);
         lens = new LensPanel(model, picking -> pick(model, view, teller, picking));
-        ComparePanel compare = new ComparePanel(
-                () -> model.studio().camera().shutter(),
-                view::compare,
-                view.canvas()::setOtherAlone,
-                view::keepPicture);
+        ComparePanel compare = new ComparePanel(model, view::compare, view.canvas()::setOtherAlone, view::keepPicture);
         ray = new RaySection(() -> view.setPin(null));
         Note remarks = new Note(model.studio().remarks());
         model.addListener(() -> show(remarks, model.studio().remarks()));

@@ -85,7 +85,7 @@ class HistoryTest {
     void undoingInTheAnimationLeavesTheSceneAlone() {
         driver.type(field("Speed"), "0.5");
         driver.menu("menu.playPanel");
-        JTextField to = field("to");
+        JTextField to = field("To");
         WindowDriver.await("the panel", to::isShowing);
         String before = to.getText();
         driver.typeWithoutEnter(to, "0.7");

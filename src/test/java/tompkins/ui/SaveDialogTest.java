@@ -151,7 +151,7 @@ class SaveDialogTest {
     @Test
     void whatPlaysIsSavedAsItWasWhenThatWasAskedFor() {
         driver.menu("menu.playPanel");
-        WindowDriver.onEventThread(() -> Components.enter(driver.window().frame(), "seconds", "60"));
+        WindowDriver.onEventThread(() -> Components.enter(driver.window().frame(), "Seconds", "60"));
         driver.menu("menu.playSpeed");
         Path saved = folder.resolve("playing.json");
         WindowDriver.await(

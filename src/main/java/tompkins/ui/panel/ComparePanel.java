@@ -14,6 +14,7 @@ import javax.swing.JRadioButton;
 import net.miginfocom.swing.MigLayout;
 import tompkins.property.Descriptions;
 import tompkins.shutter.Shutter;
+import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Comparison;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
@@ -48,7 +49,7 @@ public final class ComparePanel {
     private final JButton peek = new JButton(Texts.get("compare.peek"));
     private final JButton keep = new JButton(Texts.get("compare.keep"));
     private final Note hint = new Note("");
-    private final Supplier<Shutter> shutterNow;
+    private final StudioModel model;
     private final Consumer<Compared> changed;
     private String keptName;
     private final Updating updating = new Updating();
@@ -56,17 +57,14 @@ public final class ComparePanel {
     /**
      * The panel.
      *
-     * @param shutterNow the shutter of the photograph
+     * @param model what the photograph shows
      * @param changed told what the user wants to compare
      * @param peeking told when the other picture is to be shown alone, and when not any more
      * @param keeping keeps the picture that is shown, and says what to call it
      */
     public ComparePanel(
-            Supplier<Shutter> shutterNow,
-            Consumer<Compared> changed,
-            Consumer<Boolean> peeking,
-            Supplier<String> keeping) {
-        this.shutterNow = shutterNow;
+            StudioModel model, Consumer<Compared> changed, Consumer<Boolean> peeking, Supplier<String> keeping) {
+        this.model = model;
         this.changed = changed;
         Naming.items(others, Wording::label);
         Naming.name(others, "compare.name");
@@ -91,6 +89,7 @@ public final class ComparePanel {
         panel.add(views());
         panel.add(buttons);
         panel.add(hint.component(), "wmin 0");
+        model.addListener(this::update);
         update();
     }
 
@@ -111,7 +110,8 @@ public final class ComparePanel {
 
     private void choose() {
         if (other() == Other.OTHER_SHUTTER
-                && shutters.getSelectedItem() == shutterNow.get().getClass()) {
+                && shutters.getSelectedItem()
+                        == model.studio().camera().shutter().getClass()) {
             // the shutter in use would show the same picture twice
             updating.during(
                     () -> shutters.setSelectedIndex((shutters.getSelectedIndex() + 1) % shutters.getItemCount()));
@@ -121,7 +121,11 @@ public final class ComparePanel {
 
     private void tell() {
         update();
-        changed.accept(new Compared(other(), (Class<?>) shutters.getSelectedItem(), view(), otherName()));
+        changed.accept(compared());
+    }
+
+    private Compared compared() {
+        return new Compared(other(), (Class<?>) shutters.getSelectedItem(), view(), otherName());
     }
 
     private void update() {
@@ -130,10 +134,14 @@ public final class ComparePanel {
         boolean compares = other() != Other.NOTHING && !missing;
         views.values().forEach(button -> button.setEnabled(compares));
         peek.setEnabled(compares);
-        hint.setText(
-                missing
-                        ? Texts.get("compare.keepFirst")
-                        : compares ? Texts.get(view() == Comparison.SPLIT ? "compare.splitHint" : "compare.hint") : "");
+        hint.setText(compares ? hint() : missing ? Texts.get("compare.keepFirst") : "");
+    }
+
+    private String hint() {
+        if (compared().isSame(model.studio())) {
+            return Texts.get("compare.same");
+        }
+        return Texts.get(view() == Comparison.SPLIT ? "compare.splitHint" : "compare.hint");
     }
 
     /** The panel itself. */

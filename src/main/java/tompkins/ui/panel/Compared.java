@@ -32,4 +32,14 @@ public record Compared(ComparePanel.Other other, Class<?> shutter, Comparison vi
             case OTHER_SHUTTER -> Shutters.replaced(now, shutter);
         };
     }
+
+    /** Whether the other picture shows just what the photograph of a studio shows. */
+    boolean isSame(Studio now) {
+        return switch (other) {
+            case NOTHING, KEPT_PICTURE -> false;
+            case AT_REST -> now.velocity().isRest();
+            case GALILEAN_CAMERA, UNCHANGED_COLOURS, OTHER_SHUTTER ->
+                studio(now).equals(now);
+        };
+    }
 }

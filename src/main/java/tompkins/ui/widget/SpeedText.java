@@ -99,7 +99,6 @@ public final class SpeedText {
     }
 
     private static InvalidPropertyException wrong(String text) {
-        return Numbers.noNumber(
-                "speed", "a number, or for example \"97%\", \"gamma 10\", \"1-1e-9\", \"rapidity 2\"", text);
+        return Numbers.noNumber("speed", "written like 0.97, 97 %, gamma 10, rapidity 2 or 1-1e-9", text);
     }
 }

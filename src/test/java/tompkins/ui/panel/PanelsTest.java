@@ -24,6 +24,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
@@ -202,7 +203,7 @@ class PanelsTest {
         assertThat(Components.notes(camera)).anyMatch(text -> text.contains("at most that of gamma 1e8"));
         assertThat(Components.isMarked(Components.enter(window, "Speed", "gamma 1e9")))
                 .isTrue();
-        assertThat(Components.isMarked(Components.enter((Container) play.component(), "to", "20")))
+        assertThat(Components.isMarked(Components.enter((Container) play.component(), "To", "20")))
                 .isTrue();
         assertThat(Components.notes((Container) play.component())).anyMatch(text -> text.contains("gamma 1e8"));
         assertThat(model.studio()).isSameAs(before);
@@ -585,8 +586,7 @@ class PanelsTest {
     }
 
     private ComparePanel comparePanel() {
-        return new ComparePanel(
-                () -> model.studio().camera().shutter(), next -> compared = next, peeking -> {}, () -> "kept");
+        return new ComparePanel(model, next -> compared = next, peeking -> {}, () -> "kept");
     }
 
     @ParameterizedTest
@@ -605,6 +605,24 @@ class PanelsTest {
         assertThat(compared.studio(now).camera().shutter())
                 .as("who wants the same may have it")
                 .isInstanceOf(shutter);
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"AT_REST", "GALILEAN_CAMERA", "UNCHANGED_COLOURS"})
+    void theSamePictureTwiceIsSaidToBe(ComparePanel.Other other) {
+        Studio moving = Studios.lattice().withVelocity(Velocity.of(0, 0, 0.5));
+        ComparePanel panel = comparePanel();
+        compareWith(panel, other);
+        Container shown = (Container) panel.component();
+        model.set(moving.withColours(ColourLaw.DOPPLER));
+        assertThat(Components.notes(shown)).containsExactly(Texts.get("compare.splitHint"));
+        model.set(
+                switch (other) {
+                    case AT_REST -> moving.withVelocity(Velocity.of(SpeedScale.BETA, 0, new Vector3d(0, 1, 0)));
+                    case GALILEAN_CAMERA -> moving.withTransformation(TransformationLaw.GALILEAN);
+                    default -> moving.withColours(ColourLaw.UNCHANGED);
+                });
+        assertThat(Components.notes(shown)).containsExactly("Both pictures are the same.");
     }
 
     @Test

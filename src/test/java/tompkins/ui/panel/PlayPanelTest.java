@@ -131,7 +131,7 @@ class PlayPanelTest {
     @Test
     void nothingRunsWithAValueThatWasRefused() {
         choose(SPEED);
-        Components.enter(panel, "to", "1");
+        Components.enter(panel, "To", "1");
         WindowDriver.onEventThread(() -> {
             play.setPlaying(true);
             assertThat(play.isPlaying()).isFalse();
@@ -141,7 +141,7 @@ class PlayPanelTest {
         assertThat(exported).isEmpty();
         assertThat(Components.notes(panel)).anyMatch(text -> text.startsWith("\u26a0"));
         // typed, but not yet entered
-        Components.find(panel, JTextField.class, "to").setText("0.9");
+        Components.find(panel, JTextField.class, "To").setText("0.9");
         export.doClick();
         assertThat(exported).singleElement().extracting(Animation::to).isEqualTo(0.9);
         WindowDriver.onEventThread(() -> {
@@ -162,13 +162,13 @@ class PlayPanelTest {
     void theScrubberStandsAtTheNumberOfTheScene(Animation.Course course, int place) {
         choose(SPEED);
         Components.find(panel, JComboBox.class, "Direction").setSelectedItem(course);
-        Components.enter(panel, "to", "0.8");
+        Components.enter(panel, "To", "0.8");
         model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.2)));
         assertThat(place()).isEqualTo(place);
-        Components.enter(panel, "to", "0.2");
-        Components.enter(panel, "from", "0.2");
-        Components.enter(panel, "to", "0.8");
-        Components.enter(panel, "from", "0");
+        Components.enter(panel, "To", "0.2");
+        Components.enter(panel, "From", "0.2");
+        Components.enter(panel, "To", "0.8");
+        Components.enter(panel, "From", "0");
         assertThat(place()).as("after other ends").isEqualTo(place);
     }
 
@@ -230,14 +230,14 @@ class PlayPanelTest {
     void aNumberThatBothScenesHaveRunsOn() {
         WindowDriver.onEventThread(() -> {
             choose("Camera \u203a Exposure");
-            Components.enter(panel, "to", "3");
+            Components.enter(panel, "To", "3");
             play.setPlaying(true);
 
             model.open(with(ball("red")), null);
 
             assertThat(chosen()).isEqualTo("Camera \u203a Exposure");
             assertThat(play.isPlaying()).isTrue();
-            assertThat(Components.find(panel, JTextField.class, "to").getText()).isEqualTo("3");
+            assertThat(Components.find(panel, JTextField.class, "To").getText()).isEqualTo("3");
             scrub(1000);
             assertThat(model.studio().camera().exposureStops()).isEqualTo(3);
         });
@@ -257,12 +257,12 @@ class PlayPanelTest {
 
     @Test
     void keysGoOnFromWhatWasTakenLast() {
-        JTextField to = Components.find(panel, JTextField.class, "to");
+        JTextField to = Components.find(panel, JTextField.class, "To");
         Components.press(to, "UP");
         Components.press(to, "UP");
         assertThat(to.getText()).isEqualTo("0.992");
-        Components.enter(panel, "to", "0.5");
-        Components.enter(panel, "to", "soon");
+        Components.enter(panel, "To", "0.5");
+        Components.enter(panel, "To", "soon");
         Components.press(to, "ESCAPE");
         assertThat(to.getText()).isEqualTo("0.5");
     }
