@@ -10,8 +10,11 @@ import tompkins.ray.Ray;
  */
 final class GalileanTransformation implements SpaceTimeTransformation {
 
-    /** From this speed on, beta is taken from the speed of light: what little is missing there keeps all digits. */
-    private static final double FAST = 0.5;
+    /**
+     * From this speed on, beta is taken from the speed of light: what little is missing there keeps all digits. Below,
+     * where the difference of d and beta loses three of them at most, components count as they are given.
+     */
+    private static final double FAST = 0.999;
 
     private final Velocity velocity;
     private final double sign;
