@@ -14,7 +14,7 @@ import tompkins.ui.widget.Texts;
 /** The keys and what the mouse does, group by group: each beside what it means. */
 final class KeyTable {
 
-    private final JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 0, wrap 2, gap 24 3"));
+    private final JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 0, wrap 2, gap 24 2"));
 
     /** A table that begins with some menu items, which all have keys. */
     KeyTable(List<JMenuItem> items) {

@@ -1,5 +1,7 @@
 package tompkins.ui.widget;
 
+import static java.util.Map.entry;
+
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.FlatLightLaf;
@@ -14,65 +16,41 @@ public enum Look {
     LIGHT(
             false,
             1,
-            Map.of(
-                    "Tompkins.chosen",
-                    0xffffff,
-                    "Tompkins.hover",
-                    0xe2e5ea,
-                    "Tompkins.canvas",
-                    0xd9dce1,
-                    "Tompkins.note",
-                    0x5b6470,
-                    "Tompkins.error",
-                    0xb3261e,
-                    "Tompkins.line",
-                    0xaab2bd,
-                    "Tompkins.sphereLight",
-                    0xffffff,
-                    "Tompkins.sphereDark",
-                    0xd5dce6)),
+            Map.ofEntries(
+                    entry("Tompkins.chosen", 0xffffff),
+                    entry("Tompkins.hover", 0xe2e5ea),
+                    entry("Tompkins.canvas", 0xd9dce1),
+                    entry("Tompkins.note", 0x5b6470),
+                    entry("Tompkins.error", 0xb3261e),
+                    entry("Tompkins.line", 0xaab2bd),
+                    entry("Tompkins.sphereLight", 0xffffff),
+                    entry("Tompkins.sphereDark", 0xd5dce6))),
     /** For dark rooms. */
     DARK(
             true,
             1,
-            Map.of(
-                    "Tompkins.chosen",
-                    0x000000,
-                    "Tompkins.hover",
-                    0x4a4f56,
-                    "Tompkins.canvas",
-                    0x17191c,
-                    "Tompkins.note",
-                    0xa4acb8,
-                    "Tompkins.error",
-                    0xff8a80,
-                    "Tompkins.line",
-                    0x666d78,
-                    "Tompkins.sphereLight",
-                    0x59616d,
-                    "Tompkins.sphereDark",
-                    0x33383f)),
+            Map.ofEntries(
+                    entry("Tompkins.chosen", 0x000000),
+                    entry("Tompkins.hover", 0x4a4f56),
+                    entry("Tompkins.canvas", 0x17191c),
+                    entry("Tompkins.note", 0xa4acb8),
+                    entry("Tompkins.error", 0xff8a80),
+                    entry("Tompkins.line", 0x666d78),
+                    entry("Tompkins.sphereLight", 0x59616d),
+                    entry("Tompkins.sphereDark", 0x33383f))),
     /** For the back row: large type and high contrast. */
     PROJECTOR(
             false,
             1.45f,
-            Map.of(
-                    "Tompkins.chosen",
-                    0xffffff,
-                    "Tompkins.hover",
-                    0xdde4f5,
-                    "Tompkins.canvas",
-                    0x000000,
-                    "Tompkins.note",
-                    0x000000,
-                    "Tompkins.error",
-                    0xa00000,
-                    "Tompkins.line",
-                    0x000000,
-                    "Tompkins.sphereLight",
-                    0xffffff,
-                    "Tompkins.sphereDark",
-                    0xdddddd));
+            Map.ofEntries(
+                    entry("Tompkins.chosen", 0xffffff),
+                    entry("Tompkins.hover", 0xdde4f5),
+                    entry("Tompkins.canvas", 0x000000),
+                    entry("Tompkins.note", 0x000000),
+                    entry("Tompkins.error", 0xa00000),
+                    entry("Tompkins.line", 0x000000),
+                    entry("Tompkins.sphereLight", 0xffffff),
+                    entry("Tompkins.sphereDark", 0xdddddd)));
 
     private final boolean dark;
     private final float enlargement;
