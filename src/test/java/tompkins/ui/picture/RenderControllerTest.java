@@ -11,6 +11,8 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import tompkins.image.ToneCurve;
 import tompkins.render.Renderer;
 import tompkins.sceneobject.Group;
@@ -116,18 +118,6 @@ class RenderControllerTest {
         return pictures.get(0).samples();
     }
 
-    /** The second picture waits until the first one has been seen. */
-    @Test
-    void eachPictureOfAFilmIsSeen() throws InterruptedException {
-        Studio first = Studios.lattice();
-        Studio second = first.withVelocity(Velocity.of(0, 0, 0.5));
-        controller.show(first, Pace.FILM);
-        await(() -> controller.progress() > 0);
-        controller.show(second, Pace.FILM);
-        await(() -> !pictures.isEmpty() && last().complete() && last().studio().equals(second));
-        assertThat(pictures.get(0).studio()).isEqualTo(first);
-    }
-
     @Test
     void aSlowPictureShowsSomethingAndGivesWay() throws InterruptedException {
         controller.show(Studios.slow(), Pace.HAND);
@@ -138,14 +128,15 @@ class RenderControllerTest {
     }
 
     /** In a ball of perfect mirrors a ray goes on until it is given up: even the coarsest pass takes long. */
-    @Test
-    void aPictureIsSeenWhileAHandMovesHoweverLongItTakes() throws InterruptedException {
+    @ParameterizedTest
+    @EnumSource
+    void aPictureIsSeenWhileThingsMoveHoweverLongItTakes(Pace pace) throws InterruptedException {
         Studio mirrors = Studios.sphere()
                 .withScene(List.of(new Sphere("mirror", new Vector3d(0.5, 0, 0), 3, new Mirror(1))))
                 .withSettings(new RenderSettings(320, 240, 1, 0, 1, 5_000, ToneCurve.LINEAR));
         int changes = 0;
         while (pictures.isEmpty()) {
-            controller.show(mirrors.withVelocity(Velocity.of(0, 0, ++changes * 1e-4)), Pace.HAND);
+            controller.show(mirrors.withVelocity(Velocity.of(0, 0, ++changes * 1e-4)), pace);
             Thread.sleep(20);
         }
         assertThat(last().complete()).isFalse();
