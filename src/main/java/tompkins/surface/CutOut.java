@@ -48,9 +48,7 @@ public record CutOut(
 
     @Override
     public Shadow shadow() {
-        // asked once: where each level asks twice, many levels take for ever
-        Shadow ofDark = dark.shadow();
-        return ofDark == bright.shadow() ? ofDark : Shadow.BY_POINT;
+        return dark.shadow().orElsewhere(bright.shadow());
     }
 
     @Override

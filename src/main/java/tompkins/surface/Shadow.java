@@ -7,5 +7,10 @@ public enum Shadow {
     /** Nowhere: light passes. */
     NEVER,
     /** At some points: {@link Surface#throwsShadowAt} must be asked. */
-    BY_POINT
+    BY_POINT;
+
+    /** Whether a surface throws a shadow that is this one at some of its points, and the other one at others. */
+    Shadow orElsewhere(Shadow other) {
+        return this == other ? this : BY_POINT;
+    }
 }

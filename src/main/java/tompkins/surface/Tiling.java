@@ -124,9 +124,7 @@ public record Tiling(
 
     @Override
     public Shadow shadow() {
-        // asked once: where each level asks twice, many levels take for ever
-        Shadow ofFirst = first.shadow();
-        return ofFirst == second.shadow() ? ofFirst : Shadow.BY_POINT;
+        return first.shadow().orElsewhere(second.shadow());
     }
 
     @Override
