@@ -42,11 +42,10 @@ public enum AnimationFormat {
      *
      * @param target the file, or for numbered pictures the folder, which must be new or empty
      * @param framesPerSecond from 1 to {@link #FASTEST}
-     * @param curve how light becomes levels
      * @throws FileException if the name does not fit the format, nothing can be written there, or ffmpeg is missing
      * @throws IllegalArgumentException if {@code framesPerSecond} is out of range
      */
-    public AnimationWriter open(Path target, int framesPerSecond, ToneCurve curve) throws FileException {
+    public AnimationWriter open(Path target, int framesPerSecond) throws FileException {
         if (framesPerSecond < 1 || framesPerSecond > FASTEST) {
             throw new IllegalArgumentException(
                     "framesPerSecond must be a whole number from 1 to " + FASTEST + ", was " + framesPerSecond);
@@ -56,10 +55,10 @@ public enum AnimationFormat {
         }
         try {
             return switch (this) {
-                case APNG -> new ApngWriter(target, framesPerSecond, curve);
-                case GIF -> new GifWriter(target, framesPerSecond, curve);
-                case MP4 -> new Mp4Writer(target, framesPerSecond, curve, Mp4Writer.program());
-                case NUMBERED_PNG -> new NumberedPngWriter(target, curve);
+                case APNG -> new ApngWriter(target, framesPerSecond);
+                case GIF -> new GifWriter(target, framesPerSecond);
+                case MP4 -> new Mp4Writer(target, framesPerSecond, Mp4Writer.program());
+                case NUMBERED_PNG -> new NumberedPngWriter(target);
             };
         } catch (IOException e) {
             throw FileException.cannotWrite(target, e);

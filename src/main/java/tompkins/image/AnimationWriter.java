@@ -4,14 +4,13 @@ import java.awt.image.BufferedImage;
 import java.io.Closeable;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.function.Consumer;
 
 /**
  * An animation that is being saved, frame by frame: no more than a frame is held in memory. It appears under its name
  * with {@link #finish}; closed without it, it leaves no trace. For one thread at a time.
  *
  * <pre>{@code
- * try (AnimationWriter animation = AnimationFormat.GIF.open(file, 25, ToneCurve.LINEAR)) {
+ * try (AnimationWriter animation = AnimationFormat.GIF.open(file, 25)) {
  *     animation.add(frame, info);
  *     ...
  *     animation.finish();
@@ -23,52 +22,38 @@ public abstract sealed class AnimationWriter implements Closeable
 
     private final Path target;
     private final PendingFile pending;
-    private final ToneCurve curve;
     private int width;
     private int height;
     private int frames;
     private boolean ended;
 
-    AnimationWriter(Path target, PendingFile pending, ToneCurve curve) {
+    AnimationWriter(Path target, PendingFile pending) {
         this.target = target;
         this.pending = pending;
-        this.curve = curve;
-    }
-
-    /**
-     * Adds a frame as it is.
-     *
-     * @throws FileException as {@link #add(LinearImage, PhotographInfo, Consumer)}
-     */
-    public final void add(LinearImage frame, PhotographInfo info) throws FileException {
-        add(frame, info, levels -> {});
     }
 
     /**
      * Adds a frame. All frames have the size of the first.
      *
+     * @param frame as a screen shows it, of type {@link BufferedImage#TYPE_INT_RGB}
      * @param info what the frame says about itself: numbered pictures keep it for each, an animated PNG for its first
      *     frame, the other formats have no place for it
-     * @param drawing draws over the frame
      * @throws FileException if the frame cannot be written; the animation is then closed
      * @throws IllegalArgumentException if the frame has another size than the first, or a size that the format does not
      *     allow
      * @throws IllegalStateException after {@link #finish} or {@link #close}
      */
-    public final void add(LinearImage frame, PhotographInfo info, Consumer<BufferedImage> drawing)
-            throws FileException {
+    public final void add(BufferedImage frame, PhotographInfo info) throws FileException {
         requireOpen();
         if (frames == 0) {
-            width = frame.width();
-            height = frame.height();
-        } else if (frame.width() != width || frame.height() != height) {
+            width = frame.getWidth();
+            height = frame.getHeight();
+        } else if (frame.getWidth() != width || frame.getHeight() != height) {
             throw new IllegalArgumentException("all frames must have the size of the first, " + width + " x " + height
-                    + ", was " + frame.width() + " x " + frame.height());
+                    + ", was " + frame.getWidth() + " x " + frame.getHeight());
         }
         try {
-            BufferedImage levels = BufferedImages.toBufferedImage(frame, curve);
-            drawing.accept(levels);
-            write(levels, info, frames);
+            write(frame, info, frames);
         } catch (IOException e) {
             throw givenUp(e);
         }

@@ -27,8 +27,8 @@ final class ApngWriter extends AnimationWriter {
     private long animationControlAt;
     private int sequenceNumber;
 
-    ApngWriter(Path target, int framesPerSecond, ToneCurve curve) throws IOException {
-        super(target, PendingFile.file(target), curve);
+    ApngWriter(Path target, int framesPerSecond) throws IOException {
+        super(target, PendingFile.file(target));
         this.framesPerSecond = framesPerSecond;
         this.channel = Files.newByteChannel(pending().path(), StandardOpenOption.WRITE);
         this.out = new BufferedOutputStream(Channels.newOutputStream(channel), 1 << 16);

@@ -27,8 +27,8 @@ final class GifWriter extends AnimationWriter {
     private final ImageOutputStream stream;
     private final ImageWriter writer;
 
-    GifWriter(Path target, int framesPerSecond, ToneCurve curve) throws IOException {
-        super(target, PendingFile.file(target), curve);
+    GifWriter(Path target, int framesPerSecond) throws IOException {
+        super(target, PendingFile.file(target));
         this.framesPerSecond = framesPerSecond;
         this.writer = ImageProviders.gifWriter();
         this.out = pending().open();

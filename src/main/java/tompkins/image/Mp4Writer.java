@@ -23,8 +23,8 @@ final class Mp4Writer extends AnimationWriter {
     private Process process;
     private OutputStream pixels;
 
-    Mp4Writer(Path target, int framesPerSecond, ToneCurve curve, Path program) throws IOException {
-        super(target, PendingFile.file(target), curve);
+    Mp4Writer(Path target, int framesPerSecond, Path program) throws IOException {
+        super(target, PendingFile.file(target));
         this.program = program;
         this.framesPerSecond = framesPerSecond;
     }

@@ -11,8 +11,8 @@ import java.util.Locale;
 /** A folder of pictures {@code frame0001.png}, ..., which other programs make into a film. */
 final class NumberedPngWriter extends AnimationWriter {
 
-    NumberedPngWriter(Path target, ToneCurve curve) throws IOException {
-        super(target, PendingFile.folder(target), curve);
+    NumberedPngWriter(Path target) throws IOException {
+        super(target, PendingFile.folder(target));
     }
 
     @Override

@@ -1,13 +1,16 @@
 package tompkins.ui;
 
+import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.JFrame;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
+import tompkins.image.BufferedImages;
 import tompkins.image.LinearImage;
 import tompkins.image.PhotographInfo;
+import tompkins.image.ToneCurve;
 import tompkins.io.SelfDescription;
 import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
@@ -61,18 +64,18 @@ final class AnimationExport {
             Studio studio, Animation animation, Path file, AnimationFormat format, boolean captioned, Progress progress)
             throws Exception {
         int frames = animation.frames();
+        ToneCurve curve = studio.settings().toneCurve();
         try (PhotographTaker taker = new PhotographTaker();
-                AnimationWriter writer = format.open(
-                        file, Animation.FRAME_RATE, studio.settings().toneCurve())) {
+                AnimationWriter writer = format.open(file, Animation.FRAME_RATE)) {
             for (int i = 0; i < frames; i++) {
                 Studio moment = animation.studio(studio, animation.timeOf(i));
                 PhotographInfo info = SelfDescription.of(moment);
                 LinearImage image = taker.take(moment, progress, (double) i / frames, 1.0 / frames);
-                writer.add(image, info, picture -> {
-                    if (captioned) {
-                        PictureLabel.paint(picture, Captions.of(moment, animation.property()));
-                    }
-                });
+                BufferedImage picture = BufferedImages.toBufferedImage(image, curve);
+                if (captioned) {
+                    PictureLabel.paint(picture, Captions.of(moment, animation.property()));
+                }
+                writer.add(picture, info);
             }
             writer.finish();
         }

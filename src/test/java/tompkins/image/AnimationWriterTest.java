@@ -37,10 +37,11 @@ class AnimationWriterTest {
     /** A film of as many frames, the first with {@link Samples#SCENE}, the others with {@link #SECOND_SCENE}. */
     private Path film(AnimationFormat format, int framesPerSecond, int frames) throws IOException {
         Path target = target(format);
-        try (AnimationWriter animation = format.open(target, framesPerSecond, ToneCurve.LINEAR)) {
+        try (AnimationWriter animation = format.open(target, framesPerSecond)) {
             for (int i = 0; i < frames; i++) {
                 animation.add(
-                        Samples.squares(22, 13, i), i == 0 ? Samples.INFO : new PhotographInfo("", "", SECOND_SCENE));
+                        Samples.levels(Samples.squares(22, 13, i)),
+                        i == 0 ? Samples.INFO : new PhotographInfo("", "", SECOND_SCENE));
             }
             animation.finish();
         }
@@ -52,7 +53,7 @@ class AnimationWriterTest {
     }
 
     private static int[] levels(int frame) {
-        return levels(BufferedImages.toBufferedImage(Samples.squares(22, 13, frame), ToneCurve.LINEAR));
+        return levels(Samples.levels(Samples.squares(22, 13, frame)));
     }
 
     @Test
@@ -177,9 +178,9 @@ class AnimationWriterTest {
 
     @Test
     void gifRefusesSidesThatItCannotHold() throws IOException {
-        try (AnimationWriter animation = AnimationFormat.GIF.open(target(AnimationFormat.GIF), 25, ToneCurve.LINEAR)) {
+        try (AnimationWriter animation = AnimationFormat.GIF.open(target(AnimationFormat.GIF), 25)) {
             assertThatIllegalArgumentException()
-                    .isThrownBy(() -> animation.add(Samples.random(65536, 1, 1), PhotographInfo.NONE))
+                    .isThrownBy(() -> animation.add(Samples.levels(Samples.random(65536, 1, 1)), PhotographInfo.NONE))
                     .withMessageContaining("65535")
                     .withMessageContaining("65536 x 1");
         }
@@ -221,9 +222,9 @@ class AnimationWriterTest {
         if (file) {
             Files.writeString(target, "old");
         }
-        try (AnimationWriter animation = format.open(target, 25, ToneCurve.LINEAR)) {
-            animation.add(Samples.squares(22, 13, 0), Samples.INFO);
-            animation.add(Samples.squares(22, 13, 1), Samples.INFO);
+        try (AnimationWriter animation = format.open(target, 25)) {
+            animation.add(Samples.levels(Samples.squares(22, 13, 0)), Samples.INFO);
+            animation.add(Samples.levels(Samples.squares(22, 13, 1)), Samples.INFO);
             assertThat(Samples.names(folder)).as("work in progress").anyMatch(name -> name.endsWith(".part"));
             // As a worker that is told to stop finds itself.
             Thread.currentThread().interrupt();
@@ -261,16 +262,16 @@ class AnimationWriterTest {
     @ParameterizedTest
     @EnumSource(names = "MP4", mode = EnumSource.Mode.EXCLUDE)
     void theOrderOfCallsIsKept(AnimationFormat format) throws IOException {
-        AnimationWriter animation = format.open(target(format), 25, ToneCurve.LINEAR);
+        AnimationWriter animation = format.open(target(format), 25);
         assertThatIllegalStateException().isThrownBy(animation::finish).withMessageContaining("must have a frame");
-        animation.add(Samples.squares(22, 13, 0), PhotographInfo.NONE);
+        animation.add(Samples.levels(Samples.squares(22, 13, 0)), PhotographInfo.NONE);
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> animation.add(Samples.squares(13, 22, 0), PhotographInfo.NONE))
+                .isThrownBy(() -> animation.add(Samples.levels(Samples.squares(13, 22, 0)), PhotographInfo.NONE))
                 .withMessageContaining("22 x 13")
                 .withMessageContaining("13 x 22");
         animation.finish();
         assertThatIllegalStateException()
-                .isThrownBy(() -> animation.add(Samples.squares(22, 13, 0), PhotographInfo.NONE));
+                .isThrownBy(() -> animation.add(Samples.levels(Samples.squares(22, 13, 0)), PhotographInfo.NONE));
         assertThatIllegalStateException().isThrownBy(animation::finish);
         animation.close();
         assertThat(target(format)).exists();
@@ -280,14 +281,14 @@ class AnimationWriterTest {
     void wrongRatesNamesAndFoldersAreRefused() {
         Path gif = folder.resolve("film.gif");
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> AnimationFormat.GIF.open(gif, 0, ToneCurve.LINEAR))
+                .isThrownBy(() -> AnimationFormat.GIF.open(gif, 0))
                 .withMessage("framesPerSecond must be a whole number from 1 to 60, was 0");
-        assertThatIllegalArgumentException().isThrownBy(() -> AnimationFormat.GIF.open(gif, 61, ToneCurve.LINEAR));
-        assertThatThrownBy(() -> AnimationFormat.APNG.open(gif, 25, ToneCurve.LINEAR))
+        assertThatIllegalArgumentException().isThrownBy(() -> AnimationFormat.GIF.open(gif, 61));
+        assertThatThrownBy(() -> AnimationFormat.APNG.open(gif, 25))
                 .isInstanceOf(FileException.class)
                 .hasMessage(gif + ": the name of an animated PNG must end in .png or .apng");
         Path lost = folder.resolve("lost").resolve("film.gif");
-        assertThatThrownBy(() -> AnimationFormat.GIF.open(lost, 25, ToneCurve.LINEAR))
+        assertThatThrownBy(() -> AnimationFormat.GIF.open(lost, 25))
                 .isInstanceOf(FileException.class)
                 .hasMessage(lost + ": cannot be written: there is no folder " + lost.getParent());
     }

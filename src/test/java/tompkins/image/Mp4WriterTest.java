@@ -28,7 +28,7 @@ class Mp4WriterTest {
     }
 
     private AnimationWriter open(Path program) throws IOException {
-        return new Mp4Writer(folder.resolve("film.mp4"), 24, ToneCurve.LINEAR, program);
+        return new Mp4Writer(folder.resolve("film.mp4"), 24, program);
     }
 
     @Test
@@ -38,8 +38,8 @@ class Mp4WriterTest {
                 program("printf '%s\\n' \"$@\" > '" + arguments + "'\n" + "for last do :; done\ncat > \"$last\"\n");
 
         try (AnimationWriter animation = open(program)) {
-            animation.add(Samples.random(31, 17, 1), PhotographInfo.NONE);
-            animation.add(Samples.random(31, 17, 2), PhotographInfo.NONE);
+            animation.add(Samples.levels(Samples.random(31, 17, 1)), PhotographInfo.NONE);
+            animation.add(Samples.levels(Samples.random(31, 17, 2)), PhotographInfo.NONE);
             animation.finish();
         }
 
@@ -86,7 +86,7 @@ class Mp4WriterTest {
         try (AnimationWriter animation = open(program)) {
             assertThatThrownBy(() -> {
                         for (int i = 0; i < 10; i++) {
-                            animation.add(Samples.random(200, 200, i), PhotographInfo.NONE);
+                            animation.add(Samples.levels(Samples.random(200, 200, i)), PhotographInfo.NONE);
                         }
                         animation.finish();
                     })
@@ -94,7 +94,7 @@ class Mp4WriterTest {
                     .hasMessage(film + ": cannot be written: " + message);
             assertThat(Samples.names(folder)).as("before it is closed").containsExactly("film.mp4");
             assertThatIllegalStateException()
-                    .isThrownBy(() -> animation.add(Samples.random(200, 200, 1), PhotographInfo.NONE));
+                    .isThrownBy(() -> animation.add(Samples.levels(Samples.random(200, 200, 1)), PhotographInfo.NONE));
         }
         assertThat(film).hasContent("old");
         assertThat(Samples.names(folder)).containsExactly("film.mp4");
@@ -107,7 +107,7 @@ class Mp4WriterTest {
 
         try (AnimationWriter animation = open(program)) {
             for (int i = 0; i < 5; i++) {
-                animation.add(Samples.random(200, 200, i), PhotographInfo.NONE);
+                animation.add(Samples.levels(Samples.random(200, 200, i)), PhotographInfo.NONE);
             }
             // As a worker that is told to stop finds itself.
             Thread.currentThread().interrupt();
@@ -125,16 +125,18 @@ class Mp4WriterTest {
     void theProgramMakesAFilmWhereItIsAndTheMessageSaysWhatElseThereIsWhereItIsNot() throws IOException {
         Path film = folder.resolve("film.mp4");
         if (Mp4Writer.findProgram(System.getenv("PATH")).isEmpty()) {
-            assertThatThrownBy(() -> AnimationFormat.MP4.open(film, 25, ToneCurve.LINEAR))
+            assertThatThrownBy(() -> AnimationFormat.MP4.open(film, 25))
                     .isInstanceOf(FileException.class)
                     .hasMessageContaining("install it")
                     .hasMessageContaining("animated GIF");
             assertThat(folder).isEmptyDirectory();
             return;
         }
-        try (AnimationWriter animation = AnimationFormat.MP4.open(film, 25, ToneCurve.SRGB)) {
+        try (AnimationWriter animation = AnimationFormat.MP4.open(film, 25)) {
             for (int i = 0; i < 10; i++) {
-                animation.add(Samples.squares(161, 121, i), PhotographInfo.NONE);
+                animation.add(
+                        BufferedImages.toBufferedImage(Samples.squares(161, 121, i), ToneCurve.SRGB),
+                        PhotographInfo.NONE);
             }
             animation.finish();
         }

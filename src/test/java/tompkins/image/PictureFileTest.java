@@ -310,8 +310,8 @@ class PictureFileTest {
         float[] rgb = new float[3 * 3 * 2];
         rgb[3 * 5 + 1] = 1;
         Path gif = folder.resolve("low.gif");
-        try (AnimationWriter animation = AnimationFormat.GIF.open(gif, 1, ToneCurve.LINEAR)) {
-            animation.add(new LinearImage(3, 2, rgb), PhotographInfo.NONE);
+        try (AnimationWriter animation = AnimationFormat.GIF.open(gif, 1)) {
+            animation.add(Samples.levels(new LinearImage(3, 2, rgb)), PhotographInfo.NONE);
             animation.finish();
         }
 

@@ -164,4 +164,9 @@ final class Samples {
         }
         return result;
     }
+
+    /** A picture as a screen shows it, with even levels. */
+    static BufferedImage levels(LinearImage image) {
+        return BufferedImages.toBufferedImage(image, ToneCurve.LINEAR);
+    }
 }
