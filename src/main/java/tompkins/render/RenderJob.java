@@ -290,10 +290,13 @@ public final class RenderJob {
         }
     }
 
-    /** Without such colours brightness is what the scene says, and black may be meant. */
+    /**
+     * Of a picture on its way, which changes yet, nothing is told; without shifted colours brightness is what the scene
+     * says, and black may be meant.
+     */
     private Clipping clipping() {
         Studio studio = plan.studio();
-        return studio.colours() == ColourLaw.UNCHANGED
+        return !complete || studio.colours() == ColourLaw.UNCHANGED
                 ? Clipping.NONE
                 : Clipping.of(film.image(), studio.settings().toneCurve());
     }

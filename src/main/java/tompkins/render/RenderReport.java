@@ -22,8 +22,9 @@ import tompkins.ray.RayCounts;
  * @param tests primitives that were tested
  * @param pixels pixels of the picture
  * @param sampledPixels those that have samples; time may be over before all of them have
- * @param blackPixels those that are too faint for a screen, where the motion changes brightness; otherwise 0
- * @param whitePixels those that are brighter than white, where the motion changes brightness; otherwise 0
+ * @param blackPixels those that are too faint for a screen, where the motion changes brightness; otherwise 0, and while
+ *     the picture is not complete
+ * @param whitePixels those that are brighter than white, in the same cases
  * @param error estimated root mean square error in linear light; NaN if there is too little to tell, such as one sample
  *     through a wide aperture, or pixels without any
  * @param wantedError the error that was to be reached; 0 if there is none, or the picture is not complete
