@@ -35,11 +35,11 @@ class ClippingTest {
         assertThat(report.blackPixels()).isEqualTo(black);
         assertThat(report.whitePixels()).isZero();
         assertThat(report.warnings())
-                .isEqualTo(
-                        black <= 0.9 * WIDTH * HEIGHT
-                                ? List.of()
-                                : List.of(black + " of 4800 pixels are black: light becomes too faint away from the"
-                                        + " middle; a higher exposure shows more of it"));
+                .isEqualTo(toldAbove(
+                        0.9,
+                        black,
+                        " of 4800 pixels are black: light becomes too faint away from the middle; a higher exposure shows"
+                                + " more of it"));
     }
 
     @ParameterizedTest
@@ -49,11 +49,12 @@ class ClippingTest {
         long white = pixels(speed, light -> 8 * light > 1);
         assertThat(report.whitePixels()).isEqualTo(white).isPositive();
         assertThat(report.warnings())
-                .isEqualTo(
-                        white <= 0.5 * WIDTH * HEIGHT
-                                ? List.of()
-                                : List.of(white + " of 4800 pixels are brighter than white: a lower exposure shows more"
-                                        + " of them"));
+                .isEqualTo(toldAbove(
+                        0.5, white, " of 4800 pixels are brighter than white: a lower exposure shows more of them"));
+    }
+
+    private static List<String> toldAbove(double share, long pixels, String words) {
+        return pixels > share * WIDTH * HEIGHT ? List.of(pixels + words) : List.of();
     }
 
     /** What the scene itself makes black or white is meant. */

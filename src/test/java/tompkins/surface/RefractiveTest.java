@@ -3,29 +3,14 @@ package tompkins.surface;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import tompkins.light.Illumination;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
 class RefractiveTest {
-
-    /** All around is dark. */
-    private static final Tracer BLACK = new Tracer() {
-        @Override
-        public Colour colour(Ray ray) {
-            return Colour.BLACK;
-        }
-
-        @Override
-        public Illumination illumination() {
-            return new Illumination(List.of(), (from, x, y, z) -> true);
-        }
-    };
 
     private static final double WEAK = 1.05 / 1024;
 
@@ -59,14 +44,14 @@ class RefractiveTest {
             ray = ray.bent(Hit.blank().set(ray, 0, 0, 0, -1, null, 0, null), dx, 0, dz, 1);
         }
         Hit fromOutside = Hit.blank().set(ray, 1, 0, 0, -1, null, 0, null);
-        Response entering = new Refractive(1.5).respond(ray, fromOutside, BLACK);
+        Response entering = new Refractive(1.5).respond(ray, fromOutside, DarkTracer.DARK);
         assertThat(entering.next().dz).isEqualTo(-dz);
         assertThat(entering.next().weight).isCloseTo(0.9, within(0.01));
 
         double sine = 0.99 / 1.5;
         Ray inside = ray.bent(fromOutside, sine, 0, Math.sqrt(1 - sine * sine), 1);
         Hit fromInside = Hit.blank().set(inside, 1, 0, 0, 1, null, 0, null);
-        Response leaving = new Refractive(1.5).respond(inside, fromInside, BLACK);
+        Response leaving = new Refractive(1.5).respond(inside, fromInside, DarkTracer.DARK);
         assertThat(leaving.next().dx).isCloseTo(0.99, within(1e-15));
         assertThat(leaving.next().weight).isEqualTo(1);
     }

@@ -2,16 +2,13 @@ package tompkins.surface;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.fuzz.RandomStudio;
-import tompkins.light.Illumination;
 import tompkins.property.Descriptions;
-import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.SurfaceCoordinates;
@@ -24,19 +21,6 @@ class SurfaceContractTest {
 
     /** Coordinates go from minus to plus this: many tiles. */
     private static final double REACH = 100;
-
-    /** All around is dark: what still is bright glows by itself. */
-    private static final Tracer DARK = new Tracer() {
-        @Override
-        public Colour colour(Ray ray) {
-            return Colour.BLACK;
-        }
-
-        @Override
-        public Illumination illumination() {
-            return new Illumination(List.of(), (from, x, y, z) -> true);
-        }
-    };
 
     private final SplittableRandom random = new SplittableRandom(17);
 
@@ -81,7 +65,7 @@ class SurfaceContractTest {
             for (int i = 0; i < HITS; i++) {
                 Ray ray = ray();
                 Hit hit = hit(ray, surface);
-                Response response = surface.respond(ray, hit, DARK);
+                Response response = surface.respond(ray, hit, DarkTracer.DARK);
                 Ray next = response.next();
                 if (surface.throwsShadowAt(hit)) {
                     boolean passes = next != null && hit.cosine(next) * hit.cosine(ray) > 0;
@@ -122,7 +106,8 @@ class SurfaceContractTest {
             boolean goesOn = false;
             for (int i = 0; i < HITS; i++) {
                 Ray ray = ray();
-                goesOn |= surface.respond(ray, hit(ray, surface), DARK).next() != null;
+                goesOn |=
+                        surface.respond(ray, hit(ray, surface), DarkTracer.DARK).next() != null;
             }
             if (goesOn || !isPattern) {
                 assertThat(surface.continuesRays())
