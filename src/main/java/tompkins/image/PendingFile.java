@@ -60,15 +60,21 @@ public final class PendingFile implements Closeable {
         if (Files.exists(target) && !Files.isWritable(target)) {
             throw new FileException(target + ": cannot be written: the file is write-protected");
         }
-        if (Files.isSymbolicLink(target) && !Files.exists(target)) {
-            throw new FileException(target + ": cannot be written: it is a link to a file that does not exist");
+        if (Files.isSymbolicLink(target)) {
+            requireSameKind(target);
         }
-        Path place = Files.exists(target) ? target.toRealPath() : target;
-        if (Files.isSymbolicLink(target) && !ending(place).equals(ending(target))) {
-            throw new FileException(target + ": cannot be written: it is a link to " + place
+        return beside(Files.exists(target) ? target.toRealPath() : target, false);
+    }
+
+    private static void requireSameKind(Path link) throws IOException {
+        if (!Files.exists(link)) {
+            throw new FileException(link + ": cannot be written: it is a link to a file that does not exist");
+        }
+        Path place = link.toRealPath();
+        if (!ending(place).equals(ending(link))) {
+            throw new FileException(link + ": cannot be written: it is a link to " + place
                     + ", a file of another kind, which would be lost");
         }
-        return beside(place, false);
     }
 
     private static String ending(Path file) {

@@ -6,7 +6,6 @@ import tompkins.light.ColourLaw;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
-import tompkins.ui.model.StudioPath;
 import tompkins.ui.panel.NumberProperty;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.Numbers;
@@ -61,7 +60,7 @@ final class Captions {
     static String of(Studio studio, NumberProperty number) {
         List<String> words = new ArrayList<>();
         words.add(motion(studio));
-        if (number != null && !number.path().equals(StudioPath.ROOT.then("velocity"))) {
+        if (number != null && !number.isSpeed()) {
             words.add(Texts.get("caption.number", number.name(), number.text().apply(studio)));
         }
         return String.join(", ", words);

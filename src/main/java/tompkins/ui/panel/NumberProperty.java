@@ -39,6 +39,8 @@ public record NumberProperty(
     /** So many numbers are offered at most; scenes can have millions. */
     private static final int MOST = 500;
 
+    private static final StudioPath VELOCITY = StudioPath.ROOT.then("velocity");
+
     /** A number that is shown with its first digits. */
     private NumberProperty(
             String name, StudioPath path, ToDoubleFunction<Studio> get, BiFunction<Studio, Double, Studio> with) {
@@ -49,11 +51,16 @@ public record NumberProperty(
     public static NumberProperty speed(SpeedScale scale) {
         return new NumberProperty(
                 Texts.get("scale." + scale.name() + ".name"),
-                StudioPath.ROOT.then("velocity"),
+                VELOCITY,
                 studio -> scale.valueOf(studio.velocity()),
                 (studio, value) -> FrontWindow.withVelocity(
                         studio, Velocity.of(scale, value, studio.velocity().givenDirection())),
                 studio -> SpeedText.of(studio.velocity(), scale));
+    }
+
+    /** Whether this is the speed, on whatever scale. */
+    public boolean isSpeed() {
+        return path.equals(VELOCITY);
     }
 
     /** The time at which the shutter opens. */

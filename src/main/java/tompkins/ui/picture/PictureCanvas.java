@@ -196,8 +196,11 @@ public final class PictureCanvas extends JPanel {
     private void tellSize() {
         GraphicsConfiguration screen = getGraphicsConfiguration();
         double scale = screen == null ? 1 : screen.getDefaultTransform().getScaleX();
-        resized.accept(new Dimension(Math.max(1, (int) Math.round(arrangement().room() * scale)), Math.max(1, (int)
-                Math.round(getHeight() * scale))));
+        resized.accept(new Dimension(inPixels(arrangement().room(), scale), inPixels(getHeight(), scale)));
+    }
+
+    private static int inPixels(int length, double scale) {
+        return Math.max(1, (int) Math.round(length * scale));
     }
 
     /** Whether two pictures are seen. */

@@ -198,7 +198,7 @@ public final class RenderController implements AutoCloseable {
 
         private static double samples(RenderJob rendered) {
             return (double) rendered.samples()
-                    / ((double) rendered.plan().width() * rendered.plan().height());
+                    / rendered.plan().studio().settings().pixels();
         }
 
         private void deliver(RenderJob rendered, boolean complete) {
