@@ -1,7 +1,6 @@
 package tompkins.ui;
 
 import java.io.PrintStream;
-import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,10 +15,10 @@ import tompkins.studio.Studio;
 import tompkins.ui.picture.Picture;
 
 /**
- * Prints how fast the window is with a scene: milliseconds from the start of Java to the first picture, from a change
- * of the speed to the first and to the complete picture on the screen, and the pictures in a second while the speed is
- * dragged. Needs a display: {@code xvfb-run -a mvn -q test-compile exec:java -Dexec.classpathScope=test
- * -Dexec.mainClass=tompkins.ui.WindowBenchmark -Dexec.args="scenes/fig1b.json"}.
+ * Prints how fast the window is with a scene: milliseconds from a change of the speed to the first and to the complete
+ * picture on the screen, and the pictures in a second while the speed is dragged. Needs a display: {@code xvfb-run -a
+ * mvn -q test-compile exec:java -Dexec.classpathScope=test -Dexec.mainClass=tompkins.ui.WindowBenchmark
+ * -Dexec.args="scenes/fig1b.json"}.
  */
 public final class WindowBenchmark {
 
@@ -46,10 +45,6 @@ public final class WindowBenchmark {
         Studio studio = StudioReader.read(Path.of(arguments[0]));
         try (WindowDriver driver = new WindowDriver(settings, studio, null, List.of())) {
             WindowBenchmark benchmark = new WindowBenchmark(studio, driver, System.out);
-            benchmark.print(
-                    "start to first picture",
-                    System.currentTimeMillis()
-                            - ManagementFactory.getRuntimeMXBean().getStartTime());
             benchmark.changes();
             benchmark.drag();
         }
