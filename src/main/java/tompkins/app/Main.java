@@ -2,6 +2,7 @@ package tompkins.app;
 
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
+import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.charset.Charset;
@@ -9,6 +10,8 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import picocli.CommandLine;
 import tompkins.property.NumberText;
+import tompkins.ui.Displays;
+import tompkins.ui.TompkinsWindow;
 
 /** Starts the program: a command line with its sub-commands, or the window. */
 public final class Main {
@@ -20,6 +23,12 @@ public final class Main {
      * mistake in the arguments or in a scene).
      */
     public static void main(String[] arguments) {
+        if (TompkinsCommand.opensWindow(arguments) && Displays.usable()) {
+            TompkinsWindow.prepare();
+            if (arguments.length == 0 && opensFirstScene()) {
+                return;
+            }
+        }
         WatchedStream out = new WatchedStream(new FileOutputStream(FileDescriptor.out));
         PrintWriter err = printer(System.err);
         int code = run(printer(out), err, arguments);
@@ -28,6 +37,19 @@ public final class Main {
         }
         if (code != Failures.WINDOW_IS_OPEN) {
             System.exit(code);
+        }
+    }
+
+    /**
+     * Opens the window, if it can, without a look at arguments that are not there: a tenth of a second of the start.
+     */
+    private static boolean opensFirstScene() {
+        try {
+            TompkinsCommand.openWindow(null);
+            return true;
+        } catch (IOException incomplete) {
+            // the command line tells of it
+            return false;
         }
     }
 

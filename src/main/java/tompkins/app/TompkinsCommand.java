@@ -1,5 +1,6 @@
 package tompkins.app;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -67,14 +68,32 @@ final class TompkinsCommand implements Callable<Integer> {
         return commandLine.addSubcommand(HELP, HelpCommand.class);
     }
 
+    /** Whether some arguments ask for a window, if there is nothing wrong with them; tells it at once. */
+    static boolean opensWindow(String... arguments) {
+        return arguments.length == 0
+                || arguments.length == 1
+                        && !COMMANDS.containsKey(arguments[0])
+                        && !arguments[0].equals(HELP)
+                        && !arguments[0].startsWith("-");
+    }
+
+    /**
+     * Opens a window with a scene file, or with the first scene of the program if that is null.
+     *
+     * @throws IOException if the program comes without its scenes
+     */
+    static void openWindow(Path scene) throws IOException {
+        Studio studio = scene == null ? BundledScenes.firstStudio() : StudioReader.read(scene);
+        TompkinsWindow.open(studio, scene, BundledScenes::studios, new WindowCommandLine());
+    }
+
     @Override
     public Integer call() throws Exception {
         if (scene != null && Files.notExists(scene)) {
             throw new MistakeException(ArgumentMistake.unknownWord(scene.toString(), spec));
         }
         if (Displays.usable()) {
-            Studio studio = scene == null ? BundledScenes.firstStudio() : StudioReader.read(scene);
-            TompkinsWindow.open(studio, scene, BundledScenes::studios, new WindowCommandLine());
+            openWindow(scene);
             return Failures.WINDOW_IS_OPEN;
         }
         spec.commandLine()

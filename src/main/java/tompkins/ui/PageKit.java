@@ -33,7 +33,7 @@ final class PageKit extends HTMLEditorKit {
         StyleSheet style = new StyleSheet();
         style.addStyleSheet(getStyleSheet());
         style.addRule("body { margin: 4 " + MARGIN + " 16 " + MARGIN + " }");
-        style.addRule("a { color: " + css("Component.linkColor") + " }");
+        style.addRule("a { color: " + css("Tompkins.link") + " }");
         style.addRule("h1 { font-size: 160%; margin: 8 0 8 0 }");
         style.addRule("h2 { font-size: 125%; margin: 16 0 4 0 }");
         style.addRule("pre { margin: 8 0 8 16 }");

@@ -3,7 +3,6 @@ package tompkins.ui;
 import java.awt.BorderLayout;
 import java.awt.Desktop;
 import java.awt.Dimension;
-import java.awt.Image;
 import java.awt.Rectangle;
 import java.awt.desktop.QuitStrategy;
 import java.awt.event.WindowAdapter;
@@ -62,6 +61,7 @@ public final class TompkinsWindow {
     private final FileActions files;
     private final Captions captions;
     private final Menus menus;
+    private final LateParts late;
     private HelpWindow help;
     private JDialog editor;
 
@@ -75,6 +75,8 @@ public final class TompkinsWindow {
         files = new FileActions(frame, model, view, status, settings, this::pause);
         captions = new Captions(view.canvas(), settings);
         play = new PlayPanel(model, new AnimationExport(frame, files, captions)::ask, captions::setAnimated);
+        // the window is built while it is worked on
+        view.render();
         frame.setContentPane(content());
         menus = new Menus(
                 files,
@@ -84,6 +86,7 @@ public final class TompkinsWindow {
                 captions,
                 new WindowCommands());
         frame.setJMenuBar(menus.bar());
+        late = new LateParts(menus::setExamples, frame::setIconImages);
         menus.bindOtherRedo(frame.getRootPane());
         frame.getRootPane().setTransferHandler(files.drop());
         bindPeekKey();
@@ -104,6 +107,16 @@ public final class TompkinsWindow {
     }
 
     /**
+     * Begins with what takes longest before a window can be opened, on the event thread. Called early where one is
+     * likely to be opened; returns at once. Needs a display.
+     */
+    public static void prepare() {
+        // the texts of the window are English; those of file choosers and keys must not be in another language
+        Locale.setDefault(Locale.ENGLISH);
+        SwingUtilities.invokeLater(() -> new Settings().look().install());
+    }
+
+    /**
      * Opens a window, which shows its first picture as soon as that is there. Called by any thread; returns at once.
      * The program ends when all its windows are closed.
      *
@@ -113,8 +126,7 @@ public final class TompkinsWindow {
      * @param commandLine writes the command line that takes the same photograph
      */
     public static void open(Studio studio, Path file, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
-        // the texts of the window are English; those of file choosers and keys must not be in another language
-        Locale.setDefault(Locale.ENGLISH);
+        prepare();
         if (Desktop.isDesktopSupported() && Desktop.getDesktop().isSupported(Desktop.Action.APP_QUIT_STRATEGY)) {
             // Cmd+Q on a Mac must not pass over the question about unsaved changes
             Desktop.getDesktop().setQuitStrategy(QuitStrategy.CLOSE_ALL_WINDOWS);
@@ -130,26 +142,8 @@ public final class TompkinsWindow {
             Studio studio, Path file, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
         TompkinsWindow window = new TompkinsWindow(studio, file, commandLine);
         window.frame.setVisible(true);
-        window.view.render();
-        window.prepareRest(examples);
+        window.late.prepare(examples);
         return window;
-    }
-
-    /**
-     * Reads the examples and draws the icon away from the event thread, so that the first picture does not wait for
-     * them.
-     */
-    private void prepareRest(Supplier<List<Studio>> examples) {
-        Thread thread = new Thread(
-                () -> {
-                    List<Studio> scenes = examples.get();
-                    SwingUtilities.invokeLater(() -> menus.setExamples(scenes));
-                    List<Image> icon = WindowIcon.images();
-                    SwingUtilities.invokeLater(() -> frame.setIconImages(icon));
-                },
-                "tompkins-rest");
-        thread.setDaemon(true);
-        thread.start();
     }
 
     /** Undo and redo lead from one scene to another, which nobody may have meant; a pin stays with its scene. */
@@ -258,6 +252,7 @@ public final class TompkinsWindow {
 
         @Override
         public void shown(Picture picture) {
+            late.firstPictureDone();
             side.show(picture);
             if (picture.studio().equals(model.studio())) {
                 status.endFailure();
@@ -282,6 +277,7 @@ public final class TompkinsWindow {
 
         @Override
         public void noPicture(String message) {
+            late.firstPictureDone();
             status.fail(message);
         }
 

@@ -137,4 +137,18 @@ class TompkinsCommandTest {
                 .startsWith("Usage: tompkins")
                 .doesNotContain("<");
     }
+
+    @ParameterizedTest
+    @CsvSource({
+        "'',             true",
+        "scene.json,     true",
+        "help,           false",
+        "render,         false",
+        "--version,      false",
+        "check a.json,   false"
+    })
+    void tellsAtOnceWhetherAWindowWillOpen(String line, boolean window) {
+        String[] words = line.isEmpty() ? new String[0] : line.split(" ");
+        assertThat(TompkinsCommand.opensWindow(words)).isEqualTo(window);
+    }
 }

@@ -90,11 +90,11 @@ public final class PictureCanvas extends JPanel {
         mouse = listener;
     }
 
-    /** Shows pictures. */
+    /** Shows pictures, at once: what else there is to do about a new picture comes after it. */
     public void show(ScreenPicture pictures) {
         Picture before = pointedPicture();
         shown = pictures;
-        repaint();
+        paintImmediately(0, 0, getWidth(), getHeight());
         Picture now = pointedPicture();
         if (before != null && now != null && before.plan() != now.plan()) {
             tellPointed();

@@ -23,6 +23,7 @@ public enum Look {
                     entry("Tompkins.note", 0x5b6470),
                     entry("Tompkins.error", 0xb3261e),
                     entry("Tompkins.line", 0xaab2bd),
+                    entry("Tompkins.link", 0x2468b8),
                     entry("Tompkins.sphereLight", 0xffffff),
                     entry("Tompkins.sphereDark", 0xd5dce6))),
     /** For dark rooms. */
@@ -36,6 +37,7 @@ public enum Look {
                     entry("Tompkins.note", 0xa4acb8),
                     entry("Tompkins.error", 0xff8a80),
                     entry("Tompkins.line", 0x666d78),
+                    entry("Tompkins.link", 0x4c9be8),
                     entry("Tompkins.sphereLight", 0x59616d),
                     entry("Tompkins.sphereDark", 0x33383f))),
     /** For the back row: large type and high contrast. */
@@ -49,8 +51,15 @@ public enum Look {
                     entry("Tompkins.note", 0x000000),
                     entry("Tompkins.error", 0xa00000),
                     entry("Tompkins.line", 0x000000),
+                    entry("Tompkins.link", 0x0040c0),
                     entry("Tompkins.sphereLight", 0xffffff),
                     entry("Tompkins.sphereDark", 0xdddddd)));
+
+    /** The key of the look that all windows have; of nothing while there is none, or one with larger type. */
+    private static final String INSTALLED = "Tompkins.look";
+
+    /** Only the documents have links; to give one colour to those of all windows takes 50 ms of each start. */
+    private static final String NO_LINKS = "null";
 
     private final boolean dark;
     private final float enlargement;
@@ -62,13 +71,17 @@ public enum Look {
         this.colours = colours;
     }
 
-    /** Gives all windows this look. */
+    /** Gives all windows this look, if they do not have it yet. Called by the event thread. */
     public void install() {
-        install(1);
+        if (UIManager.get(INSTALLED) != this) {
+            install(1);
+            UIManager.put(INSTALLED, this);
+        }
     }
 
     /** Gives all windows this look, with type that is larger by a factor. */
     public void install(float larger) {
+        UIManager.put(INSTALLED, null);
         FlatLaf.setGlobalExtraDefaults(defaults());
         UIManager.put("defaultFont", null);
         setUp();
@@ -101,8 +114,15 @@ public enum Look {
                         "@disabledForeground", "#555",
                         "Component.borderColor", "#000",
                         "Component.focusWidth", "3",
-                        "Button.borderColor", "#000")
-                : Map.of("@accentColor", dark ? "#4c9be8" : "#2468b8", "Component.focusWidth", "1");
+                        "Button.borderColor", "#000",
+                        "Component.linkColor", NO_LINKS)
+                : Map.of(
+                        "@accentColor",
+                        dark ? "#4c9be8" : "#2468b8",
+                        "Component.focusWidth",
+                        "1",
+                        "Component.linkColor",
+                        NO_LINKS);
     }
 
     /** A length on the screen that grows with the type of the look: so many times the size of the type, in pixels. */
