@@ -15,6 +15,7 @@ import javax.swing.JToggleButton;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tompkins.light.ColourLaw;
@@ -46,6 +47,11 @@ class PhotographViewTest {
         Look.LIGHT.install();
     }
 
+    @BeforeEach
+    void size() {
+        WindowDriver.onEventThread(() -> view.canvas().setSize(64, 48));
+    }
+
     @AfterEach
     void close() {
         view.close();
@@ -55,7 +61,6 @@ class PhotographViewTest {
     void theOtherPictureIsAsGoodSoThatPicturesOfTheSameStudioDoNotDiffer() {
         Quality.TargetError fine = new Quality.TargetError(0.002);
         WindowDriver.onEventThread(() -> {
-            view.canvas().setSize(64, 48);
             model.set(model.studio().withVelocity(Velocity.of(0, 0, 0)));
             compareWithRest();
         });

@@ -10,8 +10,6 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.Shape;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
@@ -71,18 +69,18 @@ public final class PictureCanvas extends JPanel {
         setMinimumSize(new Dimension(240, 180));
         getAccessibleContext().setAccessibleName(Texts.get("picture.name"));
         getAccessibleContext().setAccessibleDescription(Texts.get("picture.tip"));
-        addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent event) {
-                tellSize();
-            }
-        });
         // another screen may have other pixels
         addPropertyChangeListener("graphicsConfiguration", change -> tellSize());
         MouseAdapter adapter = new CanvasMouse();
         addMouseListener(adapter);
         addMouseMotionListener(adapter);
         keyPointer = new KeyPointer(this);
+    }
+
+    @Override
+    public void setBounds(int x, int y, int width, int height) {
+        super.setBounds(x, y, width, height);
+        tellSize();
     }
 
     /** Tells a listener what the mouse does on the picture. */
@@ -194,6 +192,9 @@ public final class PictureCanvas extends JPanel {
     }
 
     private void tellSize() {
+        if (getWidth() == 0 || getHeight() == 0) {
+            return;
+        }
         GraphicsConfiguration screen = getGraphicsConfiguration();
         double scale = screen == null ? 1 : screen.getDefaultTransform().getScaleX();
         resized.accept(new Dimension(inPixels(arrangement().room(), scale), inPixels(getHeight(), scale)));

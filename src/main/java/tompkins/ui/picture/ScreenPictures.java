@@ -13,13 +13,13 @@ import javax.swing.SwingUtilities;
  */
 public final class ScreenPictures implements AutoCloseable {
 
-    /** What is wanted: pictures, and the size in which they are shown. */
+    /** What is wanted: pictures, and the size in which they are shown, which is null as long as nobody knows it. */
     private record Wanted(Picture now, Picture other, Dimension canvas, boolean difference) {}
 
     private final AtomicReference<ScreenPicture> ready = new AtomicReference<>();
     private final NewestFirst<Wanted> worker;
     private final Consumer<ScreenPicture> screen;
-    private Wanted wanted = new Wanted(null, null, new Dimension(1, 1), false);
+    private Wanted wanted = new Wanted(null, null, null, false);
     private Wanted doneFor;
     private ScreenPicture done = ScreenPicture.EMPTY;
 
@@ -46,13 +46,13 @@ public final class ScreenPictures implements AutoCloseable {
 
     /** The canvas has another size, in pixels of the screen. */
     public void setCanvas(Dimension size) {
-        want(old -> new Wanted(old.now, old.other, size, old.difference));
+        want(old -> size.equals(old.canvas) ? old : new Wanted(old.now, old.other, size, old.difference));
     }
 
     private synchronized void want(UnaryOperator<Wanted> change) {
         Wanted before = wanted;
         wanted = change.apply(before);
-        if (wanted != before && wanted.now != null) {
+        if (wanted != before && wanted.now != null && wanted.canvas != null) {
             worker.submit(wanted);
         }
     }

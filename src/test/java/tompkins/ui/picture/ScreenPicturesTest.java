@@ -53,6 +53,18 @@ class ScreenPicturesTest {
         }
     }
 
+    /** It would be made for a size that is no size, and be shown as one pixel. */
+    @Test
+    void noPictureIsShownBeforeItsSizeIsKnown() throws InterruptedException {
+        try (ScreenPictures screen = new ScreenPictures(events::add, events::add)) {
+            screen.setNow(grey(64, 48));
+            screen.setCanvas(new Dimension(32, 100));
+            ScreenPicture shown = (ScreenPicture) nextEvent();
+            assertThat(shown.nowImage().getWidth()).isEqualTo(32);
+            assertThat(events).isEmpty();
+        }
+    }
+
     private ScreenPicture await(Predicate<ScreenPicture> condition) throws InterruptedException {
         ScreenPicture shown = (ScreenPicture) nextEvent();
         while (!condition.test(shown)) {
@@ -66,6 +78,7 @@ class ScreenPicturesTest {
         RenderPlan plan = RenderPlan.of(Studios.sphere());
         try (Renderer renderer = new Renderer(1);
                 ScreenPictures screen = new ScreenPictures(events::add, events::add)) {
+            screen.setCanvas(new Dimension(100, 100));
             screen.setNow(picture(plan, null));
             assertThat(nextEvent()).isInstanceOf(NullPointerException.class);
             Picture good = picture(plan, renderer.render(plan).image());
