@@ -1,10 +1,13 @@
 package tompkins.ui.widget;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.text.JTextComponent;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
@@ -62,10 +65,15 @@ public final class VectorFields {
         }
     }
 
-    /** Adds the fields side by side. */
+    /** Adds the fields side by side, each with its name in it. */
     public void addInRow(JPanel panel) {
-        for (NumberField field : fields) {
-            panel.add(field.field(), "growx, wmin 40, sizegroup vector");
+        for (int axis = 0; axis < fields.size(); axis++) {
+            JLabel label = new JLabel(names.get(axis));
+            label.putClientProperty("FlatLaf.style", "font: $small.font; foreground: $Tompkins.note");
+            label.setBorder(BorderFactory.createEmptyBorder(0, 4, 0, 2));
+            JTextComponent field = fields.get(axis).field();
+            field.putClientProperty(FlatClientProperties.TEXT_FIELD_LEADING_COMPONENT, label);
+            panel.add(field, "growx, wmin 40, sizegroup vector");
         }
     }
 
