@@ -36,7 +36,7 @@ final class FamilyEditor implements ValueEditor {
     FamilyEditor(Class<?> family, String name, Note note, Consumer<Object> commit) {
         this.commit = commit;
         this.note = note;
-        Descriptions.members(family).forEach(types::addItem);
+        Hiding.types(family).forEach(types::addItem);
         Naming.items(types, Wording::label);
         types.setName(name);
         types.getAccessibleContext().setAccessibleName(name);

@@ -68,7 +68,7 @@ public final class SceneEditor {
         duplicate.addActionListener(event ->
                 changeList(list -> inserted(list, place() + 1, copy(list.get(place()), list)), 1));
         hide.addActionListener(event ->
-                changeList(list -> replaced(list, place(), hiddenOrShown(list.get(place()))), 0));
+                changeList(list -> replaced(list, place(), Hiding.hiddenOrShown((SceneObject) list.get(place()))), 0));
         up.addActionListener(event -> changeList(list -> moved(list, place(), place() - 1), -1));
         down.addActionListener(event -> changeList(list -> moved(list, place(), place() + 1), 1));
         remove.addActionListener(event -> {
@@ -114,7 +114,7 @@ public final class SceneEditor {
         if (!sameTree) {
             tree.show(studio, chosen);
         }
-        choose(tree.chosenLine());
+        show(tree.chosenLine());
     }
 
     private static Object focus(Studio studio) {
@@ -129,14 +129,21 @@ public final class SceneEditor {
         if (EntryField.in(formPanel).anyMatch(EntryField::isPending)) {
             tree.select(line.path());
         }
+        choose(path);
+    }
+
+    /**
+     * Chooses a part, or the nearest thing that it would be a part of, unless a wrong value is to be put right first.
+     */
+    public void choose(StudioPath part) {
         if (takesEntries()) {
-            select(path);
+            select(part);
         }
     }
 
     private void select(StudioPath path) {
         tree.select(path);
-        choose(tree.chosenLine());
+        show(tree.chosenLine());
     }
 
     /** Takes what is typed into the form; if some of it is refused, goes there and is false. */
@@ -149,7 +156,7 @@ public final class SceneEditor {
         return taken;
     }
 
-    private void choose(StudioTree.Line chosen) {
+    private void show(StudioTree.Line chosen) {
         boolean sameForm = line != null
                 && form != null
                 && line.path().equals(chosen.path())
@@ -159,7 +166,7 @@ public final class SceneEditor {
             replaceForm();
         }
         if (form != null) {
-            form.show(line.path().get(model.studio()));
+            form.show(Hiding.content(line.path().get(model.studio())));
         }
         enableButtons();
     }
@@ -173,11 +180,10 @@ public final class SceneEditor {
             note.setText(Texts.get("tree.list", line.label()));
         } else {
             StudioPath path = line.path();
-            form = new FamilyEditor(
-                    (Class<?>) line.type(),
-                    line.label(),
-                    note,
-                    value -> model.set(FrontWindow.following(model.studio(), path.with(model.studio(), value))));
+            form = new FamilyEditor((Class<?>) line.type(), line.label(), note, value -> {
+                StudioPath content = Hiding.content(path, path.get(model.studio()));
+                model.set(FrontWindow.following(model.studio(), content.with(model.studio(), value)));
+            });
             formPanel.add(form.component(), "wmin 0");
         }
         formPanel.revalidate();
@@ -224,7 +230,7 @@ public final class SceneEditor {
                 : isAll()
                         ? SceneObject.class
                         : Descriptions.elementType(line.type()).orElseThrow();
-        for (Class<?> type : Descriptions.members(family)) {
+        for (Class<?> type : Hiding.types(family)) {
             JMenuItem item = new JMenuItem(Wording.label(type));
             item.setToolTipText(Tips.wrapped(Wording.meaning(type)));
             item.addActionListener(event -> addElement(type));
@@ -256,10 +262,6 @@ public final class SceneEditor {
         if (note.attempt(() -> model.set(path.with(model.studio(), changed)))) {
             select(changed.isEmpty() ? path : path.then(Math.max(0, Math.min(changed.size() - 1, next))));
         }
-    }
-
-    private static Object hiddenOrShown(Object element) {
-        return element instanceof Hidden hidden ? hidden.object() : new Hidden((SceneObject) element);
     }
 
     /** A copy, with a number in its name that no other element of its list has. */

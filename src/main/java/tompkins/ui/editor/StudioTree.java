@@ -127,13 +127,15 @@ final class StudioTree {
             }
             return node;
         }
-        for (RecordComponent component : Descriptions.components(value.getClass())) {
+        StudioPath way = Hiding.content(path, value);
+        Object whole = Hiding.content(value);
+        for (RecordComponent component : Descriptions.components(whole.getClass())) {
             if (Branches.isBranch(component.getGenericType())) {
-                Object part = Descriptions.value(component, value);
+                Object part = Descriptions.value(component, whole);
                 String title = Wording.label(component.getName());
                 node.add(node(
                         part,
-                        path.then(component.getName()),
+                        way.then(component.getName()),
                         component.getGenericType(),
                         part instanceof SceneObject object ? title + ": " + Wording.nameOf(object) : title));
             }

@@ -2,9 +2,15 @@ package tompkins.ui.model;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.property.Descriptions;
+import tompkins.sceneobject.Group;
+import tompkins.sceneobject.ImagePointGrid;
+import tompkins.sceneobject.Placed;
+import tompkins.sceneobject.SceneObject;
+import tompkins.studio.Studio;
 
 /**
  * The way to a part of a studio: names of components, places in lists, and x, y, z in vectors.
@@ -21,6 +27,39 @@ public record StudioPath(List<Object> steps) {
     /** Keeps a copy of the steps. */
     public StudioPath {
         steps = List.copyOf(steps);
+    }
+
+    /**
+     * The way to an object of a studio, to that very one and not to its equal; empty if the studio does not hold it.
+     */
+    public static Optional<StudioPath> to(Studio studio, SceneObject object) {
+        Optional<StudioPath> inScene = ROOT.then("scene").to(studio.scene(), object);
+        return inScene.isPresent() ? inScene : ROOT.then("cameraFrame").to(studio.cameraFrame(), object);
+    }
+
+    private Optional<StudioPath> to(List<SceneObject> objects, SceneObject wanted) {
+        for (int i = 0; i < objects.size(); i++) {
+            Optional<StudioPath> path = toPart(i, objects.get(i), wanted);
+            if (path.isPresent()) {
+                return path;
+            }
+        }
+        return Optional.empty();
+    }
+
+    private Optional<StudioPath> toPart(Object step, SceneObject part, SceneObject wanted) {
+        if (part == wanted) {
+            return Optional.of(then(step));
+        }
+        if (part instanceof Group group) {
+            return then(step).then("objects").to(group.objects(), wanted);
+        }
+        if (part instanceof Placed placed) {
+            return then(step).toPart("object", placed.object(), wanted);
+        }
+        return part instanceof ImagePointGrid grid
+                ? then(step).toPart("object", grid.object(), wanted)
+                : Optional.empty();
     }
 
     /** The way to a part of this part. */

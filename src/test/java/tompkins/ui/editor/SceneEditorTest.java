@@ -36,6 +36,7 @@ import tompkins.ui.Components;
 import tompkins.ui.model.FrontWindow;
 import tompkins.ui.model.Records;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.model.StudioPath;
 import tompkins.ui.widget.Look;
 
 class SceneEditorTest {
@@ -266,6 +267,49 @@ class SceneEditorTest {
         assertThat(tree.getSelectionPath().getLastPathComponent().toString()).isEqualTo(Sphere.DEFAULT.description());
         press("Remove");
         assertThat(model.studio().scene()).extracting(SceneObject::description).containsExactly("pair");
+    }
+
+    /** As the object would be without being hidden: its type, its values, and what it is made of. */
+    @Test
+    void aHiddenObjectIsEditedLikeAnyOther() {
+        choose("Scene");
+        choose("sphere");
+        press("Hide");
+        Components.enter(panel, "Radius", "0.25");
+        Sphere smaller = Records.with(Sphere.DEFAULT, "radius", 0.25);
+        assertThat(model.studio().scene()).first().isEqualTo(new Hidden(smaller));
+        assertThat(Components.find(panel, JComboBox.class, "sphere").getSelectedItem())
+                .isEqualTo(Sphere.class);
+
+        choose("pair");
+        press("Hide");
+        choose("pair (hidden)");
+        choose("Objects");
+        choose("box");
+        press("Remove");
+        assertThat(model.studio().scene())
+                .containsExactly(new Hidden(smaller), new Hidden(new Group("pair", List.of(Sphere.DEFAULT))));
+        choose("sphere (hidden)");
+        press("Hide");
+        assertThat(model.studio().scene()).first().isEqualTo(smaller);
+    }
+
+    @Test
+    void hidingIsNoTypeToChoose() {
+        choose("Scene");
+        choose("sphere");
+        JComboBox<?> types = Components.find(panel, JComboBox.class, "sphere");
+        assertThat(types.getItemCount()).isEqualTo(objects().size() - 1);
+    }
+
+    @Test
+    void anObjectIsChosenFromOutside() {
+        StudioPath box = StudioPath.to(
+                        model.studio(),
+                        ((Group) model.studio().scene().get(1)).objects().get(0))
+                .orElseThrow();
+        editor.choose(box);
+        assertThat(tree.getSelectionPath().getLastPathComponent()).hasToString("box");
     }
 
     @Test

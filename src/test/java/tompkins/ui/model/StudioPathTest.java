@@ -7,6 +7,8 @@ import org.junit.jupiter.api.Test;
 import tompkins.camera.PanoramicCamera;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Group;
+import tompkins.sceneobject.ImagePointGrid;
+import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -49,5 +51,21 @@ class StudioPathTest {
         StudioPath surface = StudioPath.ROOT.then("camera").then("focus").then("surface");
         assertThat(surface.followed(BEFORE, BEFORE.withCamera(PanoramicCamera.DEFAULT)))
                 .isEqualTo(StudioPath.ROOT.then("camera"));
+    }
+
+    /** Its equal is another object; what is hidden is not in the picture, and so on no ray's way. */
+    @Test
+    void theWayToAnObjectIsFoundWhateverItIsPartOf() {
+        Sphere wanted = Records.with(Sphere.DEFAULT, "radius", 0.25);
+        Sphere equal = Records.with(Sphere.DEFAULT, "radius", 0.25);
+        assertThat(equal).isEqualTo(wanted);
+        Placed placed = Records.with(Placed.DEFAULT, "object", new Group("inner", List.of(BALL, wanted)));
+        Studio studio = BEFORE.withScene(List.of(equal, new Group("outer", List.of(PAIR, placed))));
+        StudioPath inner = SCENE.then(1).then("objects").then(1).then("object");
+        assertThat(StudioPath.to(studio, wanted)).contains(inner.then("objects").then(1));
+        ImagePointGrid grid = Records.with(ImagePointGrid.DEFAULT, "object", wanted);
+        assertThat(StudioPath.to(BEFORE.withCameraFrame(List.of(BALL, grid)), wanted))
+                .contains(StudioPath.ROOT.then("cameraFrame").then(1).then("object"));
+        assertThat(StudioPath.to(BEFORE.withScene(List.of(equal)), wanted)).isEmpty();
     }
 }
