@@ -133,7 +133,7 @@ final class TraceCommand implements Callable<Integer> {
             out.println(format(
                     "%shit  %s (%s) in the %s frame at %s, t = %.9g, distance %.9g, share %s",
                     "  ".repeat(hit.branch()),
-                    OneLine.of(hit.object()),
+                    OneLine.of(hit.object().description()),
                     hit.surface().getClass().getSimpleName(),
                     hit.frame().name().toLowerCase(Locale.ROOT),
                     text(hit.event().position()),

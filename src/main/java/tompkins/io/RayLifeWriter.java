@@ -67,7 +67,7 @@ public final class RayLifeWriter {
 
     private static void writeHit(JsonGenerator json, RayLife.Encounter hit) {
         json.writeStartObject();
-        json.writeStringProperty("object", hit.object());
+        json.writeStringProperty("object", hit.object().description());
         json.writeStringProperty("frame", hit.frame().name().toLowerCase(Locale.ROOT));
         write(json, "position", hit.event().x(), hit.event().y(), hit.event().z());
         write(json, "time", hit.event().time());

@@ -25,7 +25,7 @@ final class BoxPrimitive extends Primitive {
     private final FaceCoordinates[] faces;
 
     BoxPrimitive(Box box, Placement placement) {
-        super(box.description(), box.surface());
+        super(box, box.surface());
         Vector3d size = box.to().sub(box.from(), new Vector3d());
         centre = placement.point(box.from().add(size.x / 2, size.y / 2, size.z / 2, new Vector3d()));
         lowest = placement.point(box.from());

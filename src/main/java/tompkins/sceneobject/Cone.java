@@ -51,7 +51,8 @@ public record Cone(
         collector.add(new ConePrimitive(this, placement));
         if (base) {
             Vector3d outwards = baseCentre.sub(tip, new Vector3d());
-            new Disc(description, baseCentre, outwards, baseRadius, surface).addTo(collector, placement);
+            Disc disc = new Disc(description, baseCentre, outwards, baseRadius, surface);
+            collector.add(disc.primitive(this, placement));
         }
     }
 }

@@ -21,7 +21,7 @@ final class ConePrimitive extends Primitive {
     private final RoundCoordinates round;
 
     ConePrimitive(Cone cone, Placement placement) {
-        super(cone.description(), cone.surface());
+        super(cone, cone.surface());
         tip = placement.point(cone.tip());
         Vector3d toBase = placement.vector(cone.baseCentre().sub(cone.tip(), new Vector3d()));
         height = toBase.length();

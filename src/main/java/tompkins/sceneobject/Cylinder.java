@@ -51,6 +51,6 @@ public record Cylinder(
 
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
-        collector.add(new CylinderPrimitive(this, placement));
+        collector.add(new CylinderPrimitive(this, this, placement));
     }
 }

@@ -102,7 +102,8 @@ public record CylinderLattice(
                 start.setComponent(inner, coordinate(inner, j));
                 Vector3d end = new Vector3d(start);
                 end.setComponent(along, to.get(along));
-                new Cylinder(description, start, end, radius, true, surface).addTo(collector, placement);
+                Cylinder rod = new Cylinder(description, start, end, radius, true, surface);
+                collector.add(new CylinderPrimitive(this, rod, placement));
             }
         }
     }

@@ -34,8 +34,9 @@ final class CylinderPrimitive extends Primitive {
     private final FaceCoordinates startFace;
     private final FaceCoordinates endFace;
 
-    CylinderPrimitive(Cylinder cylinder, Placement placement) {
-        super(cylinder.description(), cylinder.surface());
+    /** A cylinder that is, or is part of, a described object. */
+    CylinderPrimitive(SceneObject object, Cylinder cylinder, Placement placement) {
+        super(object, cylinder.surface());
         Vector3d toEnd = cylinder.end().sub(cylinder.start(), new Vector3d());
         Vector3d start = placement.point(cylinder.start());
         Vector3d axis = placement.vector(toEnd);

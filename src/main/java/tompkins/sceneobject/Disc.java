@@ -37,17 +37,22 @@ public record Disc(
 
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
+        collector.add(primitive(this, placement));
+    }
+
+    /** This disc as the primitive of an object that it is, or is part of. */
+    Primitive primitive(SceneObject object, Placement placement) {
         Vector3d unit = Vectors.unit(normal);
         Vector3d up = Vectors.upOnFace(unit).mul(radius);
         Vector3d right = unit.cross(up, new Vector3d());
         Vector3d corner = centre.sub(right, new Vector3d()).sub(up);
-        collector.add(new FlatPrimitive(
-                description,
+        return new FlatPrimitive(
+                object,
                 surface,
                 FlatPrimitive.Outline.ELLIPSE,
                 placement.point(corner),
                 placement.vector(right.mul(2)),
                 placement.vector(up.mul(2)),
-                placement.direction(unit)));
+                placement.direction(unit));
     }
 }

@@ -47,20 +47,20 @@ final class FlatPrimitive extends Primitive {
 
     /** The piece of the plane at {@code corner} that the vectors U and V span; its front is the side of U x V. */
     FlatPrimitive(
-            String description, Surface surface, Outline outline, Vector3dc corner, Vector3dc spanU, Vector3dc spanV) {
-        this(description, surface, outline, corner, spanU, spanV, Vectors.cross(spanU, spanV));
+            SceneObject object, Surface surface, Outline outline, Vector3dc corner, Vector3dc spanU, Vector3dc spanV) {
+        this(object, surface, outline, corner, spanU, spanV, Vectors.cross(spanU, spanV));
     }
 
     /** A piece of which the perpendicular vector {@code normal}, of any length, says where its front is. */
     FlatPrimitive(
-            String description,
+            SceneObject object,
             Surface surface,
             Outline outline,
             Vector3dc corner,
             Vector3dc spanU,
             Vector3dc spanV,
             Vector3dc normal) {
-        super(description, surface);
+        super(object, surface);
         this.outline = outline;
         Vector3d gradientU = Vectors.cross(spanV, normal);
         Vector3d gradientV = Vectors.cross(normal, spanU);

@@ -59,12 +59,17 @@ public record Parallelogram(
 
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
-        collector.add(new FlatPrimitive(
-                description,
+        collector.add(primitive(this, placement));
+    }
+
+    /** This parallelogram as the primitive of an object that it is, or is made into. */
+    Primitive primitive(SceneObject object, Placement placement) {
+        return new FlatPrimitive(
+                object,
                 surface,
                 FlatPrimitive.Outline.PARALLELOGRAM,
                 placement.point(corner),
                 placement.vector(spanU),
-                placement.vector(spanV)));
+                placement.vector(spanV));
     }
 }

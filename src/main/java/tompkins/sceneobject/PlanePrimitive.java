@@ -23,7 +23,7 @@ final class PlanePrimitive extends Primitive {
     private final double normalZ;
 
     PlanePrimitive(Plane plane, Placement placement) {
-        super(plane.description(), plane.surface());
+        super(plane, plane.surface());
         Vector3d unit = Vectors.unit(plane.normal());
         Vector3d axis = Vectors.firstAxis(unit);
         Vector3d point = placement.point(plane.point());

@@ -26,15 +26,15 @@ public abstract class Primitive implements Boundary {
     /** What rounding may move a point by, relative to the largest coordinate. */
     static final double SLACK = 1e-12;
 
-    private final String description;
+    private final SceneObject object;
     private final Surface surface;
     private final Shadow shadow;
     private int order;
     private double slack;
 
-    /** A primitive of the object with the given description. */
-    protected Primitive(String description, Surface surface) {
-        this.description = description;
+    /** A primitive of an object as a scene file describes it. */
+    protected Primitive(SceneObject object, Surface surface) {
+        this.object = object;
         this.surface = surface;
         this.shadow = surface.shadow();
     }
@@ -166,7 +166,12 @@ public abstract class Primitive implements Boundary {
 
     @Override
     public final String description() {
-        return description;
+        return object.description();
+    }
+
+    /** The object that a scene file describes, whose primitive this is. */
+    public final SceneObject object() {
+        return object;
     }
 
     /** What the primitive looks like. */

@@ -53,6 +53,7 @@ public record Silhouette(
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
         Surface cut = new CutOut(picture, surface, Clear.DEFAULT);
-        new Parallelogram(description, corner, spanU, spanV, cut).addTo(collector, placement);
+        Parallelogram area = new Parallelogram(description, corner, spanU, spanV, cut);
+        collector.add(area.primitive(this, placement));
     }
 }

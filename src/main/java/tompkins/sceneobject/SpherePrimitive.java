@@ -19,7 +19,7 @@ final class SpherePrimitive extends Primitive {
     private final RoundCoordinates round;
 
     SpherePrimitive(Sphere sphere, Placement placement) {
-        super(sphere.description(), sphere.surface());
+        super(sphere, sphere.surface());
         Vector3d centre = placement.point(sphere.centre());
         x = centre.x;
         y = centre.y;

@@ -44,7 +44,7 @@ public record Triangle(
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
         collector.add(new FlatPrimitive(
-                description,
+                this,
                 surface,
                 FlatPrimitive.Outline.TRIANGLE,
                 placement.point(first),

@@ -51,7 +51,7 @@ public record TriangleMesh(
             // an area that is no number is not left out: the primitive refuses it
             if (area(spanU, spanV) != 0) {
                 collector.add(new FlatPrimitive(
-                        description, surface, FlatPrimitive.Outline.TRIANGLE, placement.point(first), spanU, spanV));
+                        this, surface, FlatPrimitive.Outline.TRIANGLE, placement.point(first), spanU, spanV));
             }
         }
     }

@@ -8,6 +8,8 @@ import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
+import tompkins.sceneobject.Primitive;
+import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.Event;
 import tompkins.surface.Surface;
 
@@ -40,7 +42,7 @@ public record RayLife(
     /**
      * One hit.
      *
-     * @param object what the user calls the object
+     * @param object the object, as the scene file describes it
      * @param frame the frame of place, time and distance
      * @param event where and when
      * @param distance distance from the start of the ray that hit
@@ -49,7 +51,7 @@ public record RayLife(
      * @param surface the surface
      */
     public record Encounter(
-            String object, Frame frame, Event event, double distance, double share, int branch, Surface surface) {}
+            SceneObject object, Frame frame, Event event, double distance, double share, int branch, Surface surface) {}
 
     /** What the main branch hit, in the order of tracing. */
     public List<Encounter> mainHits() {
@@ -116,8 +118,8 @@ public record RayLife(
         @Override
         public void hits(Frame frame, Ray ray, Hit hit, Surface surface) {
             Event event = inFrame(frame, hit.x, hit.y, hit.z, hit.time);
-            hits.add(
-                    new Encounter(hit.boundary.description(), frame, event, hit.distance, ray.weight, branch, surface));
+            hits.add(new Encounter(
+                    ((Primitive) hit.boundary).object(), frame, event, hit.distance, ray.weight, branch, surface));
         }
 
         @Override

@@ -10,6 +10,7 @@ import javax.swing.SwingUtilities;
 import tompkins.property.NumberText;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.model.StudioPath;
 import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.panel.LawPanel;
 import tompkins.ui.panel.LensPanel;
@@ -40,12 +41,17 @@ final class SidePanel {
     private final RaySection ray;
     private Picture shown;
 
-    /** The panel for a photograph; {@code teller} says in a line what becomes of a click. */
-    SidePanel(StudioModel model, PhotographView view, Consumer<String> teller) {
+    /**
+     * The panel for a photograph.
+     *
+     * @param teller says in a line what becomes of a click
+     * @param editor opens the editor for a part of the studio
+     */
+    SidePanel(StudioModel model, PhotographView view, Consumer<String> teller, Consumer<StudioPath> editor) {
         shutter = new ShutterPanel(model);
         lens = new LensPanel(model, picking -> pick(model, view, teller, picking));
         ComparePanel compare = new ComparePanel(model, view::compare, view.canvas()::setOtherAlone, view::keepPicture);
-        ray = new RaySection(() -> view.setPin(null));
+        ray = new RaySection(model, () -> view.setPin(null), editor);
         Note remarks = new Note(model.studio().remarks());
         model.addListener(() -> show(remarks, model.studio().remarks()));
         remarks.component().setName("remarks");

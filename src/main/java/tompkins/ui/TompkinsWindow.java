@@ -13,7 +13,6 @@ import java.util.Locale;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
-import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JRootPane;
@@ -23,11 +22,10 @@ import javax.swing.UIManager;
 import javax.swing.WindowConstants;
 import tompkins.io.SelfDescription;
 import tompkins.studio.Studio;
-import tompkins.ui.editor.FileContentEditor;
-import tompkins.ui.editor.SceneEditor;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.PlainPath;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.model.StudioPath;
 import tompkins.ui.panel.NumberProperty;
 import tompkins.ui.panel.PlayPanel;
 import tompkins.ui.picture.Picture;
@@ -62,8 +60,8 @@ public final class TompkinsWindow {
     private final Captions captions;
     private final Menus menus;
     private final LateParts late;
+    private final EditorDialog editor;
     private HelpWindow help;
-    private JDialog editor;
 
     private TompkinsWindow(Studio studio, Path file, CommandLineWriter commandLine) {
         settings.look().install();
@@ -71,7 +69,7 @@ public final class TompkinsWindow {
         model = new StudioModel(studio, place);
         view = new PhotographView(model, new PictureListener(), this::isPlaying);
         status = new StatusBar(view.controller());
-        side = new SidePanel(model, view, status::report);
+        side = new SidePanel(model, view, status::report, this::edit);
         files = new FileActions(frame, model, view, status, settings, this::pause);
         captions = new Captions(view.canvas(), settings);
         play = new PlayPanel(model, new AnimationExport(frame, files, captions)::ask, captions::setAnimated);
@@ -86,6 +84,7 @@ public final class TompkinsWindow {
                 captions,
                 new WindowCommands());
         frame.setJMenuBar(menus.bar());
+        editor = new EditorDialog(frame, model, files, menus::bindKeys);
         late = new LateParts(menus::setExamples, frame::setIconImages);
         menus.bindOtherRedo(frame.getRootPane());
         frame.getRootPane().setTransferHandler(files.drop());
@@ -150,6 +149,10 @@ public final class TompkinsWindow {
     private void sayOtherScene() {
         view.setPin(null);
         status.report(Texts.get("history.otherScene", model.studio().title()));
+    }
+
+    private void edit(StudioPath part) {
+        editor.open(part);
     }
 
     private boolean isPlaying() {
@@ -242,9 +245,7 @@ public final class TompkinsWindow {
             play.setShown(false);
             status.stop();
             view.close();
-            if (editor != null) {
-                editor.dispose();
-            }
+            editor.dispose();
         }
     }
 
@@ -294,33 +295,12 @@ public final class TompkinsWindow {
             look.install();
             settings.setLook(look);
             fitToLook();
-            if (editor != null) {
-                fitEditor();
-            }
+            editor.fitToLook();
         }
 
         @Override
         public void editScene() {
-            if (editor == null) {
-                SceneEditor content = new SceneEditor(model);
-                editor = new JDialog(frame, Texts.get("tree.title"));
-                editor.setName("editor");
-                editor.setContentPane(content.component());
-                editor.getRootPane().putClientProperty(FileContentEditor.CHOOSERS, files);
-                menus.bindKeys(editor.getRootPane());
-                Keys.bindEscape(editor.getRootPane(), () -> editor.setVisible(false));
-                fitEditor();
-                editor.setLocationRelativeTo(frame);
-            }
-            editor.setVisible(true);
-        }
-
-        /** As large as it needs to be, and not smaller than it was made. */
-        private void fitEditor() {
-            Dimension made = editor.getSize();
-            editor.pack();
-            editor.setSize(Math.max(made.width, editor.getWidth()), Math.max(made.height, editor.getHeight()));
-            Screens.keepOnScreen(editor);
+            editor.open();
         }
 
         @Override

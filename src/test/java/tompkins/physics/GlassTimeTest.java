@@ -63,7 +63,7 @@ class GlassTimeTest {
         assertThat(leavesTheGlass(life).time()).isCloseTo(-5, within(1e-12));
         // gamma = 5/3: z = gamma (4 - 0.8 times 5) = 0 at the time gamma (-5 + 0.8 times 4) = -3, and 30 to go
         assertThat(life.hits())
-                .filteredOn(hit -> hit.object().equals("wall"))
+                .filteredOn(hit -> hit.object().description().equals("wall"))
                 .anySatisfy(hit -> assertThat(hit.event().time()).isCloseTo(-33, within(1e-12)));
     }
 
@@ -107,7 +107,9 @@ class GlassTimeTest {
         assertThat(life.sceneStart().time()).isCloseTo(-3.25, within(1e-12));
         assertThat(life.sceneDirection().z()).isEqualTo(1);
         assertThat(life.frequencyRatio()).isCloseTo(2, within(1e-12));
-        assertThat(life.mainHits()).extracting(RayLife.Encounter::object).containsExactly("slab", "slab", "wall");
+        assertThat(life.mainHits())
+                .extracting(hit -> hit.object().description())
+                .containsExactly("slab", "slab", "wall");
         assertThat(life.hits()).hasSizeGreaterThan(3).anyMatch(hit -> hit.branch() == 1);
     }
 

@@ -32,7 +32,7 @@ class ViewTest {
             for (int y = 0; y < HEIGHT; y++) {
                 for (int x = 0; x < WIDTH; x++) {
                     RayLife.Encounter seen = seen(plan, x, y);
-                    if (seen != null && seen.object().equals(object)) {
+                    if (seen != null && seen.object().description().equals(object)) {
                         columns.add(x);
                         rows.add(y);
                     }
@@ -108,7 +108,8 @@ class ViewTest {
             for (int y = place.top; y <= place.bottom; y++) {
                 for (int x = place.left; x <= place.right; x++) {
                     RayLife ray = RayLife.of(plan, x + 0.5, y + 0.5, 0, 0);
-                    if (!ray.hits().isEmpty() && ray.hits().get(0).object().equals(name)) {
+                    if (!ray.hits().isEmpty()
+                            && ray.hits().get(0).object().description().equals(name)) {
                         Vector3d direction = new Vector3d(ray.cameraDirection());
                         double pixel = areaAhead * Math.pow(direction.dot(ahead), 3);
                         directions.add(direction);
@@ -135,7 +136,7 @@ class ViewTest {
         RenderPlan plan = plan(atSpeed(studio, speed));
         List<Vector3d> row = IntStream.range(0, WIDTH)
                 .mapToObj(x -> seen(plan, x, HEIGHT / 2))
-                .filter(seen -> seen != null && seen.object().equals("cube"))
+                .filter(seen -> seen != null && seen.object().description().equals("cube"))
                 .map(seen -> seen.event().position())
                 .toList();
         long rear = row.stream().filter(hit -> Math.abs(hit.x() - 1) < 1e-9).count();
@@ -151,7 +152,7 @@ class ViewTest {
         for (int y = 0; y < HEIGHT; y++) {
             for (int x = 0; x < WIDTH; x++) {
                 RayLife.Encounter seen = seen(plan, x, y);
-                assertThat(seen != null && seen.object().equals("window"))
+                assertThat(seen != null && seen.object().description().equals("window"))
                         .as("at %d, %d", x, y)
                         .isEqualTo(x >= WIDTH / 2);
             }

@@ -99,7 +99,7 @@ class LayoutTest {
 
     private SidePanel sidePanel() {
         view = new PhotographView(model, new SilentListener(), () -> false);
-        return new SidePanel(model, view, message -> {});
+        return new SidePanel(model, view, message -> {}, part -> {});
     }
 
     @ParameterizedTest

@@ -113,8 +113,9 @@ class PhotographViewTest {
 
     @Test
     void theClickReleasesTheButtonForPickingEvenIfItsPixelCannotBeRead() {
-        Container panel = (Container) WindowDriver.onEventThread(() -> new SidePanel(model, view, message -> {}))
-                .component();
+        Container panel =
+                (Container) WindowDriver.onEventThread(() -> new SidePanel(model, view, message -> {}, part -> {}))
+                        .component();
         WindowDriver.onEventThread(() -> {
             view.canvas().setSize(64, 48);
             view.render();

@@ -26,8 +26,8 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.JTextArea;
 import javax.swing.JTextField;
+import javax.swing.JTextPane;
 import javax.swing.JToggleButton;
 import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
@@ -385,7 +385,7 @@ class WindowQuestionsTest {
     @Test
     void thePinnedRayIsScrolledIntoView() {
         driver.click(driver.find(PictureCanvas.class, "picture"));
-        JTextArea story = driver.find(JTextArea.class, "ray.story");
+        JTextPane story = driver.find(JTextPane.class, "ray.story");
         WindowDriver.await("the story of the ray", () -> {
             JViewport viewport = (JViewport) SwingUtilities.getAncestorOfClass(JViewport.class, story);
             Rectangle place = SwingUtilities.convertRectangle(story, new Rectangle(story.getSize()), viewport);
@@ -396,7 +396,7 @@ class WindowQuestionsTest {
     @Test
     void furtherClicksLeaveThePanelWhereItIs() {
         driver.click(driver.find(PictureCanvas.class, "picture"));
-        JTextArea story = driver.find(JTextArea.class, "ray.story");
+        JTextPane story = driver.find(JTextPane.class, "ray.story");
         JScrollPane panel = driver.find(JScrollPane.class, "panel");
         WindowDriver.await(
                 "the story of the ray", () -> panel.getVerticalScrollBar().getValue() > 0);
@@ -415,7 +415,7 @@ class WindowQuestionsTest {
     @Test
     void theNumbersOfThePinnedRayCanBeCopied() throws IOException, UnsupportedFlavorException {
         driver.click(driver.find(PictureCanvas.class, "picture"));
-        JTextArea story = driver.find(JTextArea.class, "ray.story");
+        JTextPane story = driver.find(JTextPane.class, "ray.story");
         WindowDriver.await("the story of the ray", story::isShowing);
         driver.click(story);
         driver.key(KeyEvent.VK_A, KeyEvent.VK_CONTROL);
@@ -425,7 +425,7 @@ class WindowQuestionsTest {
                 .asString()
                 .startsWith("Pixel ");
         driver.key(KeyEvent.VK_TAB);
-        assertThat(driver.find(JButton.class, "Unpin").isFocusOwner()).isTrue();
+        assertThat(driver.find(JButton.class, "Edit object").isFocusOwner()).isTrue();
     }
 
     @Test

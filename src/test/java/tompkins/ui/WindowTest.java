@@ -17,13 +17,16 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
+import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JRadioButton;
 import javax.swing.JSlider;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
+import javax.swing.JTextPane;
 import javax.swing.JToggleButton;
+import javax.swing.JTree;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -193,9 +196,25 @@ class WindowTest {
         driver.click(middle);
         WindowDriver.await(
                 "the pinned ray",
-                () -> Components.find(driver.window().frame(), JTextArea.class, "ray.story")
+                () -> Components.find(driver.window().frame(), JTextPane.class, "ray.story")
                         .getText()
                         .contains("Pixel 160, 120"));
+    }
+
+    @Test
+    void theObjectThatAPinnedRayHitIsEdited() {
+        WindowDriver.onEventThread(() -> driver.window().model().set(Studios.sphere()));
+        driver.completePicture();
+        driver.click(driver.centre(driver.find(PictureCanvas.class, "picture")));
+        JButton edit = driver.find(JButton.class, "Edit object");
+        WindowDriver.await("the pinned ray", () -> edit.isShowing() && edit.isEnabled());
+        WindowDriver.onEventThread(() -> edit.doClick());
+        JTree tree = driver.find(JTree.class, "tree");
+        assertThat(WindowDriver.onEventThread(() -> tree.getSelectionPath().toString()))
+                .endsWith("Scene, sphere]");
+        Studio empty = driver.studio().withScene(List.of());
+        WindowDriver.onEventThread(() -> driver.window().model().set(empty));
+        WindowDriver.await("a ray that hits nothing", () -> !edit.isEnabled());
     }
 
     @Test
@@ -213,7 +232,7 @@ class WindowTest {
         driver.key(KeyEvent.VK_ENTER);
         WindowDriver.await(
                 "the pinned ray",
-                () -> Components.find(driver.window().frame(), JTextArea.class, "ray.story")
+                () -> Components.find(driver.window().frame(), JTextPane.class, "ray.story")
                         .getText()
                         .contains("Pixel 171, 119"));
     }
@@ -223,7 +242,7 @@ class WindowTest {
     void whatIsPinnedStaysPinnedInItsSceneAlone() {
         driver.completePicture();
         driver.click(driver.centre(driver.find(PictureCanvas.class, "picture")));
-        JTextArea story = driver.find(JTextArea.class, "ray.story");
+        JTextPane story = driver.find(JTextPane.class, "ray.story");
         WindowDriver.await("the pinned ray", story::isShowing);
         Studio before = driver.studio();
         Studio moving = before.withVelocity(Velocity.of(0, 0, 0.5));
@@ -242,7 +261,7 @@ class WindowTest {
     void aPinThatLiesBesideASmallerPictureIsGone() {
         driver.completePicture();
         driver.click(driver.centre(driver.find(PictureCanvas.class, "picture")));
-        JTextArea story = driver.find(JTextArea.class, "ray.story");
+        JTextPane story = driver.find(JTextPane.class, "ray.story");
         WindowDriver.await(
                 "the pinned ray", () -> story.isShowing() && story.getText().contains("Pixel 160, 120"));
 
@@ -309,7 +328,7 @@ class WindowTest {
         driver.click(new Point(corner.x + bounds.x + bounds.width * 5 / 8, divider.y));
         WindowDriver.await(
                 "the pinned ray of that picture",
-                () -> Components.find(driver.window().frame(), JTextArea.class, "ray.story")
+                () -> Components.find(driver.window().frame(), JTextPane.class, "ray.story")
                         .getText()
                         .startsWith("In the picture \u201cThe camera at rest\u201d\nPixel 200, "));
         Point atLeft = new Point(bounds.x + bounds.width / 8, bounds.y + bounds.height / 2);

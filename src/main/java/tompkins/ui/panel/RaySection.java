@@ -1,12 +1,24 @@
 package tompkins.ui.panel;
 
 import java.awt.Rectangle;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComponent;
+import javax.swing.JMenuItem;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
 import javax.swing.SwingUtilities;
+import tompkins.trace.RayLife;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.model.StudioPath;
 import tompkins.ui.picture.PixelProbe;
-import tompkins.ui.widget.Note;
+import tompkins.ui.picture.RayStory;
+import tompkins.ui.widget.Naming;
+import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Section;
 import tompkins.ui.widget.Texts;
@@ -14,19 +26,35 @@ import tompkins.ui.widget.Texts;
 /** The life of the ray of a pinned pixel, in a part of the side panel that is there only while a pixel is pinned. */
 public final class RaySection {
 
-    private final JPanel content = Rows.column();
-    private final Note story = Note.selectable();
+    private final StudioModel model;
+    private final Consumer<StudioPath> editor;
+    private final StoryPane story = new StoryPane();
+    private final JButton edit = new JButton(Texts.get("ray.edit"));
     private final Section section;
+    private List<RayLife.Encounter> hits = List.of();
 
-    /** A section; {@code unpin} is called by its button. */
-    public RaySection(Runnable unpin) {
-        story.component().setName("ray.story");
-        story.component().getAccessibleContext().setAccessibleName(Texts.get("ray.title"));
+    /**
+     * A section.
+     *
+     * @param unpin called by its button
+     * @param editor opens the editor for an object that the ray hit
+     */
+    public RaySection(StudioModel model, Runnable unpin, Consumer<StudioPath> editor) {
+        this.model = model;
+        this.editor = editor;
+        story.setName("ray.story");
+        story.getAccessibleContext().setAccessibleName(Texts.get("ray.title"));
         JButton button = new JButton(Texts.get("ray.unpin"));
         button.setName(Texts.get("ray.unpin"));
         button.addActionListener(event -> unpin.run());
-        content.add(story.component(), "wmin 0");
-        content.add(button, "growx 0");
+        Naming.name(edit, Texts.get("ray.edit"), Texts.get("ray.editTip"));
+        edit.addActionListener(event -> edit());
+        JPanel buttons = Rows.of("gap 6", "[][]push");
+        buttons.add(edit);
+        buttons.add(button);
+        JPanel content = Rows.column();
+        content.add(story, "wmin 0");
+        content.add(buttons);
         section = new Section(Texts.get("ray.title"), content, true);
         section.component().setVisible(false);
     }
@@ -49,10 +77,44 @@ public final class RaySection {
             // later, when it has its place
             SwingUtilities.invokeLater(this::scrollIntoView);
         }
+        // an unpinned ray lets go of its scene
+        hits = reading == null || reading.life() == null
+                ? List.of()
+                : reading.life().hits();
+        edit.setEnabled(!objects().isEmpty());
         if (reading != null) {
-            String heading = picture == null ? "" : Texts.get("ray.other", picture) + "\n";
-            story.setText(heading + String.join("\n", PixelProbe.story(reading)));
+            List<RayStory.Step> steps = new ArrayList<>(RayStory.of(reading));
+            if (picture != null) {
+                steps.add(0, new RayStory.Step(Texts.get("ray.other", picture), 0, List.of()));
+            }
+            story.show(steps);
         }
+    }
+
+    /** The objects that the ray hit and that the studio still holds, with their names. */
+    private Map<StudioPath, String> objects() {
+        Map<StudioPath, String> objects = new LinkedHashMap<>();
+        for (RayLife.Encounter hit : hits) {
+            StudioPath.to(model.studio(), hit.object())
+                    .ifPresent(path -> objects.put(path, hit.object().description()));
+        }
+        return objects;
+    }
+
+    private void edit() {
+        Map<StudioPath, String> objects = objects();
+        if (objects.size() == 1) {
+            editor.accept(objects.keySet().iterator().next());
+            return;
+        }
+        JPopupMenu menu = new JPopupMenu();
+        objects.forEach((path, name) -> {
+            JMenuItem item = PlainText.in(new JMenuItem());
+            item.setText(name);
+            item.addActionListener(event -> editor.accept(path));
+            menu.add(item);
+        });
+        menu.show(edit, 0, edit.getHeight());
     }
 
     private void scrollIntoView() {

@@ -1,7 +1,6 @@
 package tompkins.ui.picture;
 
 import java.awt.geom.Point2D;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
@@ -12,8 +11,6 @@ import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.trace.Frame;
 import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
-import tompkins.ui.widget.Numbers;
-import tompkins.ui.widget.Texts;
 
 /**
  * Follows the ray of the pixel under the mouse, on a thread of its own: what it hits, where and when, in both frames.
@@ -44,9 +41,6 @@ public final class PixelProbe implements AutoCloseable {
             double angleDegrees,
             double sceneAngleDegrees,
             double frequencyRatio) {}
-
-    /** Shows that what is told belongs to a weaker branch of a ray. */
-    private static final String BRANCH_INDENT = "\u2003";
 
     private record Question(RenderPlan plan, Point2D place, Consumer<Reading> answer) {}
 
@@ -84,7 +78,8 @@ public final class PixelProbe implements AutoCloseable {
                 ? null
                 : inCameraFrame ? end.event() : sceneFromCamera.inverse().transform(end.event());
         Vector3dc velocity = plan.isAtRest() ? null : plan.studio().velocity().direction();
-        String object = end == null || life.reachesBackground() ? null : end.object();
+        String object =
+                end == null || life.reachesBackground() ? null : end.object().description();
         return new Reading(
                 column,
                 row,
@@ -112,55 +107,6 @@ public final class PixelProbe implements AutoCloseable {
             return Double.NaN;
         }
         return plan.studio().camera().focusDistanceOf(reading.inCamera().position());
-    }
-
-    /** The life of a ray in lines, as the command "trace" tells it. */
-    public static List<String> story(Reading reading) {
-        List<String> lines = new ArrayList<>();
-        lines.add(Texts.get("probe.pixel", reading.column, reading.row));
-        RayLife life = reading.life;
-        if (life == null) {
-            lines.add(Texts.get("probe.noShutter"));
-            return lines;
-        }
-        lines.add(Texts.get("probe.backwards"));
-        lines.add(Texts.get("probe.cameraStart", Numbers.brief(life.cameraStart())));
-        lines.add(Texts.get("probe.direction", Numbers.brief(life.cameraDirection())));
-        boolean crossed = false;
-        for (RayLife.Encounter hit : life.hits()) {
-            if (!crossed && hit.branch() == 0 && hit.frame() == Frame.SCENE) {
-                crossed = true;
-                addCrossing(lines, life);
-            }
-            String indent = BRANCH_INDENT.repeat(hit.branch());
-            lines.add(indent
-                    + Texts.get(
-                            hit.frame() == Frame.SCENE ? "probe.hitScene" : "probe.hitCamera",
-                            hit.object(),
-                            Numbers.brief(hit.distance()),
-                            Numbers.brief(hit.event())));
-            if (hit.share() < 1) {
-                lines.add(indent + Texts.get("probe.share", Numbers.brief(hit.share(), 4)));
-            }
-        }
-        if (!crossed && life.sceneStart() != null) {
-            addCrossing(lines, life);
-        }
-        if (reading.object == null) {
-            lines.add(Texts.get("probe.background"));
-        }
-        lines.add(Texts.get(
-                "probe.colour",
-                Numbers.brief(life.colour().red(), 4),
-                Numbers.brief(life.colour().green(), 4),
-                Numbers.brief(life.colour().blue(), 4)));
-        return lines;
-    }
-
-    private static void addCrossing(List<String> lines, RayLife life) {
-        lines.add(Texts.get("probe.sceneStart", Numbers.brief(life.sceneStart())));
-        lines.add(Texts.get("probe.direction", Numbers.brief(life.sceneDirection())));
-        lines.add(Texts.get("probe.ratio", Numbers.brief(life.frequencyRatio())));
     }
 
     @Override

@@ -21,13 +21,11 @@ import tompkins.studio.Studio;
 import tompkins.surface.Clear;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.LorentzWindow;
-import tompkins.surface.Mirror;
 import tompkins.surface.Refractive;
 import tompkins.surface.Tiling;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.Studios;
 import tompkins.ui.model.FrontWindow;
-import tompkins.ui.widget.Numbers;
 
 /** What the probe says is held against closed formulas: aberration, the light cone, Doppler's factor. */
 class PixelProbeTest {
@@ -139,10 +137,9 @@ class PixelProbeTest {
         PixelProbe.Reading reading = read(Studios.sphere(), 0.5, 0.5);
         assertThat(reading.object()).isNull();
         assertThat(reading.inScene()).isNull();
-        assertThat(PixelProbe.story(reading)).contains("background");
     }
 
-    /** Of the light that a slab before the lens reflects nothing is told but in the story, under what it left. */
+    /** Of the light that a slab before the lens reflects nothing is told. */
     @Test
     void behindGlassTheMainBranchIsRead() {
         Studio studio = Studios.sphere()
@@ -153,36 +150,6 @@ class PixelProbeTest {
         assertThat(reading.object()).isEqualTo("sphere");
         assertThat(reading.frequencyRatio()).isCloseTo(2, within(1e-12));
         assertThat(reading.sceneAngleDegrees()).isCloseTo(0, within(1e-12));
-        List<String> story = PixelProbe.story(reading);
-        int crossing = story.indexOf(
-                "Enters the scene frame at " + Numbers.brief(reading.life().sceneStart()));
-        assertThat(story.get(crossing + 1)).isEqualTo("in the direction (0, 0, 1)");
-        assertThat(story.get(crossing + 3)).startsWith("Hits sphere after");
-        assertThat(story).anyMatch(line -> line.startsWith("\u2003Hits slab"));
-    }
-
-    /** What the mirror sends on meets the wall behind the camera. */
-    @Test
-    void theStoryTellsTheShareOfARayThatIsNotTheWholeLight() {
-        Vector3d forwards = new Vector3d(0, 0, 1);
-        Studio studio = Studio.DEFAULT.withScene(List.of(
-                new Plane("near", new Vector3d(0, 0, 5), forwards, new Mirror(0.25)),
-                new Plane("far", new Vector3d(0, 0, -5), forwards, ColouredSurface.DEFAULT)));
-        List<String> story = PixelProbe.story(read(studio, 320, 240));
-        assertThat(story).containsOnlyOnce("with at most 0.25 of the light");
-        int share = story.indexOf("with at most 0.25 of the light");
-        assertThat(story.get(share - 1)).startsWith("Hits far after 10,");
-    }
-
-    @Test
-    void theStoryNamesBothFramesAndTheObject() {
-        Studio moving = Studios.sphere().withVelocity(Velocity.of(0, 0, BETA));
-        assertThat(String.join("\n", PixelProbe.story(read(moving, 32, 24))))
-                .contains(
-                        "Pixel 32, 24",
-                        "camera frame at (0, 0, 0; t\u00a0=\u00a00)",
-                        "Hits sphere after 9",
-                        "camera/scene 3");
     }
 
     @Test

@@ -1,0 +1,76 @@
+package tompkins.ui;
+
+import java.awt.Dimension;
+import java.util.function.Consumer;
+import javax.swing.JDialog;
+import javax.swing.JFrame;
+import javax.swing.JRootPane;
+import tompkins.ui.editor.FileContentEditor;
+import tompkins.ui.editor.SceneEditor;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.model.StudioPath;
+import tompkins.ui.widget.Keys;
+import tompkins.ui.widget.Screens;
+import tompkins.ui.widget.Texts;
+
+/** The editor of the studio in a window beside that of the photograph; made when it is first asked for. */
+final class EditorDialog {
+
+    private final JFrame owner;
+    private final StudioModel model;
+    private final FileContentEditor.Choosers choosers;
+    private final Consumer<JRootPane> keys;
+    private JDialog dialog;
+    private SceneEditor editor;
+
+    /** The editor of a model; {@code keys} binds those of the menus in it, too. */
+    EditorDialog(JFrame owner, StudioModel model, FileContentEditor.Choosers choosers, Consumer<JRootPane> keys) {
+        this.owner = owner;
+        this.model = model;
+        this.choosers = choosers;
+        this.keys = keys;
+    }
+
+    /** Shows the editor as it was left. */
+    void open() {
+        if (dialog == null) {
+            make();
+        }
+        dialog.setVisible(true);
+    }
+
+    /** Shows the editor at a part of the studio, unless what is typed there is wrong and must be put right first. */
+    void open(StudioPath part) {
+        open();
+        editor.choose(part);
+        dialog.toFront();
+    }
+
+    private void make() {
+        editor = new SceneEditor(model);
+        dialog = new JDialog(owner, Texts.get("tree.title"));
+        dialog.setName("editor");
+        dialog.setContentPane(editor.component());
+        dialog.getRootPane().putClientProperty(FileContentEditor.CHOOSERS, choosers);
+        keys.accept(dialog.getRootPane());
+        Keys.bindEscape(dialog.getRootPane(), () -> dialog.setVisible(false));
+        fitToLook();
+        dialog.setLocationRelativeTo(owner);
+    }
+
+    /** As large as it needs to be, and not smaller than it was made. */
+    void fitToLook() {
+        if (dialog != null) {
+            Dimension made = dialog.getSize();
+            dialog.pack();
+            dialog.setSize(Math.max(made.width, dialog.getWidth()), Math.max(made.height, dialog.getHeight()));
+            Screens.keepOnScreen(dialog);
+        }
+    }
+
+    void dispose() {
+        if (dialog != null) {
+            dialog.dispose();
+        }
+    }
+}

@@ -1,0 +1,101 @@
+package tompkins.ui.picture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.geom.Point2D;
+import java.util.List;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Plane;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
+import tompkins.surface.Mirror;
+import tompkins.surface.Refractive;
+import tompkins.trace.RenderPlan;
+import tompkins.ui.Studios;
+
+/** The numbers are closed formulas, the order is that of the ray. */
+class RayStoryTest {
+
+    private static List<RayStory.Step> story(Studio studio, double x, double y) {
+        return RayStory.of(PixelProbe.read(RenderPlan.of(studio), new Point2D.Double(x, y)));
+    }
+
+    private static Stream<String> headings(List<RayStory.Step> story) {
+        return story.stream().map(RayStory.Step::heading);
+    }
+
+    private static String fact(RayStory.Step step, String label) {
+        return step.facts().stream()
+                .filter(fact -> fact.label().equals(label))
+                .map(RayStory.Fact::value)
+                .findFirst()
+                .orElse(null);
+    }
+
+    /**
+     * With beta = 0.8 the camera finds the point of z = 9, t = -9 at gamma (z - beta t) = 27, and light 3 times bluer.
+     */
+    @Test
+    void theEndOfTheRayIsToldInBothFrames() {
+        List<RayStory.Step> story = story(Studios.sphere().withVelocity(Velocity.of(0, 0, 0.8)), 32, 24);
+        assertThat(headings(story))
+                .containsExactly("Pixel 32, 24", "Starts in the camera frame", "Enters the scene frame", "Hits sphere");
+        assertThat(fact(story.get(1), "At")).isEqualTo("(0, 0, 0; t\u00a0=\u00a00)");
+        assertThat(fact(story.get(2), "Direction")).isEqualTo("(0, 0, 1)");
+        assertThat(fact(story.get(2), "Frequency")).isEqualTo("camera/scene 3");
+        assertThat(fact(story.get(3), "Distance")).isEqualTo("9");
+        assertThat(fact(story.get(3), "In scene")).isEqualTo("(0, 0, 9; t\u00a0=\u00a0-9)");
+        assertThat(fact(story.get(3), "In camera")).isEqualTo("(0, 0, 27; t\u00a0=\u00a0-27)");
+        assertThat(fact(story.get(3), "Light")).isNull();
+    }
+
+    @Test
+    void aRayThatMeetsNothingEndsInTheBackground() {
+        assertThat(headings(story(Studios.sphere(), 0.5, 0.5)))
+                .containsExactly(
+                        "Pixel 0, 0",
+                        "Starts in the camera frame",
+                        "Enters the scene frame",
+                        "Meets nothing more: the background");
+    }
+
+    /** What the slab before the lens reflects is told as a weaker branch, and crosses into the scene by itself. */
+    @Test
+    void weakerBranchesAreMarked() {
+        Studio studio = Studios.sphere()
+                .withCameraFrame(
+                        List.of(new Box("slab", new Vector3d(-5, -5, 2), new Vector3d(5, 5, 3), Refractive.DEFAULT)));
+        List<RayStory.Step> story = story(studio, 32, 24);
+        assertThat(story.stream().filter(step -> step.branch() == 0).map(RayStory.Step::heading))
+                .containsExactly(
+                        "Pixel 32, 24",
+                        "Starts in the camera frame",
+                        "Hits slab",
+                        "Hits slab",
+                        "Enters the scene frame",
+                        "Hits sphere");
+        assertThat(story).anyMatch(step -> step.branch() > 0 && step.heading().equals("Hits slab"));
+        // in the frame of the slab alone
+        assertThat(fact(story.get(2), "In camera")).isEqualTo("(0, 0, 2; t\u00a0=\u00a0-2)");
+        assertThat(fact(story.get(2), "In scene")).isNull();
+    }
+
+    /** What the mirror sends on meets the wall behind the camera. */
+    @Test
+    void theShareOfARayThatIsNotTheWholeLightIsTold() {
+        Vector3d forwards = new Vector3d(0, 0, 1);
+        Studio studio = Studio.DEFAULT.withScene(List.of(
+                new Plane("near", new Vector3d(0, 0, 5), forwards, new Mirror(0.25)),
+                new Plane("far", new Vector3d(0, 0, -5), forwards, ColouredSurface.DEFAULT)));
+        List<RayStory.Step> story = story(studio, 320, 240);
+        RayStory.Step last = story.get(story.size() - 1);
+        assertThat(last.heading()).isEqualTo("Hits far");
+        assertThat(fact(last, "Distance")).isEqualTo("10");
+        assertThat(fact(last, "Light")).isEqualTo("at most 0.25");
+        assertThat(fact(story.get(story.size() - 2), "Light")).isNull();
+    }
+}
