@@ -99,6 +99,8 @@ public final class TompkinsWindow {
         frame.setLocationByPlatform(true);
         model.addListener(this::showTitle);
         showTitle();
+        // what is laid out before the window is on its screen is laid out again
+        frame.addNotify();
         fitToLook();
         if (place != null) {
             settings.addRecentFile(place);
