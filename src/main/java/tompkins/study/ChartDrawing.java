@@ -2,7 +2,6 @@ package tompkins.study;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Font;
 import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
@@ -43,62 +42,53 @@ public final class ChartDrawing {
     private static final int HEIGHT = 560;
     private static final int FEWEST_FOR_SLOPE = 3;
     private static final double RING = 6;
-    private static final Color GRID = new Color(0xdddddd);
     private static final Color FRONT = new Color(255, 200, 0, 130);
-    private static final Color GUIDE = new Color(0x888888);
     private static final float[][] DASHES = {{9, 5}, {2, 4}};
-
-    // told apart also by those who see few colours (Okabe and Ito 2008)
-    private static final Color[] COLOURS = {
-        new Color(0x000000),
-        new Color(0xe69f00),
-        new Color(0x56b4e9),
-        new Color(0x009e73),
-        new Color(0x0072b2),
-        new Color(0xd55e00),
-        new Color(0xcc79a7),
-        new Color(0x777777)
-    };
 
     private ChartDrawing() {}
 
     /** The chart as a PNG file. */
     static byte[] png(Chart chart, List<Measurement> all) {
         try {
-            return ChartUtils.encodeAsPNG(drawing(chart, all).createBufferedImage(WIDTH, HEIGHT), false, 9);
+            return ChartUtils.encodeAsPNG(
+                    drawing(chart, all, ChartStyle.PRINTED).createBufferedImage(WIDTH, HEIGHT), false, 9);
         } catch (IOException impossible) {
             throw new UncheckedIOException(impossible);
         }
     }
 
     /** The chart, drawn from those of the measurements that it shows. */
-    public static JFreeChart drawing(Chart chart, List<Measurement> all) {
+    public static JFreeChart drawing(Chart chart, List<Measurement> all, ChartStyle style) {
         List<Measurement> shown = chart.drawn(all);
         XYIntervalSeriesCollection curves = new XYIntervalSeriesCollection();
         XYErrorRenderer renderer = new XYErrorRenderer();
         renderer.setDefaultLinesVisible(true);
         renderer.setDrawXError(false);
-        curves(chart, shown).forEach((name, points) -> addCurve(chart, name, points, curves, renderer));
+        curves(chart, shown).forEach((name, points) -> addCurve(chart, name, points, curves, renderer, style));
         XYPlot plot = new XYPlot(
                 curves,
-                new DecadeAxis(chart.across().label(), shown.stream().map(chart::x)),
+                new DecadeAxis(chart.across().label(), shown.stream().map(chart::x), style),
                 new DecadeAxis(
                         chart.up().label(),
-                        shown.stream().map(point -> chart.y(point).low())),
+                        shown.stream().map(point -> chart.y(point).low()),
+                        style),
                 renderer);
-        plot.setBackgroundPaint(Color.WHITE);
-        plot.setDomainGridlinePaint(GRID);
-        plot.setRangeGridlinePaint(GRID);
+        plot.setBackgroundPaint(style.paper());
+        plot.setDomainGridlinePaint(style.grid());
+        plot.setRangeGridlinePaint(style.grid());
         if (chart.pareto()) {
             addFront(chart, shown, plot);
         }
-        addGuides(chart, shown, plot);
-        addFloor(shown, plot);
-        JFreeChart drawing = new JFreeChart(chart.title(), new Font(Font.SANS_SERIF, Font.BOLD, 16), plot, true);
-        drawing.setBackgroundPaint(Color.WHITE);
+        addGuides(chart, shown, plot, style);
+        addFloor(shown, plot, style);
+        JFreeChart drawing = new JFreeChart(chart.title(), style.title(), plot, true);
+        drawing.getTitle().setPaint(style.ink());
+        drawing.setBackgroundPaint(style.paper());
         drawing.getLegend().setPosition(RectangleEdge.RIGHT);
         drawing.getLegend().setFrame(BlockBorder.NONE);
-        drawing.getLegend().setItemFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
+        drawing.getLegend().setItemFont(style.words());
+        drawing.getLegend().setItemPaint(style.ink());
+        drawing.getLegend().setBackgroundPaint(style.paper());
         return drawing;
     }
 
@@ -122,7 +112,8 @@ public final class ChartDrawing {
             String name,
             List<Measurement> points,
             XYIntervalSeriesCollection curves,
-            XYErrorRenderer renderer) {
+            XYErrorRenderer renderer,
+            ChartStyle style) {
         int number = curves.getSeriesCount();
         XYIntervalSeries series = new XYIntervalSeries(name + slope(chart, points));
         // points of one curve at one place are drawn as one, with bars from the smallest to the largest
@@ -138,7 +129,7 @@ public final class ChartDrawing {
             series.add(x, x, x, middle.middle(), low, high);
         });
         curves.addSeries(series);
-        renderer.setSeriesPaint(number, COLOURS[number % COLOURS.length]);
+        renderer.setSeriesPaint(number, style.curve(number));
         renderer.setSeriesStroke(number, new BasicStroke(1.6f));
         renderer.setSeriesShape(number, marker(number));
         if (name.equals(chart.own())) {
@@ -219,7 +210,7 @@ public final class ChartDrawing {
         plot.setRenderer(1, renderer);
     }
 
-    private static void addGuides(Chart chart, List<Measurement> shown, XYPlot plot) {
+    private static void addGuides(Chart chart, List<Measurement> shown, XYPlot plot, ChartStyle style) {
         DoubleSummaryStatistics across = shown.stream().mapToDouble(chart::x).summaryStatistics();
         XYSeriesCollection guides = new XYSeriesCollection();
         XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
@@ -229,7 +220,7 @@ public final class ChartDrawing {
             series.add(across.getMin(), guide.factor() * across.getMin());
             series.add(across.getMax(), guide.factor() * across.getMax());
             guides.addSeries(series);
-            renderer.setSeriesPaint(number, GUIDE);
+            renderer.setSeriesPaint(number, style.guide());
             float[] dash = DASHES[number % DASHES.length];
             renderer.setSeriesStroke(
                     number, new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dash, 0));
@@ -238,11 +229,13 @@ public final class ChartDrawing {
         plot.setRenderer(2, renderer);
     }
 
-    private static void addFloor(List<Measurement> shown, XYPlot plot) {
+    private static void addFloor(List<Measurement> shown, XYPlot plot, ChartStyle style) {
         double floor = shown.stream().mapToDouble(Measurement::floor).max().orElse(0);
         if (floor > 0) {
             ValueMarker marker = new ValueMarker(floor, Color.GRAY, new BasicStroke(1.5f));
             marker.setLabel("error of the reference");
+            marker.setLabelFont(style.numbers());
+            marker.setLabelPaint(style.ink());
             marker.setLabelAnchor(RectangleAnchor.TOP_LEFT);
             marker.setLabelTextAnchor(TextAnchor.BOTTOM_LEFT);
             plot.addRangeMarker(marker);

@@ -1,6 +1,5 @@
 package tompkins.study;
 
-import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.font.TextAttribute;
 import java.awt.geom.Rectangle2D;
@@ -31,9 +30,12 @@ final class DecadeAxis extends LogAxis {
      * @param label what it shows
      * @param values the values that are drawn, all above 0
      */
-    DecadeAxis(String label, Stream<Double> values) {
+    DecadeAxis(String label, Stream<Double> values, ChartStyle style) {
         super(label);
-        setLabelFont(new Font(Font.SANS_SERIF, Font.PLAIN, 13));
+        setLabelFont(style.axis());
+        setLabelPaint(style.ink());
+        setTickLabelFont(style.numbers());
+        setTickLabelPaint(style.ink());
         // the default reaches below 0 where all values are smaller than 1e-8, and then the axis shows nothing
         values.min(Double::compare).ifPresent(least -> setAutoRangeMinimumSize(least / 2));
     }

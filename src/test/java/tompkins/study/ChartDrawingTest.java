@@ -30,7 +30,7 @@ class ChartDrawingTest {
         List<Measurement> drawn = chart.shown(all).stream()
                 .filter(point -> chart.up().value().apply(point).low() > 0)
                 .toList();
-        XYPlot plot = ChartDrawing.drawing(chart, all).getXYPlot();
+        XYPlot plot = ChartDrawing.drawing(chart, all, ChartStyle.PRINTED).getXYPlot();
         assertSpans(
                 plot.getDomainAxis(), drawn.stream().mapToDouble(chart.across().value()::apply));
         assertSpans(
@@ -68,7 +68,7 @@ class ChartDrawingTest {
 
     @Test
     void aSinglePointIsShown() {
-        ValueAxis axis = ChartDrawing.drawing(chart(), List.of(point(OWN, 3, 1e-12)))
+        ValueAxis axis = ChartDrawing.drawing(chart(), List.of(point(OWN, 3, 1e-12)), ChartStyle.PRINTED)
                 .getXYPlot()
                 .getRangeAxis();
         assertThat(axis.getLowerBound()).isPositive().isLessThan(1e-12);
@@ -77,7 +77,8 @@ class ChartDrawingTest {
 
     @Test
     void lessThanADecadeHasNumbers() {
-        XYPlot plot = ChartDrawing.drawing(chart(), List.of(point(OWN, 1, 0.11), point(OWN, 2, 0.38)))
+        XYPlot plot = ChartDrawing.drawing(
+                        chart(), List.of(point(OWN, 1, 0.11), point(OWN, 2, 0.38)), ChartStyle.PRINTED)
                 .getXYPlot();
         assertThat(numbers(plot.getRangeAxis()).stream().map(Double::floatValue))
                 .containsExactly(0.2f, 0.3f, 0.4f);
@@ -85,7 +86,8 @@ class ChartDrawingTest {
 
     @Test
     void fewDecadesHaveNumbersWithin() {
-        XYPlot plot = ChartDrawing.drawing(chart(), List.of(point(OWN, 1.5, 1e-6), point(OWN, 25, 1)))
+        XYPlot plot = ChartDrawing.drawing(
+                        chart(), List.of(point(OWN, 1.5, 1e-6), point(OWN, 25, 1)), ChartStyle.PRINTED)
                 .getXYPlot();
         assertThat(numbers(plot.getDomainAxis())).containsExactly(2.0, 5.0, 10.0, 20.0);
         assertThat(numbers(plot.getRangeAxis())).hasSize(7).allMatch(value -> Math.log10(value) % 1 == 0);
@@ -102,7 +104,7 @@ class ChartDrawingTest {
 
     /** Number of pixels of a colour between the axes. */
     private static long pixels(int colour, Chart chart, List<Measurement> all) {
-        JFreeChart drawing = ChartDrawing.drawing(chart, all);
+        JFreeChart drawing = ChartDrawing.drawing(chart, all, ChartStyle.PRINTED);
         drawing.removeLegend();
         BufferedImage image = drawing.createBufferedImage(600, 400);
         return IntStream.range(0, 600 * 400)
@@ -114,7 +116,7 @@ class ChartDrawingTest {
     @Test
     void guidesRunAcross() {
         Chart chart = chart().withGuides(List.of(new Chart.Guide("equal", 1), new Chart.Guide("half", 0.5)));
-        XYDataset guides = ChartDrawing.drawing(chart, List.of(point(OWN, 1, 2), point(OWN, 8, 4)))
+        XYDataset guides = ChartDrawing.drawing(chart, List.of(point(OWN, 1, 2), point(OWN, 8, 4)), ChartStyle.PRINTED)
                 .getXYPlot()
                 .getDataset(2);
         assertThat(guides.getSeriesKey(1).toString()).isEqualTo("half");

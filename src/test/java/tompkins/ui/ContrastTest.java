@@ -12,9 +12,11 @@ import java.util.stream.DoubleStream;
 import javax.swing.JToggleButton;
 import javax.swing.UIManager;
 import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import tompkins.spacetime.SpeedScale;
+import tompkins.study.ChartStyle;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.VelocityPanel;
 import tompkins.ui.widget.Look;
@@ -25,6 +27,9 @@ class ContrastTest {
 
     /** Level AA of the guidelines, for text of any size. */
     private static final double LEAST = 4.5;
+
+    /** The same level for marks. */
+    private static final double LEAST_OF_MARKS = 3;
 
     @AfterAll
     static void restore() {
@@ -93,5 +98,14 @@ class ContrastTest {
                     .as("%s, %s", look, kind)
                     .isGreaterThanOrEqualTo(LEAST);
         }
+    }
+
+    @Test
+    void aChartInADarkRoomIsRead() {
+        ChartStyle style = ChartStyle.DARK;
+        assertThat(contrast(style.ink(), style.paper())).isGreaterThanOrEqualTo(LEAST);
+        assertThat(style.curves())
+                .allSatisfy(curve -> assertThat(contrast(curve, style.paper())).isGreaterThanOrEqualTo(LEAST_OF_MARKS));
+        assertThat(contrast(style.guide(), style.paper())).isGreaterThanOrEqualTo(LEAST_OF_MARKS);
     }
 }

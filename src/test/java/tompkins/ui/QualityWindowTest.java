@@ -2,6 +2,8 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Color;
+import java.awt.Font;
 import java.awt.Point;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
@@ -30,7 +32,9 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
+import tompkins.study.ChartStyle;
 import tompkins.surface.ColouredSurface;
+import tompkins.ui.widget.Look;
 
 /**
  * The chart of the picture on show, in a real window: it grows while it is measured, and a click on a point is taken.
@@ -99,6 +103,20 @@ class QualityWindowTest {
             assertThat(chart.getWidth()).isGreaterThan(2300);
             assertThat(chart.getScaleX()).isEqualTo(1);
             assertThat(chart.getScaleY()).isEqualTo(1);
+        });
+    }
+
+    @Test
+    void theChartFollowsTheLook() {
+        WindowDriver.await("a point", () -> entity("the same", 0) != null);
+        WindowDriver.onEventThread(() -> {
+            Font before = chart().getChart().getTitle().getFont();
+            Look.DARK.install();
+            assertThat(chart().getChart().getBackgroundPaint()).isEqualTo(ChartStyle.DARK.paper());
+            Look.PROJECTOR.install();
+            assertThat(chart().getChart().getBackgroundPaint()).isEqualTo(Color.WHITE);
+            assertThat(chart().getChart().getTitle().getFont().getSize()).isGreaterThan(before.getSize());
+            Look.LIGHT.install();
         });
     }
 

@@ -1,5 +1,6 @@
 package tompkins.ui.panel;
 
+import com.formdev.flatlaf.FlatLaf;
 import java.awt.BorderLayout;
 import java.awt.Cursor;
 import java.awt.Dimension;
@@ -28,10 +29,12 @@ import tompkins.render.Quality;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.study.ChartDrawing;
+import tompkins.study.ChartStyle;
 import tompkins.study.Measurement;
 import tompkins.study.PictureStudy;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Keys;
+import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
@@ -39,6 +42,7 @@ import tompkins.ui.widget.NumberField;
 import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Rows;
+import tompkins.ui.widget.Screens;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Wording;
@@ -46,8 +50,10 @@ import tompkins.ui.widget.Wording;
 /** How good the picture has to be: the error that is wanted, and a chart of speed against accuracy to choose from. */
 public final class QualityPanel {
 
-    private static final int CHART_WIDTH = 860;
-    private static final int CHART_HEIGHT = 520;
+    /** The size of the chart at first, in sizes of the type. */
+    private static final double CHART_WIDTH = 66;
+
+    private static final double CHART_HEIGHT = 40;
 
     /** How far from a point the mouse still takes it, in pixels. */
     private static final double REACH = 12;
@@ -135,7 +141,7 @@ public final class QualityPanel {
     private final class ChartWindow {
 
         private final JDialog dialog;
-        private final ChartPanel chart = new ChartPanel(null);
+        private final ChartPanel chart = new StyledChartPanel();
         private final Note state = Note.ofLines(2);
         private volatile boolean closed;
         private final Studio studio = model.studio();
@@ -171,7 +177,7 @@ public final class QualityPanel {
                     }
                 }
             });
-            chart.setPreferredSize(new Dimension(CHART_WIDTH, CHART_HEIGHT));
+            chart.setPreferredSize(new Dimension(Look.pixels(CHART_WIDTH), Look.pixels(CHART_HEIGHT)));
             // its own menu saves without asking whether to overwrite, and a drag would zoom away from the points
             chart.setPopupMenu(null);
             chart.setMouseZoomable(false);
@@ -190,6 +196,7 @@ public final class QualityPanel {
             dialog.setContentPane(content);
             dialog.pack();
             dialog.setLocationRelativeTo(owner);
+            Screens.keepOnScreen(dialog);
         }
 
         void start() {
@@ -234,8 +241,13 @@ public final class QualityPanel {
 
         private void draw(List<Measurement> measured) {
             shown = measured;
-            chart.setChart(ChartDrawing.drawing(study.chart(), measured));
+            draw();
             showState();
+        }
+
+        private void draw() {
+            ChartStyle style = FlatLaf.isLafDark() ? ChartStyle.DARK : ChartStyle.PRINTED;
+            chart.setChart(ChartDrawing.drawing(study.chart(), shown, style.withSize(Look.pixels(1))));
         }
 
         private String progress() {
@@ -260,6 +272,23 @@ public final class QualityPanel {
             pointedAt = point == null ? null : Texts.get("quality.pointedAt", text(study.qualityOf(point)));
             chart.setCursor(Cursor.getPredefinedCursor(point == null ? Cursor.DEFAULT_CURSOR : Cursor.HAND_CURSOR));
             showState();
+        }
+
+        /** A chart that follows the look. */
+        @SuppressWarnings("serial") // never written to a stream
+        private final class StyledChartPanel extends ChartPanel {
+
+            StyledChartPanel() {
+                super(null);
+            }
+
+            @Override
+            public void updateUI() {
+                super.updateUI();
+                if (study != null) {
+                    draw();
+                }
+            }
         }
 
         private final class PointChooser extends MouseAdapter implements ChartMouseListener {
