@@ -46,6 +46,7 @@ final class HelpWindow {
     private final JFrame owner;
     private final Consumer<Studio> openScene;
     private final JEditorPane text = new Text();
+    private final FindBar find = new FindBar(text);
     private final JButton back = new JButton(Texts.get("help.back"));
     private final Deque<Place> past = new ArrayDeque<>();
     private final JDialog window;
@@ -85,6 +86,7 @@ final class HelpWindow {
         window.setContentPane(content());
         Keys.bindEscape(window.getRootPane(), () -> window.setVisible(false));
         Keys.bind(window.getRootPane(), KeyStroke.getKeyStroke("alt LEFT"), this::goBack);
+        Keys.bind(window.getRootPane(), Keys.ofMenu("ctrl F"), find::begin);
         window.setSize(Look.pixels(WIDTH), Look.pixels(HEIGHT));
         // at the right as far as the screen goes, where it covers least of the picture
         window.setLocation(owner.getX() + owner.getWidth(), owner.getY());
@@ -106,6 +108,7 @@ final class HelpWindow {
         JPanel bar = new JPanel(new BorderLayout());
         bar.setBorder(BorderFactory.createEmptyBorder(4, 8, 4, 8));
         bar.add(back, BorderLayout.LINE_START);
+        bar.add(find.component(), BorderLayout.CENTER);
         content.add(bar, BorderLayout.PAGE_START);
         content.add(
                 new JScrollPane(
@@ -152,6 +155,7 @@ final class HelpWindow {
         HTMLDocument document = (HTMLDocument) text.getDocument();
         document.setBase(shown.url());
         text.setText(shown.html());
+        find.search();
         back.setEnabled(!past.isEmpty());
         window.setTitle(heading(document));
     }

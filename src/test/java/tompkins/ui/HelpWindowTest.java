@@ -8,9 +8,13 @@ import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JDialog;
 import javax.swing.JEditorPane;
+import javax.swing.JLabel;
+import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import javax.swing.text.AttributeSet;
 import javax.swing.text.BadLocationException;
@@ -124,6 +128,56 @@ class HelpWindowTest {
 
         WindowDriver.await("where the link is", () -> text.getVisibleRect().y < there.y && seesLink(link));
         assertThat(title()).isEqualTo("Scene files \u2013 Tompkins");
+    }
+
+    @Test
+    void wordsAreFoundOneAfterTheOther() {
+        driver.menu("menu.sceneFiles");
+        WindowDriver.await("the reference", () -> title().equals("Scene files \u2013 Tompkins"));
+        int places = WindowDriver.onEventThread(() -> pieces("refracti") - 1);
+        assertThat(places).isGreaterThan(1);
+        JTextField words = driver.find(JTextField.class, "Find");
+        JLabel found = driver.find(JLabel.class, "help.found");
+
+        driver.key(KeyEvent.VK_F, KeyEvent.VK_CONTROL);
+        WindowDriver.await("the focus", words::isFocusOwner);
+        WindowDriver.onEventThread(() -> words.setText("reFRACti"));
+        WindowDriver.await("the first place", () -> found.getText().equals("1 of " + places) && sees("efracti"));
+        WindowDriver.onEventThread(() -> words.setText("no such words"));
+        WindowDriver.await("no place", () -> found.getText().equals("not found"));
+        assertThat(WindowDriver.onEventThread(this::marked)).isEmpty();
+        WindowDriver.onEventThread(() -> words.setText("refracti"));
+        driver.key(KeyEvent.VK_ENTER, KeyEvent.VK_SHIFT);
+        WindowDriver.await("the last place", () -> found.getText().equals(places + " of " + places));
+        driver.key(KeyEvent.VK_ENTER);
+        WindowDriver.await("the first place again", () -> found.getText().equals("1 of " + places));
+        assertThat(WindowDriver.onEventThread(this::marked))
+                .hasSize(places)
+                .allMatch(word -> word.equalsIgnoreCase("refracti"));
+
+        driver.key(KeyEvent.VK_ESCAPE);
+        WindowDriver.await(
+                "the end of the search",
+                () -> text.isFocusOwner() && found.getText().isEmpty());
+        assertThat(WindowDriver.onEventThread(this::marked)).isEmpty();
+    }
+
+    private int pieces(String word) {
+        return all().toLowerCase(Locale.ROOT).split(word, -1).length;
+    }
+
+    private List<String> marked() {
+        return Stream.of(text.getHighlighter().getHighlights())
+                .map(mark -> all().substring(mark.getStartOffset(), mark.getEndOffset()))
+                .toList();
+    }
+
+    private String all() {
+        try {
+            return text.getDocument().getText(0, text.getDocument().getLength());
+        } catch (BadLocationException e) {
+            throw new AssertionError(e);
+        }
     }
 
     @Test

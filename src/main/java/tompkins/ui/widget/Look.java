@@ -24,6 +24,8 @@ public enum Look {
                     entry("Tompkins.error", 0xb3261e),
                     entry("Tompkins.line", 0xaab2bd),
                     entry("Tompkins.link", 0x2468b8),
+                    entry("Tompkins.found", 0xffe9a0),
+                    entry("Tompkins.foundHere", 0xffb74d),
                     entry("Tompkins.sphereLight", 0xffffff),
                     entry("Tompkins.sphereDark", 0xd5dce6))),
     /** For dark rooms. */
@@ -38,6 +40,8 @@ public enum Look {
                     entry("Tompkins.error", 0xff8a80),
                     entry("Tompkins.line", 0x666d78),
                     entry("Tompkins.link", 0x4c9be8),
+                    entry("Tompkins.found", 0x54471a),
+                    entry("Tompkins.foundHere", 0x805400),
                     entry("Tompkins.sphereLight", 0x59616d),
                     entry("Tompkins.sphereDark", 0x33383f))),
     /** For the back row: large type and high contrast. */
@@ -52,6 +56,8 @@ public enum Look {
                     entry("Tompkins.error", 0xa00000),
                     entry("Tompkins.line", 0x000000),
                     entry("Tompkins.link", 0x0040c0),
+                    entry("Tompkins.found", 0xffe680),
+                    entry("Tompkins.foundHere", 0xffb030),
                     entry("Tompkins.sphereLight", 0xffffff),
                     entry("Tompkins.sphereDark", 0xdddddd)));
 
