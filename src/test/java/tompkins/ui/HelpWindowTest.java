@@ -60,6 +60,7 @@ class HelpWindowTest {
 
     /** The place on the screen of the first link to an address, which is scrolled into view. */
     private Point place(String address) {
+        WindowDriver.anchor(text);
         return WindowDriver.onEventThread(() -> {
             HTMLDocument document = (HTMLDocument) text.getDocument();
             HTMLDocument.Iterator links = document.getIterator(HTML.Tag.A);

@@ -172,6 +172,7 @@ class QualityWindowTest {
     /** Clicks on a point, and again if the chart was just drawn anew between press and release and took no click. */
     private void choose(String curve, int point, String chosen) {
         for (int click = 0; click < MOST_CLICKS && !isChosen(chosen); click++) {
+            WindowDriver.anchor(WindowDriver.onEventThread(QualityWindowTest::chart));
             Point place = WindowDriver.onEventThread(() -> place(curve, point));
             // no event tells of a mouse that is there already
             driver.move(new Point(place.x, place.y + 1));

@@ -3,6 +3,7 @@ package tompkins.ui;
 import java.awt.AWTEvent;
 import java.awt.AWTException;
 import java.awt.Component;
+import java.awt.Dialog;
 import java.awt.Dimension;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
@@ -172,8 +173,24 @@ public final class WindowDriver implements AutoCloseable {
         return onEventThread(() -> Components.find(window.frame(), type, name));
     }
 
+    /**
+     * Puts the dialog of a component where the program believes that it is. Without a window manager it may be
+     * elsewhere: what says where it came up is now and then overtaken by what says where it was before, at the corner
+     * of the screen, and then clicks miss it.
+     */
+    static void anchor(Component component) {
+        if (SwingUtilities.windowForComponent(component) instanceof Dialog dialog) {
+            onEventThread(() -> {
+                Point place = dialog.getLocation();
+                dialog.setLocation(place.x + 1, place.y);
+                dialog.setLocation(place);
+            });
+        }
+    }
+
     /** Makes a component visible in its scroll pane, and gives its centre on the screen. */
     Point centre(JComponent component) {
+        anchor(component);
         onEventThread(() -> component.scrollRectToVisible(new Rectangle(component.getSize())));
         settle();
         return onEventThread(() -> {
