@@ -72,6 +72,22 @@ final class ClipboardActions {
         toClipboard(new StringSelection(command.get()), Texts.get("file.commandCopied", command.get()));
     }
 
+    /** Says how to cite the program, and puts that on the clipboard if asked to. */
+    void offerCitation() {
+        String reference = Texts.get("help.reference");
+        String entry = Texts.get("help.bibtex");
+        int chosen = Messages.tellAndAsk(
+                frame,
+                Texts.get("menu.cite"),
+                Texts.get("help.cite", reference, entry),
+                Texts.get("help.copyReference"),
+                Texts.get("help.copyBibtex"),
+                Texts.get("help.close"));
+        if (chosen < 2) {
+            toClipboard(new StringSelection(chosen == 0 ? reference : entry), Texts.get("help.citationCopied"));
+        }
+    }
+
     private void toClipboard(Transferable content, String done) {
         try {
             Toolkit.getDefaultToolkit().getSystemClipboard().setContents(content, null);

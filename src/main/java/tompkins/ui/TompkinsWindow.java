@@ -58,6 +58,7 @@ public final class TompkinsWindow {
     private final PlayPanel play;
     private final FileActions files;
     private final Captions captions;
+    private final ClipboardActions clipboard;
     private final Menus menus;
     private final LateParts late;
     private final EditorDialog editor;
@@ -76,9 +77,10 @@ public final class TompkinsWindow {
         // the window is built while it is worked on
         view.render();
         frame.setContentPane(content());
+        clipboard = new ClipboardActions(frame, model, view, captions, commandLine, status);
         menus = new Menus(
                 files,
-                new ClipboardActions(frame, model, view, captions, commandLine, status),
+                clipboard,
                 new History(model, frame, this::pause, this::sayOtherScene),
                 settings,
                 captions,
@@ -371,7 +373,7 @@ public final class TompkinsWindow {
 
         @Override
         public void showCitation() {
-            Messages.tell(frame, Texts.get("menu.cite"), Texts.get("help.cite"));
+            clipboard.offerCitation();
         }
     }
 }

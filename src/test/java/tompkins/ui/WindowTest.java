@@ -218,6 +218,22 @@ class WindowTest {
     }
 
     @Test
+    void theCitationIsCopied() throws Exception {
+        JLabel what = driver.find(JLabel.class, "status.what");
+        driver.menu("menu.cite");
+        driver.answer("Copy BibTeX");
+        WindowDriver.await("the answer", () -> what.getText().equals("The citation is on the clipboard."));
+        String copied =
+                (String) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
+        assertThat(copied)
+                .startsWith("@inproceedings{")
+                .endsWith("}\n")
+                .contains("  volume = {9948},\n", "  pages = {994808},\n");
+        assertThat(copied.chars().filter(letter -> letter == '{').count())
+                .isEqualTo(copied.chars().filter(letter -> letter == '}').count());
+    }
+
+    @Test
     void theKeysReadPixelsAndPinOne() {
         driver.completePicture();
         PictureCanvas canvas = driver.find(PictureCanvas.class, "picture");

@@ -50,14 +50,34 @@ public final class Messages {
         pane.createDialog(parent, title).setVisible(true);
     }
 
+    /**
+     * Shows a message with other answers than that it was read: the number of the answer; closing it gives the last.
+     */
+    public static int tellAndAsk(Component parent, String title, String message, String... answers) {
+        int chosen = JOptionPane.showOptionDialog(
+                parent,
+                scroll(text(message)),
+                title,
+                JOptionPane.DEFAULT_OPTION,
+                JOptionPane.PLAIN_MESSAGE,
+                null,
+                answers,
+                answers[answers.length - 1]);
+        return chosen == JOptionPane.CLOSED_OPTION ? answers.length - 1 : chosen;
+    }
+
     private static void show(Component parent, String title, String message, int kind) {
+        JOptionPane.showMessageDialog(parent, scroll(text(message)), title, kind);
+    }
+
+    private static JTextArea text(String message) {
         JTextArea text = new JTextArea(message, (int) Math.min(MOST_ROWS, lines(message)), COLUMNS);
         text.setName("message");
         text.setEditable(false);
         text.setLineWrap(true);
         text.setWrapStyleWord(true);
         text.setOpaque(false);
-        JOptionPane.showMessageDialog(parent, scroll(text), title, kind);
+        return text;
     }
 
     private static JScrollPane scroll(JComponent content) {
