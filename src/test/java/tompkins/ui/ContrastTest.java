@@ -105,6 +105,22 @@ class ContrastTest {
         }
     }
 
+    @ParameterizedTest
+    @EnumSource
+    void whatCanBeUsedStandsOut(Look look) {
+        look.install();
+        Color panel = UIManager.getColor("Panel.background");
+        for (String edge :
+                List.of("Component.borderColor", "Button.borderColor", "Slider.trackColor", "ScrollBar.thumb")) {
+            assertThat(contrast(UIManager.getColor(edge), panel))
+                    .as("%s, %s", look, edge)
+                    .isGreaterThanOrEqualTo(LEAST_OF_MARKS);
+        }
+        assertThat(contrast(UIManager.getColor("Component.focusColor"), panel))
+                .as("%s, focus", look)
+                .isGreaterThanOrEqualTo(LEAST_OF_MARKS);
+    }
+
     @Test
     void aChartInADarkRoomIsRead() {
         ChartStyle style = ChartStyle.DARK;

@@ -85,7 +85,8 @@ public final class VelocityPanel {
             Naming.name(button, name, name + ", " + each.range());
             button.putClientProperty(
                     "FlatLaf.style",
-                    "selectedBackground: $Component.accentColor; selectedForeground: $Tompkins.chosen");
+                    "selectedBackground: $Component.accentColor; selectedForeground: $Tompkins.chosen;"
+                            + " focusedBorderColor: $Tompkins.chosen");
             button.addActionListener(event -> {
                 scale = each;
                 update();

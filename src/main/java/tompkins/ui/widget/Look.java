@@ -7,6 +7,8 @@ import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Color;
 import java.awt.Font;
+import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import javax.swing.UIManager;
 
@@ -16,6 +18,8 @@ public enum Look {
     LIGHT(
             false,
             1,
+            "#2468b8",
+            "#868c95",
             Map.ofEntries(
                     entry("Tompkins.chosen", 0xffffff),
                     entry("Tompkins.hover", 0xe2e5ea),
@@ -32,6 +36,8 @@ public enum Look {
     DARK(
             true,
             1,
+            "#4c9be8",
+            "#8f959c",
             Map.ofEntries(
                     entry("Tompkins.chosen", 0x000000),
                     entry("Tompkins.hover", 0x4a4f56),
@@ -48,6 +54,8 @@ public enum Look {
     PROJECTOR(
             false,
             1.45f,
+            "#0040c0",
+            "#000",
             Map.ofEntries(
                     entry("Tompkins.chosen", 0xffffff),
                     entry("Tompkins.hover", 0xdde4f5),
@@ -67,13 +75,26 @@ public enum Look {
     /** Only the documents have links; to give one colour to those of all windows takes 50 ms of each start. */
     private static final String NO_LINKS = "null";
 
+    /** What shows where there is something to use: at least 3 times as light or dark as what is behind it. */
+    private static final List<String> EDGES = List.of(
+            "Component.borderColor",
+            "Button.borderColor",
+            "ComboBox.buttonArrowColor",
+            "CheckBox.icon.borderColor",
+            "Slider.trackColor",
+            "ScrollBar.thumb");
+
     private final boolean dark;
     private final float enlargement;
+    private final String accent;
+    private final String edge;
     private final Map<String, Integer> colours;
 
-    Look(boolean dark, float enlargement, Map<String, Integer> colours) {
+    Look(boolean dark, float enlargement, String accent, String edge, Map<String, Integer> colours) {
         this.dark = dark;
         this.enlargement = enlargement;
+        this.accent = accent;
+        this.edge = edge;
         this.colours = colours;
     }
 
@@ -112,23 +133,19 @@ public enum Look {
     }
 
     private Map<String, String> defaults() {
-        return this == PROJECTOR
-                ? Map.of(
-                        "@background", "#fff",
-                        "@foreground", "#000",
-                        "@accentColor", "#0040c0",
-                        "@disabledForeground", "#555",
-                        "Component.borderColor", "#000",
-                        "Component.focusWidth", "3",
-                        "Button.borderColor", "#000",
-                        "Component.linkColor", NO_LINKS)
-                : Map.of(
-                        "@accentColor",
-                        dark ? "#4c9be8" : "#2468b8",
-                        "Component.focusWidth",
-                        "1",
-                        "Component.linkColor",
-                        NO_LINKS);
+        Map<String, String> defaults = new HashMap<>(
+                Map.of("@accentColor", accent, "Component.focusWidth", "1", "Component.linkColor", NO_LINKS));
+        for (String part : EDGES) {
+            defaults.put(part, edge);
+        }
+        if (this == PROJECTOR) {
+            defaults.putAll(Map.of(
+                    "@background", "#fff",
+                    "@foreground", "#000",
+                    "@disabledForeground", "#555",
+                    "Component.focusWidth", "3"));
+        }
+        return defaults;
     }
 
     /** A length on the screen that grows with the type of the look: so many times the size of the type, in pixels. */
