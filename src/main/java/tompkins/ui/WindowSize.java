@@ -17,6 +17,11 @@ final class WindowSize {
     private final Settings settings;
     private Dimension normal;
 
+    /** The size that the window had before it was made as large as it must be at least, and the one after that. */
+    private Dimension before;
+
+    private Dimension enlarged;
+
     /** Follows a window that has its normal size, and maximises it as it was when it was closed. */
     WindowSize(JFrame frame, Settings settings) {
         this.frame = frame;
@@ -43,6 +48,23 @@ final class WindowSize {
     /** The directions in which the window is maximised, as a {@link Frame} counts them; 0 for none. */
     private int maximised() {
         return frame.getExtendedState() & Frame.MAXIMIZED_BOTH;
+    }
+
+    /**
+     * Makes the window as large as it must be at least. What that adds is taken off again as soon as less will do,
+     * unless somebody has given the window another size meanwhile.
+     */
+    void require(Dimension least) {
+        Dimension now = frame.getSize();
+        frame.setMinimumSize(least);
+        if (maximised() == 0) {
+            if (now.equals(enlarged)) {
+                frame.setSize(Math.max(before.width, least.width), Math.max(before.height, least.height));
+            } else {
+                before = now;
+            }
+            enlarged = frame.getSize();
+        }
     }
 
     /** Writes how the window is now into the settings. */

@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Dimension;
 import java.awt.event.ComponentEvent;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
@@ -94,5 +95,37 @@ class WindowSizeTest {
     void aMinimisedWindowComesBack() {
         frame.setExtendedState(JFrame.ICONIFIED);
         assertRemembered(800, 600, JFrame.NORMAL);
+    }
+
+    private void assertSize(int width, int height) {
+        assertThat(frame.getSize()).isEqualTo(new Dimension(width, height));
+    }
+
+    @Test
+    void largeTypeMakesAWindowLargerUntilSmallTypeComesBack() {
+        size.require(new Dimension(640, 400));
+        assertSize(800, 600);
+        size.require(new Dimension(1000, 500));
+        assertSize(1000, 600);
+        size.require(new Dimension(640, 700));
+        assertSize(800, 700);
+        size.require(new Dimension(640, 400));
+        assertSize(800, 600);
+    }
+
+    @Test
+    void aSizeThatSomebodyGaveAWindowStays() {
+        size.require(new Dimension(1000, 500));
+        frame.resize(1100, 900, JFrame.NORMAL);
+        size.require(new Dimension(640, 400));
+        assertSize(1100, 900);
+    }
+
+    @Test
+    void aMaximisedWindowStaysAsItIs() {
+        size.require(new Dimension(1000, 500));
+        frame.resize(1600, 1000, JFrame.MAXIMIZED_BOTH);
+        size.require(new Dimension(640, 400));
+        assertSize(1600, 1000);
     }
 }
