@@ -2,12 +2,10 @@ package tompkins.ui.panel;
 
 import java.awt.Color;
 import java.awt.Font;
-import java.awt.KeyboardFocusManager;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.util.List;
 import javax.swing.JTextPane;
-import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.text.AttributeSet;
 import javax.swing.text.BadLocationException;
@@ -19,6 +17,7 @@ import javax.swing.text.StyledDocument;
 import javax.swing.text.TabSet;
 import javax.swing.text.TabStop;
 import tompkins.ui.picture.RayStory;
+import tompkins.ui.widget.WrappedText;
 
 /** The story of a ray as a text: headings, and under each its facts in two columns. Can be selected and copied. */
 @SuppressWarnings("serial") // never written to a stream
@@ -35,8 +34,7 @@ final class StoryPane extends JTextPane {
     /** Empty at first. */
     StoryPane() {
         setEditable(false);
-        setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, null);
-        setFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS, null);
+        WrappedText.prepare(this);
         addFocusListener(new FocusAdapter() {
             @Override
             public void focusGained(FocusEvent event) {
@@ -116,15 +114,5 @@ final class StoryPane extends JTextPane {
         StyleConstants.setFirstLineIndent(line, -labels);
         StyleConstants.setTabSet(line, new TabSet(new TabStop[] {new TabStop(0)}));
         return line;
-    }
-
-    @Override
-    public void setBounds(int x, int y, int width, int height) {
-        boolean otherWidth = width != getWidth();
-        super.setBounds(x, y, width, height);
-        if (otherWidth) {
-            // the height of wrapped text is known only when its width is
-            SwingUtilities.invokeLater(this::revalidate);
-        }
     }
 }
