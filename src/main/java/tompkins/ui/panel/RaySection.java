@@ -29,6 +29,7 @@ public final class RaySection {
     private final StudioModel model;
     private final Consumer<StudioPath> editor;
     private final StoryPane story = new StoryPane();
+    private final DiagramPane diagram = new DiagramPane();
     private final JButton edit = new JButton(Texts.get("ray.edit"));
     private final Section section;
     private List<RayLife.Encounter> hits = List.of();
@@ -53,6 +54,7 @@ public final class RaySection {
         buttons.add(edit);
         buttons.add(button);
         JPanel content = Rows.column();
+        content.add(diagram, "wmin 0");
         content.add(story, "wmin 0");
         content.add(buttons);
         section = new Section(Texts.get("ray.title"), content, true);
@@ -82,6 +84,7 @@ public final class RaySection {
                 ? List.of()
                 : reading.life().hits();
         edit.setEnabled(!objects().isEmpty());
+        diagram.show(reading == null ? null : reading.diagram());
         if (reading != null) {
             List<RayStory.Step> steps = new ArrayList<>(RayStory.of(reading));
             if (picture != null) {

@@ -30,6 +30,7 @@ public final class PixelProbe implements AutoCloseable {
      * @param sceneAngleDegrees the same angle in the scene frame; NaN at rest, and for a ray that ends in the camera
      *     frame
      * @param frequencyRatio frequency in the camera frame divided by that in the scene frame
+     * @param diagram the life in space and time; null if there is none
      */
     public record Reading(
             int column,
@@ -40,7 +41,8 @@ public final class PixelProbe implements AutoCloseable {
             Event inCamera,
             double angleDegrees,
             double sceneAngleDegrees,
-            double frequencyRatio) {}
+            double frequencyRatio,
+            SpaceTimeDiagram diagram) {}
 
     private record Question(RenderPlan plan, Point2D place, Consumer<Reading> answer) {}
 
@@ -67,7 +69,7 @@ public final class PixelProbe implements AutoCloseable {
         int row = (int) place.getY();
         RayLife life = RayLife.of(plan, place.getX(), place.getY(), 0, 0);
         if (life == null) {
-            return new Reading(column, row, null, null, null, null, Double.NaN, Double.NaN, 1);
+            return new Reading(column, row, null, null, null, null, Double.NaN, Double.NaN, 1, null);
         }
         List<RayLife.Encounter> hits = life.mainHits();
         RayLife.Encounter end = hits.isEmpty() ? null : hits.get(hits.size() - 1);
@@ -89,7 +91,8 @@ public final class PixelProbe implements AutoCloseable {
                 object == null ? null : inCamera,
                 degreesBetween(life.cameraDirection(), velocity),
                 degreesBetween(life.sceneDirection(), velocity),
-                life.frequencyRatio());
+                life.frequencyRatio(),
+                SpaceTimeDiagram.of(life, plan.studio()));
     }
 
     /** NaN if one of the directions is null. */

@@ -1,0 +1,63 @@
+package tompkins.ui.picture;
+
+import java.awt.geom.Point2D;
+import java.util.ArrayList;
+import java.util.List;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.spacetime.Event;
+import tompkins.spacetime.SpaceTimeTransformation;
+import tompkins.studio.Studio;
+import tompkins.trace.Frame;
+import tompkins.trace.RayLife;
+
+/**
+ * What a space-time (Minkowski) diagram of a ray shows, in the scene frame: x is the place along the camera's velocity,
+ * y the time, both counted from the event at which the ray starts at the lens.
+ *
+ * @param path the events of the main branch of the ray, from the lens on, backwards in time
+ * @param onwards how x and y change along the ray after its last event, to the background; null if it ends there
+ * @param cameraTime how x and y change along the camera's own time axis: the way of the camera
+ * @param cameraSpace how x and y change along its axis of space: events that are simultaneous for the camera
+ */
+public record SpaceTimeDiagram(List<Point2D> path, Point2D onwards, Point2D cameraTime, Point2D cameraSpace) {
+
+    /** The diagram of a ray of a studio's picture. */
+    static SpaceTimeDiagram of(RayLife life, Studio studio) {
+        SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
+        Vector3dc along = new Vector3d(studio.velocity().givenDirection()).normalize();
+        Event start = life.cameraStart();
+        Event origin = sceneFromCamera.transform(start);
+        List<Point2D> path = new ArrayList<>(List.of(new Point2D.Double()));
+        for (RayLife.Encounter hit : life.mainHits()) {
+            Event event = hit.frame() == Frame.CAMERA ? sceneFromCamera.transform(hit.event()) : hit.event();
+            path.add(place(event, origin, along));
+        }
+        // behind a hit in the scene, its direction may be another one
+        boolean isStraight = life.mainHits().stream().noneMatch(hit -> hit.frame() == Frame.SCENE);
+        Point2D onwards = life.reachesBackground() && isStraight && life.sceneDirection() != null
+                ? new Point2D.Double(along.dot(life.sceneDirection()), -1)
+                : null;
+        return new SpaceTimeDiagram(
+                path,
+                onwards,
+                place(sceneFromCamera.transform(moved(start, new Vector3d(), 1)), origin, along),
+                place(sceneFromCamera.transform(moved(start, along, 0)), origin, along));
+    }
+
+    private static Event moved(Event event, Vector3dc away, double time) {
+        return new Event(event.x() + away.x(), event.y() + away.y(), event.z() + away.z(), event.time() + time);
+    }
+
+    private static Point2D place(Event event, Event origin, Vector3dc along) {
+        return new Point2D.Double(along.dot(event.position().sub(origin.position())), event.time() - origin.time());
+    }
+
+    /** How far from the lens the events are, in x or y, whichever is more; 0 if there is nothing but the lens. */
+    public double reach() {
+        return path.stream()
+                .mapToDouble(point -> Math.max(Math.abs(point.getX()), Math.abs(point.getY())))
+                .max()
+                .orElse(0);
+    }
+}

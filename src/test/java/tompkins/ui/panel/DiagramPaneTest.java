@@ -1,0 +1,94 @@
+package tompkins.ui.panel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.Point2D;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.stream.IntStream;
+import javax.swing.UIManager;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import tompkins.ui.WindowDriver;
+import tompkins.ui.picture.SpaceTimeDiagram;
+import tompkins.ui.widget.Look;
+
+/** What is painted where: the event at the lens in the middle near the top, light at 45 degrees, the past below. */
+class DiagramPaneTest {
+
+    private static final int SIZE = 200;
+    private static final Point2D HERE = new Point2D.Double();
+
+    @BeforeEach
+    void install() {
+        WindowDriver.onEventThread(() -> Look.LIGHT.install());
+    }
+
+    private static DiagramPane pane(SpaceTimeDiagram diagram) {
+        DiagramPane pane = new DiagramPane();
+        pane.show(diagram);
+        return pane;
+    }
+
+    private static SpaceTimeDiagram along(List<Point2D> path, Point2D onwards) {
+        return new SpaceTimeDiagram(path, onwards, new Point2D.Double(0, 1), new Point2D.Double(1, 0));
+    }
+
+    private static BufferedImage painted(DiagramPane pane) {
+        return WindowDriver.onEventThread(() -> {
+            pane.setSize(SIZE, SIZE);
+            BufferedImage image = new BufferedImage(SIZE, SIZE, BufferedImage.TYPE_INT_RGB);
+            Graphics2D g = image.createGraphics();
+            pane.paint(g);
+            g.dispose();
+            return image;
+        });
+    }
+
+    /**
+     * The row of the event at the lens: that of the horizontal axis, the only one with one colour from left to right.
+     */
+    private static int lens(BufferedImage image) {
+        for (int y = 5; y < SIZE - 5; y++) {
+            if (image.getRGB(5, y) == image.getRGB(20, y) && image.getRGB(5, y) != Color.WHITE.getRGB()) {
+                return y;
+            }
+        }
+        throw new AssertionError("no axis");
+    }
+
+    /** Whether the ray is painted at a place or beside it. */
+    private static boolean isRay(BufferedImage image, int x, int y) {
+        int ray = UIManager.getColor("Component.accentColor").getRGB();
+        return IntStream.range(0, 9).anyMatch(i -> image.getRGB(x - 1 + i % 3, y - 1 + i / 3) == ray);
+    }
+
+    @Test
+    void lightAlongXRunsDownAtFortyFiveDegrees() {
+        BufferedImage image = painted(pane(along(List.of(HERE, new Point2D.Double(9, -9)), null)));
+        int row = lens(image);
+        assertThat(row).isLessThan(SIZE / 3);
+        assertThat(isRay(image, SIZE / 2 + 40, row + 40)).isTrue();
+        assertThat(isRay(image, SIZE / 2 - 40, row + 40)).isFalse();
+        assertThat(isRay(image, SIZE / 2 + 10, row - 10)).isFalse();
+        assertThat(isRay(image, SIZE / 2 + 98, row + 98)).as("behind its end").isFalse();
+    }
+
+    @Test
+    void aRayToTheBackgroundRunsToTheEdge() {
+        BufferedImage image = painted(pane(along(List.of(HERE), new Point2D.Double(-0.5, -1))));
+        int row = lens(image);
+        assertThat(isRay(image, SIZE / 2 - 20, row + 40)).isTrue();
+        assertThat(isRay(image, SIZE / 2 - 70, row + 140)).isTrue();
+    }
+
+    @Test
+    void whatIsNotANumberIsNotShown() {
+        assertThat(pane(along(List.of(HERE, new Point2D.Double(Double.NaN, -1)), null))
+                        .isVisible())
+                .isFalse();
+        assertThat(pane(null).isVisible()).isFalse();
+    }
+}
