@@ -19,6 +19,7 @@ import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButton;
 import javax.swing.JTextField;
+import javax.swing.JTextPane;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -47,6 +48,7 @@ class WindowPicturesTest {
         WIDE_APERTURE("fig3a"),
         SPLIT("fig1b"),
         SIDE_BY_SIDE("terrell-cube"),
+        PINNED_RAY("terrell-cube"),
         ERROR("fig1b");
 
         private final String scene;
@@ -124,6 +126,13 @@ class WindowPicturesTest {
             case SIDE_BY_SIDE -> {
                 compareWithRest(driver);
                 press(driver, JRadioButton.class, "Side by side");
+            }
+            case PINNED_RAY -> {
+                driver.click(driver.find(PictureCanvas.class, "picture"));
+                JTextPane story = driver.find(JTextPane.class, "ray.story");
+                WindowDriver.await(
+                        "the pinned ray",
+                        () -> story.isShowing() && story.getText().contains("Hits cube"));
             }
             case ERROR -> driver.type(driver.find(JTextField.class, "Speed"), "1.2");
             default -> {}
