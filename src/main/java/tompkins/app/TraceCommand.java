@@ -57,7 +57,9 @@ final class TraceCommand implements Callable<Integer> {
 
     @Option(
             names = "--json",
-            description = "print JSON with 17 significant digits; null for a ray that never crosses the shutter")
+            description =
+                    "print JSON with 17 significant digits; null for a ray that never crosses the shutter, and for a number"
+                            + " that is not finite; no \"scene\" for a ray that never enters the scene frame")
     private boolean json;
 
     @Mixin
