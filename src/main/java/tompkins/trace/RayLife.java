@@ -24,7 +24,8 @@ import tompkins.surface.Surface;
  * @param frequencyRatio frequency of the light that the camera sees divided by that in the scene frame; 1 without
  *     crossing
  * @param hits everything that was hit, in the order of tracing: where a ray splits, first all of its weaker branch
- * @param reachesBackground whether the main branch goes on after all hits, and meets nothing more
+ * @param lastDirection unit direction in the scene frame in which the main branch goes on after all hits and meets
+ *     nothing more, or null if it ends at its last hit
  * @param colour the colour of the sample, before exposure
  * @param counts what went wrong on the way
  */
@@ -35,7 +36,7 @@ public record RayLife(
         Vector3dc sceneDirection,
         double frequencyRatio,
         List<Encounter> hits,
-        boolean reachesBackground,
+        Vector3dc lastDirection,
         Colour colour,
         RayCounts counts) {
 
@@ -52,6 +53,11 @@ public record RayLife(
      */
     public record Encounter(
             SceneObject object, Frame frame, Event event, double distance, double share, int branch, Surface surface) {}
+
+    /** Whether the main branch goes on after all hits, and meets nothing more. */
+    public boolean reachesBackground() {
+        return lastDirection != null;
+    }
 
     /** What the main branch hit, in the order of tracing. */
     public List<Encounter> mainHits() {
@@ -83,7 +89,7 @@ public record RayLife(
         private Event crossing;
         private Vector3d crossingDirection;
         private double frequencyRatio = 1;
-        private boolean reachesBackground;
+        private Vector3d lastDirection;
         private int branch;
 
         Recorder(Vector3dc sceneOrigin) {
@@ -123,8 +129,10 @@ public record RayLife(
         }
 
         @Override
-        public void leaves(Frame frame) {
-            reachesBackground |= branch == 0 && frame == Frame.SCENE;
+        public void leaves(Frame frame, Ray ray) {
+            if (branch == 0 && frame == Frame.SCENE) {
+                lastDirection = new Vector3d(ray.dx, ray.dy, ray.dz);
+            }
         }
 
         private Event inFrame(Frame frame, double x, double y, double z, double time) {
@@ -141,7 +149,7 @@ public record RayLife(
                     crossingDirection,
                     frequencyRatio,
                     List.copyOf(hits),
-                    reachesBackground,
+                    lastDirection,
                     colour,
                     counts);
         }

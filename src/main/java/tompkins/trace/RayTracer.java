@@ -183,7 +183,7 @@ final class RayTracer implements Tracer, Visibility {
             hits = objects.nearest(ray, nearest);
         }
         if (witness != null) {
-            witness.leaves(frame);
+            witness.leaves(frame, ray);
         }
         sum = light;
         factor = share;

@@ -28,5 +28,5 @@ interface RayWitness {
     void hits(Frame frame, Ray ray, Hit hit, Surface surface);
 
     /** The ray, or what came of it, goes on and meets nothing more in a frame. */
-    void leaves(Frame frame);
+    void leaves(Frame frame, Ray ray);
 }

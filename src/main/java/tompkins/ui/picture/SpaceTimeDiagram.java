@@ -22,31 +22,25 @@ import tompkins.trace.RayLife;
  */
 public record SpaceTimeDiagram(List<Point2D> path, Point2D onwards, Point2D cameraTime, Point2D cameraSpace) {
 
+    /** Where the origins of both frames meet, whatever the transformation. */
+    private static final Event ZERO = new Event(0, 0, 0, 0);
+
     /** The diagram of a ray of a studio's picture. */
     static SpaceTimeDiagram of(RayLife life, Studio studio) {
         SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
         Vector3dc along = new Vector3d(studio.velocity().givenDirection()).normalize();
-        Event start = life.cameraStart();
-        Event origin = sceneFromCamera.transform(start);
+        Event origin = sceneFromCamera.transform(life.cameraStart());
         List<Point2D> path = new ArrayList<>(List.of(new Point2D.Double()));
         for (RayLife.Encounter hit : life.mainHits()) {
             Event event = hit.frame() == Frame.CAMERA ? sceneFromCamera.transform(hit.event()) : hit.event();
             path.add(place(event, origin, along));
         }
-        // behind a hit in the scene, its direction may be another one
-        boolean isStraight = life.mainHits().stream().noneMatch(hit -> hit.frame() == Frame.SCENE);
-        Point2D onwards = life.reachesBackground() && isStraight && life.sceneDirection() != null
-                ? new Point2D.Double(along.dot(life.sceneDirection()), -1)
-                : null;
+        Point2D onwards = life.reachesBackground() ? new Point2D.Double(along.dot(life.lastDirection()), -1) : null;
         return new SpaceTimeDiagram(
                 path,
                 onwards,
-                place(sceneFromCamera.transform(moved(start, new Vector3d(), 1)), origin, along),
-                place(sceneFromCamera.transform(moved(start, along, 0)), origin, along));
-    }
-
-    private static Event moved(Event event, Vector3dc away, double time) {
-        return new Event(event.x() + away.x(), event.y() + away.y(), event.z() + away.z(), event.time() + time);
+                place(sceneFromCamera.transform(new Event(0, 0, 0, 1)), ZERO, along),
+                place(sceneFromCamera.transform(new Event(along.x(), along.y(), along.z(), 0)), ZERO, along));
     }
 
     private static Point2D place(Event event, Event origin, Vector3dc along) {

@@ -12,6 +12,7 @@ import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
+import tompkins.surface.Mirror;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.Studios;
 
@@ -79,5 +80,14 @@ class SpaceTimeDiagramTest {
         assertPlaces(diagram.path(), 0, 0);
         assertPlace(diagram.onwards(), 1, -1);
         assertThat(diagram.reach()).isZero();
+    }
+
+    /** Back from a mirror that faces the camera. */
+    @Test
+    void aRayThatAMirrorSendsToTheBackgroundGoesOnBackwards() {
+        Plane mirror = new Plane("mirror", new Vector3d(0, 0, 6), new Vector3d(0, 0, 1), new Mirror(0.9));
+        SpaceTimeDiagram diagram = diagram(Studios.sphere().withScene(List.of(mirror)));
+        assertPlaces(diagram.path(), 0, 0, 6, -6);
+        assertPlace(diagram.onwards(), -1, -1);
     }
 }
