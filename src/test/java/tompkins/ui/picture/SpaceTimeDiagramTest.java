@@ -7,6 +7,7 @@ import java.awt.geom.Point2D;
 import java.util.List;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import tompkins.camera.Camera;
 import tompkins.sceneobject.Plane;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
@@ -65,6 +66,8 @@ class SpaceTimeDiagramTest {
     void lightAcrossTheVelocityKeepsBesideTheCamera() {
         Studio studio = Studios.sphere().withVelocity(Velocity.of(0.8, 0, 0)).withScene(List.of(wall(6)));
         assertPlaces(diagram(studio).path(), 0, 0, -8, -10);
+        Camera later = studio.camera().withShutter(studio.camera().shutter().openedAt(12));
+        assertPlaces(diagram(studio.withCamera(later)).path(), 0, 0, -8, -10);
     }
 
     /** The event z = 2, t = -2 of the camera frame. */
