@@ -3,6 +3,8 @@ package tompkins.ray;
 /** Counts what happened to the rays of one thread. Nothing that goes wrong is painted; it is counted here. */
 public final class RayCounts {
 
+    private static final double PARTS = 0x1p32;
+
     /** Samples that were taken; not those that a block left out because it was stopped. */
     public long samples;
 
@@ -30,6 +32,20 @@ public final class RayCounts {
     /** Rays that were ended because they could bring less than {@link Ray#FAINTEST} of the light. */
     public long tooFaint;
 
+    /** What those could have brought at most, in parts of the light of a sample; whole, so that no order matters. */
+    private long lostParts;
+
+    /** Counts a ray that is ended because it could bring no more than a share of the light of its sample. */
+    public void giveUp(double share) {
+        tooFaint++;
+        lostParts += (long) (share * PARTS);
+    }
+
+    /** The sum of the largest shares that rays which were too faint could have brought to their samples. */
+    public double lostLight() {
+        return lostParts / PARTS;
+    }
+
     /** Adds the counts of another thread. */
     public void add(RayCounts other) {
         samples += other.samples;
@@ -40,5 +56,6 @@ public final class RayCounts {
         notFinite += other.notFinite;
         tooDeep += other.tooDeep;
         tooFaint += other.tooFaint;
+        lostParts += other.lostParts;
     }
 }

@@ -18,6 +18,7 @@ import tompkins.ray.RayCounts;
  * @param notFinite samples whose colour was no number that a picture can hold; black
  * @param tooDeep rays that were given up because of the recursion depth
  * @param tooFaint rays that were given up because they could bring too little light
+ * @param lostLight what those could have brought at most, summed over all samples, of which each brings 1
  * @param nodes nodes of bounding-volume trees that were visited
  * @param tests primitives that were tested
  * @param pixels pixels of the picture
@@ -39,6 +40,7 @@ public record RenderReport(
         long notFinite,
         long tooDeep,
         long tooFaint,
+        double lostLight,
         long nodes,
         long tests,
         long pixels,
@@ -54,6 +56,9 @@ public record RenderReport(
 
     /** More pixels than this share of a picture are white only if its exposure is wrong. */
     private static final double MOST_WHITE = 0.5;
+
+    /** More than this share of the light can be seen to be missing. */
+    private static final double MOST_LOST = 0.01;
 
     static RenderReport of(
             RayCounts counts,
@@ -74,6 +79,7 @@ public record RenderReport(
                 counts.notFinite,
                 counts.tooDeep,
                 counts.tooFaint,
+                counts.lostLight(),
                 nodes,
                 tests,
                 pixels,
@@ -127,6 +133,13 @@ public record RenderReport(
                     Locale.ROOT,
                     "%d rays met more surfaces than maximumDepth allows; their light is missing",
                     tooDeep));
+        }
+        if (lostLight > MOST_LOST * samples) {
+            warnings.add(String.format(
+                    Locale.ROOT,
+                    "%d rays were too faint to be followed; together they could have brought %.2g %% of the light",
+                    tooFaint,
+                    100 * lostLight / samples));
         }
         return warnings;
     }

@@ -192,7 +192,7 @@ final class RayTracer implements Tracer, Visibility {
 
     private boolean isGivenUp(Ray ray) {
         if (ray.weight < Ray.FAINTEST) {
-            counts.tooFaint++;
+            counts.giveUp(ray.weight);
             return true;
         }
         if (ray.generation > maximumDepth) {

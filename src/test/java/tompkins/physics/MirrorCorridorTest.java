@@ -77,6 +77,30 @@ class MirrorCorridorTest {
         assertThat(photograph.job().report().tooFaint()).isEqualTo(1);
     }
 
+    /** Tiles of which each pixel sees many, of tiles, of tiles, ...: with each level there are twice as many rays. */
+    private static Surface mirrorInTilings(int levels) {
+        if (levels == 0) {
+            return new Mirror(0.9);
+        }
+        Surface tiles = mirrorInTilings(levels - 1);
+        return new Tiling(tiles, tiles, 1e-9, 1e-9, true);
+    }
+
+    /** With ten levels each ray has 0.9/1024 of the light and is given up, and all of it is missing. */
+    @Test
+    void lightThatIsLostByManyFaintRaysIsTold() {
+        Photograph nine = corridor(mirrorInTilings(9), 1, 1000);
+        assertThat(light(nine)).isCloseTo(0.9, within(1e-6));
+        assertThat(nine.job().report().warnings()).isEmpty();
+
+        Photograph ten = corridor(mirrorInTilings(10), 1, 1000);
+        assertThat(light(ten)).isZero();
+        assertThat(ten.job().report().lostLight()).isCloseTo(0.9, within(1e-6));
+        assertThat(ten.job().report().warnings())
+                .containsExactly("1024 rays were too faint to be followed; together they could have brought 90 % of the"
+                        + " light");
+    }
+
     @Test
     void perfectMirrorsEndAtTheDepthWithAWarning() {
         Photograph photograph = corridor(new Mirror(1), 1200, 1000);
