@@ -10,16 +10,14 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
-import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.DefaultHighlighter;
 import javax.swing.text.JTextComponent;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Rows;
+import tompkins.ui.widget.TextChanges;
 import tompkins.ui.widget.Texts;
 
 /** Finds words in a text, whatever their case: marks all places, and goes from one to the next and round. */
@@ -43,7 +41,7 @@ final class FindBar {
         label.setLabelFor(words);
         Naming.name(words, "help.find");
         count.setName("help.found");
-        words.getDocument().addDocumentListener(new Searcher());
+        words.getDocument().addDocumentListener(new TextChanges(event -> search()));
         Keys.bindFocused(words, KeyStroke.getKeyStroke("ENTER"), () -> go(1));
         Keys.bindFocused(words, KeyStroke.getKeyStroke("shift ENTER"), () -> go(-1));
         Keys.bindFocused(words, KeyStroke.getKeyStroke("ESCAPE"), this::end);
@@ -72,15 +70,26 @@ final class FindBar {
         words.requestFocusInWindow();
     }
 
-    /** Searches another text, without leaving the place in it that was asked for. */
-    void search() {
+    /** Searches another text from its beginning. */
+    void searchAgain() {
+        find();
+        current = 0;
+        show();
+    }
+
+    /** Goes to the first place in view or below. */
+    private void search() {
+        find();
+        current = places.isEmpty() ? 0 : firstInView();
+        go(0);
+    }
+
+    private void find() {
         Pattern wanted =
                 Pattern.compile(Pattern.quote(words.getText()), Pattern.CASE_INSENSITIVE | Pattern.UNICODE_CASE);
         places = words.getText().isEmpty()
                 ? List.of()
                 : wanted.matcher(all()).results().toList();
-        current = firstInView();
-        show();
     }
 
     private String all() {
@@ -104,9 +113,9 @@ final class FindBar {
     private void go(int step) {
         if (!places.isEmpty()) {
             current = Math.floorMod(current + step, places.size());
-            show();
             scroll();
         }
+        show();
     }
 
     private void end() {
@@ -151,32 +160,6 @@ final class FindBar {
         }
         if (!seen.contains(place)) {
             text.scrollRectToVisible(new Rectangle(0, place.y - seen.height / 2, 1, seen.height));
-        }
-    }
-
-    private final class Searcher implements DocumentListener {
-
-        @Override
-        public void insertUpdate(DocumentEvent event) {
-            changed();
-        }
-
-        @Override
-        public void removeUpdate(DocumentEvent event) {
-            changed();
-        }
-
-        @Override
-        public void changedUpdate(DocumentEvent event) {
-            changed();
-        }
-
-        private void changed() {
-            search();
-            if (!places.isEmpty()) {
-                // not while the document of the field is being changed
-                SwingUtilities.invokeLater(() -> go(0));
-            }
         }
     }
 }

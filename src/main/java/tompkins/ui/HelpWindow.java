@@ -155,7 +155,7 @@ final class HelpWindow {
         HTMLDocument document = (HTMLDocument) text.getDocument();
         document.setBase(shown.url());
         text.setText(shown.html());
-        find.search();
+        find.searchAgain();
         back.setEnabled(!past.isEmpty());
         window.setTitle(heading(document));
     }

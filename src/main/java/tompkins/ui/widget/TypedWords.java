@@ -7,7 +7,6 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import javax.swing.AbstractAction;
 import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import javax.swing.text.JTextComponent;
 
 /**
@@ -33,22 +32,7 @@ final class TypedWords {
     /** The words of a text. */
     TypedWords(JTextComponent text) {
         this.text = text;
-        text.getDocument().addDocumentListener(new DocumentListener() {
-            @Override
-            public void insertUpdate(DocumentEvent event) {
-                updating.unless(() -> change(event));
-            }
-
-            @Override
-            public void removeUpdate(DocumentEvent event) {
-                updating.unless(() -> change(event));
-            }
-
-            @Override
-            public void changedUpdate(DocumentEvent styles) {
-                // plain text has none
-            }
-        });
+        text.getDocument().addDocumentListener(new TextChanges(event -> updating.unless(() -> change(event))));
         bind("ctrl Z", past, future);
         bind("ctrl shift Z", future, past);
         bind("ctrl Y", future, past);

@@ -1,0 +1,28 @@
+package tompkins.ui.widget;
+
+import java.util.function.Consumer;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+
+/**
+ * Tells of each change of a plain text.
+ *
+ * @param listener is told what is changed while the text may not be changed again
+ */
+public record TextChanges(Consumer<DocumentEvent> listener) implements DocumentListener {
+
+    @Override
+    public void insertUpdate(DocumentEvent event) {
+        listener.accept(event);
+    }
+
+    @Override
+    public void removeUpdate(DocumentEvent event) {
+        listener.accept(event);
+    }
+
+    @Override
+    public void changedUpdate(DocumentEvent styles) {
+        // plain text has none
+    }
+}
