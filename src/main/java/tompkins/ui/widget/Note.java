@@ -1,8 +1,6 @@
 package tompkins.ui.widget;
 
 import java.awt.Color;
-import java.awt.event.FocusAdapter;
-import java.awt.event.FocusEvent;
 import javax.swing.JComponent;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
@@ -46,21 +44,6 @@ public final class Note {
         Note note = new Note("");
         note.area.setRows(lines);
         note.area.setVisible(true);
-        return note;
-    }
-
-    /** A note whose text can be selected and copied, with the mouse and with the keys. */
-    public static Note selectable() {
-        Note note = new Note("");
-        note.area.setEnabled(true);
-        note.area.setFocusable(true);
-        note.area.addFocusListener(new FocusAdapter() {
-            @Override
-            public void focusGained(FocusEvent event) {
-                // the caret of a text that nobody edits does not show by itself where the keys are
-                note.area.getCaret().setVisible(true);
-            }
-        });
         return note;
     }
 
