@@ -54,16 +54,8 @@ public final class Messages {
      * Shows a message with other answers than that it was read: the number of the answer; closing it gives the last.
      */
     public static int tellAndAsk(Component parent, String title, String message, String... answers) {
-        int chosen = JOptionPane.showOptionDialog(
-                parent,
-                scroll(text(message)),
-                title,
-                JOptionPane.DEFAULT_OPTION,
-                JOptionPane.PLAIN_MESSAGE,
-                null,
-                answers,
-                answers[answers.length - 1]);
-        return chosen == JOptionPane.CLOSED_OPTION ? answers.length - 1 : chosen;
+        return ask(
+                parent, title, scroll(text(message)), JOptionPane.PLAIN_MESSAGE, answers, answers[answers.length - 1]);
     }
 
     private static void show(Component parent, String title, String message, int kind) {
@@ -117,15 +109,13 @@ public final class Messages {
 
     /** Asks which of some answers is meant: its number; Enter gives the first, closing the question the last one. */
     public static int choose(Component parent, String title, String question, String... answers) {
+        return ask(parent, title, question, JOptionPane.WARNING_MESSAGE, answers, answers[0]);
+    }
+
+    private static int ask(
+            Component parent, String title, Object content, int kind, String[] answers, String givenByEnter) {
         int chosen = JOptionPane.showOptionDialog(
-                parent,
-                question,
-                title,
-                JOptionPane.DEFAULT_OPTION,
-                JOptionPane.WARNING_MESSAGE,
-                null,
-                answers,
-                answers[0]);
+                parent, content, title, JOptionPane.DEFAULT_OPTION, kind, null, answers, givenByEnter);
         return chosen == JOptionPane.CLOSED_OPTION ? answers.length - 1 : chosen;
     }
 
