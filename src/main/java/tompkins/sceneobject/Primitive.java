@@ -164,7 +164,7 @@ public abstract class Primitive implements Boundary {
         return false;
     }
 
-    @Override
+    /** What the user calls the object. */
     public final String description() {
         return object.description();
     }

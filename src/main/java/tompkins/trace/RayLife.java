@@ -11,6 +11,7 @@ import tompkins.ray.RayCounts;
 import tompkins.sceneobject.Primitive;
 import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.Event;
+import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.surface.Surface;
 
 /**
@@ -52,11 +53,28 @@ public record RayLife(
      * @param surface the surface
      */
     public record Encounter(
-            SceneObject object, Frame frame, Event event, double distance, double share, int branch, Surface surface) {}
+            SceneObject object, Frame frame, Event event, double distance, double share, int branch, Surface surface) {
+
+        /** Where and when in the scene frame. */
+        public Event inScene(SpaceTimeTransformation sceneFromCamera) {
+            return frame == Frame.SCENE ? event : sceneFromCamera.transform(event);
+        }
+
+        /** Where and when in the camera frame. */
+        public Event inCamera(SpaceTimeTransformation sceneFromCamera) {
+            return frame == Frame.CAMERA ? event : sceneFromCamera.inverse().transform(event);
+        }
+    }
 
     /** Whether the main branch goes on after all hits, and meets nothing more. */
     public boolean reachesBackground() {
         return lastDirection != null;
+    }
+
+    /** The hit at which the main branch ends, or null if it meets nothing, or goes on after all hits. */
+    public Encounter end() {
+        List<Encounter> main = mainHits();
+        return main.isEmpty() || reachesBackground() ? null : main.get(main.size() - 1);
     }
 
     /** What the main branch hit, in the order of tracing. */
@@ -122,10 +140,10 @@ public record RayLife(
         }
 
         @Override
-        public void hits(Frame frame, Ray ray, Hit hit, Surface surface) {
+        public void hits(Frame frame, Ray ray, Hit hit, Primitive primitive) {
             Event event = inFrame(frame, hit.x, hit.y, hit.z, hit.time);
             hits.add(new Encounter(
-                    ((Primitive) hit.boundary).object(), frame, event, hit.distance, ray.weight, branch, surface));
+                    primitive.object(), frame, event, hit.distance, ray.weight, branch, primitive.surface()));
         }
 
         @Override

@@ -167,7 +167,7 @@ final class RayTracer implements Tracer, Visibility {
             Hit hit = nearest.hit(ray, memory);
             Surface surface = nearest.primitive().surface();
             if (witness != null) {
-                witness.hits(frame, ray, hit, surface);
+                witness.hits(frame, ray, hit, nearest.primitive());
             }
             Response response = surface.respond(ray, hit, this);
             light = ray == start

@@ -2,7 +2,7 @@ package tompkins.trace;
 
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
-import tompkins.surface.Surface;
+import tompkins.sceneobject.Primitive;
 
 /** Somebody who watches the life of a ray. What it is given it does not keep: its memory is used again. */
 interface RayWitness {
@@ -23,9 +23,9 @@ interface RayWitness {
      * The ray, or one that came of it, hits something.
      *
      * @param frame the frame of the ray and the hit
-     * @param hit the hit, which names the object
+     * @param primitive what was hit
      */
-    void hits(Frame frame, Ray ray, Hit hit, Surface surface);
+    void hits(Frame frame, Ray ray, Hit hit, Primitive primitive);
 
     /** The ray, or what came of it, goes on and meets nothing more in a frame. */
     void leaves(Frame frame, Ray ray);

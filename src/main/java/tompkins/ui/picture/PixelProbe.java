@@ -1,14 +1,12 @@
 package tompkins.ui.picture;
 
 import java.awt.geom.Point2D;
-import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.SpaceTimeTransformation;
-import tompkins.trace.Frame;
 import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
 
@@ -71,24 +69,16 @@ public final class PixelProbe implements AutoCloseable {
         if (life == null) {
             return new Reading(column, row, null, null, null, null, Double.NaN, Double.NaN, 1, null);
         }
-        List<RayLife.Encounter> hits = life.mainHits();
-        RayLife.Encounter end = hits.isEmpty() ? null : hits.get(hits.size() - 1);
+        RayLife.Encounter end = life.end();
         SpaceTimeTransformation sceneFromCamera = plan.studio().sceneFromCamera();
-        boolean inCameraFrame = end != null && end.frame() == Frame.CAMERA;
-        Event inScene = end == null ? null : inCameraFrame ? sceneFromCamera.transform(end.event()) : end.event();
-        Event inCamera = end == null
-                ? null
-                : inCameraFrame ? end.event() : sceneFromCamera.inverse().transform(end.event());
         Vector3dc velocity = plan.isAtRest() ? null : plan.studio().velocity().direction();
-        String object =
-                end == null || life.reachesBackground() ? null : end.object().description();
         return new Reading(
                 column,
                 row,
                 life,
-                object,
-                object == null ? null : inScene,
-                object == null ? null : inCamera,
+                end == null ? null : end.object().description(),
+                end == null ? null : end.inScene(sceneFromCamera),
+                end == null ? null : end.inCamera(sceneFromCamera),
                 degreesBetween(life.cameraDirection(), velocity),
                 degreesBetween(life.sceneDirection(), velocity),
                 life.frequencyRatio(),

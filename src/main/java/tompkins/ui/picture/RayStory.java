@@ -2,8 +2,6 @@ package tompkins.ui.picture;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.joml.Vector3dc;
-import tompkins.spacetime.Event;
 import tompkins.trace.Frame;
 import tompkins.trace.RayLife;
 import tompkins.ui.widget.Numbers;
@@ -48,27 +46,21 @@ public final class RayStory {
                 List.of(
                         fact("at", Numbers.brief(life.cameraStart())),
                         fact("direction", Numbers.brief(life.cameraDirection())))));
-        RayLife.Encounter end = end(reading);
         boolean crossed = false;
         for (RayLife.Encounter hit : life.hits()) {
             if (!crossed && hit.branch() == 0 && hit.frame() == Frame.SCENE) {
                 crossed = true;
                 steps.add(crossing(life));
             }
-            steps.add(hit(hit, hit == end ? reading : null));
+            steps.add(hit(hit, hit == life.end() ? reading : null));
         }
         if (!crossed && life.sceneStart() != null) {
             steps.add(crossing(life));
         }
-        if (reading.object() == null) {
+        if (life.end() == null) {
             steps.add(new Step(Texts.get("ray.background"), 0, List.of()));
         }
         return steps;
-    }
-
-    private static RayLife.Encounter end(PixelProbe.Reading reading) {
-        List<RayLife.Encounter> main = reading.life().mainHits();
-        return reading.object() == null ? null : main.get(main.size() - 1);
     }
 
     private static String colour(RayLife life) {
@@ -78,14 +70,12 @@ public final class RayStory {
     }
 
     private static Step crossing(RayLife life) {
-        Event start = life.sceneStart();
-        Vector3dc direction = life.sceneDirection();
         return new Step(
                 Texts.get("ray.sceneStart"),
                 0,
                 List.of(
-                        fact("at", Numbers.brief(start)),
-                        fact("direction", Numbers.brief(direction)),
+                        fact("at", Numbers.brief(life.sceneStart())),
+                        fact("direction", Numbers.brief(life.sceneDirection())),
                         fact("frequency", Texts.get("ray.ratio", Numbers.brief(life.frequencyRatio())))));
     }
 

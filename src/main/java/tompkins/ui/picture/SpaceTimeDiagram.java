@@ -8,7 +8,6 @@ import org.joml.Vector3dc;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.studio.Studio;
-import tompkins.trace.Frame;
 import tompkins.trace.RayLife;
 
 /**
@@ -32,8 +31,7 @@ public record SpaceTimeDiagram(List<Point2D> path, Point2D onwards, Point2D came
         Event origin = sceneFromCamera.transform(life.cameraStart());
         List<Point2D> path = new ArrayList<>(List.of(new Point2D.Double()));
         for (RayLife.Encounter hit : life.mainHits()) {
-            Event event = hit.frame() == Frame.CAMERA ? sceneFromCamera.transform(hit.event()) : hit.event();
-            path.add(place(event, origin, along));
+            path.add(place(hit.inScene(sceneFromCamera), origin, along));
         }
         Point2D onwards = life.reachesBackground() ? new Point2D.Double(along.dot(life.lastDirection()), -1) : null;
         return new SpaceTimeDiagram(
