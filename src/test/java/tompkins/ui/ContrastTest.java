@@ -110,8 +110,13 @@ class ContrastTest {
     void whatCanBeUsedStandsOut(Look look) {
         look.install();
         Color panel = UIManager.getColor("Panel.background");
-        for (String edge :
-                List.of("Component.borderColor", "Button.borderColor", "Slider.trackColor", "ScrollBar.thumb")) {
+        for (String edge : List.of(
+                "Component.borderColor",
+                "Button.borderColor",
+                "Slider.trackColor",
+                "ScrollBar.thumb",
+                "ComboBox.buttonArrowColor",
+                "CheckBox.icon.borderColor")) {
             assertThat(contrast(UIManager.getColor(edge), panel))
                     .as("%s, %s", look, edge)
                     .isGreaterThanOrEqualTo(LEAST_OF_MARKS);

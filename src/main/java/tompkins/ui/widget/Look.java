@@ -27,7 +27,6 @@ public enum Look {
                     entry("Tompkins.note", 0x5b6470),
                     entry("Tompkins.error", 0xb3261e),
                     entry("Tompkins.line", 0xaab2bd),
-                    entry("Tompkins.link", 0x2468b8),
                     entry("Tompkins.found", 0xffe9a0),
                     entry("Tompkins.foundHere", 0xffb74d),
                     entry("Tompkins.sphereLight", 0xffffff),
@@ -45,7 +44,6 @@ public enum Look {
                     entry("Tompkins.note", 0xa4acb8),
                     entry("Tompkins.error", 0xff8a80),
                     entry("Tompkins.line", 0x666d78),
-                    entry("Tompkins.link", 0x4c9be8),
                     entry("Tompkins.found", 0x54471a),
                     entry("Tompkins.foundHere", 0x805400),
                     entry("Tompkins.sphereLight", 0x59616d),
@@ -63,7 +61,6 @@ public enum Look {
                     entry("Tompkins.note", 0x000000),
                     entry("Tompkins.error", 0xa00000),
                     entry("Tompkins.line", 0x000000),
-                    entry("Tompkins.link", 0x0040c0),
                     entry("Tompkins.found", 0xffe680),
                     entry("Tompkins.foundHere", 0xffb030),
                     entry("Tompkins.sphereLight", 0xffffff),
@@ -121,6 +118,7 @@ public enum Look {
         // what is typed after Tab takes the place of the value
         UIManager.put("TextComponent.selectAllOnFocusPolicy", "always");
         colours.forEach((name, rgb) -> UIManager.put(name, new Color(rgb)));
+        UIManager.put("Tompkins.link", UIManager.getColor("Component.accentColor"));
         FlatLaf.updateUI();
     }
 
