@@ -1,7 +1,6 @@
 package tompkins.ui.panel;
 
 import java.awt.BasicStroke;
-import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
@@ -70,10 +69,9 @@ final class DiagramPane extends JPanel {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         g.setFont(UIManager.getFont("small.font"));
-        Color line = UIManager.getColor("Tompkins.line");
         g.setColor(UIManager.getColor("TextField.background"));
         g.fillRect(0, 0, getWidth(), getHeight());
-        g.setColor(line);
+        g.setColor(UIManager.getColor("Tompkins.line"));
         g.drawRect(0, 0, getWidth() - 1, getHeight() - 1);
         drawThrough(g, new Point2D.Double(1, 0));
         drawThrough(g, new Point2D.Double(0, 1));

@@ -2,9 +2,12 @@ package tompkins.ui.panel;
 
 import java.awt.Rectangle;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -12,6 +15,7 @@ import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.SwingUtilities;
+import tompkins.sceneobject.SceneObject;
 import tompkins.trace.RayLife;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.model.StudioPath;
@@ -48,7 +52,7 @@ public final class RaySection {
         JButton button = new JButton(Texts.get("ray.unpin"));
         button.setName(Texts.get("ray.unpin"));
         button.addActionListener(event -> unpin.run());
-        Naming.name(edit, Texts.get("ray.edit"), Texts.get("ray.editTip"));
+        Naming.name(edit, "ray.edit");
         edit.addActionListener(event -> edit());
         JPanel buttons = Rows.of("gap 6", "[][]push");
         buttons.add(edit);
@@ -97,9 +101,13 @@ public final class RaySection {
     /** The objects that the ray hit and that the studio still holds, with their names. */
     private Map<StudioPath, String> objects() {
         Map<StudioPath, String> objects = new LinkedHashMap<>();
+        // glass is hit again and again, and to look for it in a large scene takes time
+        Set<SceneObject> sought = Collections.newSetFromMap(new IdentityHashMap<>());
         for (RayLife.Encounter hit : hits) {
-            StudioPath.to(model.studio(), hit.object())
-                    .ifPresent(path -> objects.put(path, hit.object().description()));
+            if (sought.add(hit.object())) {
+                StudioPath.to(model.studio(), hit.object())
+                        .ifPresent(path -> objects.put(path, hit.object().description()));
+            }
         }
         return objects;
     }
