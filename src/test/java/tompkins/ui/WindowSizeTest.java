@@ -11,6 +11,8 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** What is remembered of a window that is maximised, by a frame that does so without a window manager. */
 class WindowSizeTest {
@@ -113,19 +115,12 @@ class WindowSizeTest {
         assertSize(800, 600);
     }
 
-    @Test
-    void aSizeThatSomebodyGaveAWindowStays() {
+    @ParameterizedTest
+    @CsvSource({"1100, 900, " + JFrame.NORMAL, "1600, 1000, " + JFrame.MAXIMIZED_BOTH})
+    void aSizeThatSomebodyGaveAWindowStays(int width, int height, int state) {
         size.require(new Dimension(1000, 500));
-        frame.resize(1100, 900, JFrame.NORMAL);
+        frame.resize(width, height, state);
         size.require(new Dimension(640, 400));
-        assertSize(1100, 900);
-    }
-
-    @Test
-    void aMaximisedWindowStaysAsItIs() {
-        size.require(new Dimension(1000, 500));
-        frame.resize(1600, 1000, JFrame.MAXIMIZED_BOTH);
-        size.require(new Dimension(640, 400));
-        assertSize(1600, 1000);
+        assertSize(width, height);
     }
 }
