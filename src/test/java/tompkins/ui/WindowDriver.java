@@ -320,10 +320,6 @@ public final class WindowDriver implements AutoCloseable {
     void typeWithoutEnter(JComponent field, String text) {
         // a window that has just come up, or a form that is laid out anew, may miss the first click
         for (int tries = 0; tries < MOST_CLICKS && !onEventThread(field::isFocusOwner); tries++) {
-            if (tries > 0) {
-                // without a window manager nobody gives the focus to a window that has lost it
-                onEventThread(() -> SwingUtilities.getWindowAncestor(field).requestFocus());
-            }
             click(field);
             long end = System.nanoTime() + CLICK_NANOSECONDS;
             await("an answer", () -> field.isFocusOwner() || System.nanoTime() > end);
