@@ -1,6 +1,7 @@
 package tompkins.ui;
 
 import java.awt.Image;
+import java.lang.reflect.InvocationTargetException;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -10,20 +11,28 @@ import javax.swing.SwingUtilities;
 import tompkins.studio.Studio;
 
 /**
- * What a window has, but not from the beginning: the examples in its menu and its icon. Both are made away from the
- * event thread and after the first picture, so that the picture does not wait for them.
+ * What a window has, but not from the beginning: its panel, the examples in its menu, and its icon. They come after the
+ * first picture, so that it does not wait for them; all that can be made away from the event thread is.
  */
 final class LateParts {
 
     /** They do not wait longer than this for a picture, for it may never come. */
-    private static final int LONGEST_WAIT_SECONDS = 2;
+    private static final int LONGEST_WAIT_MILLISECONDS = 400;
 
     private final CountDownLatch firstPicture = new CountDownLatch(1);
+    private final Runnable panel;
     private final Consumer<List<Studio>> menu;
     private final Consumer<List<Image>> window;
 
-    /** Parts that the menu of examples and a window are given by the event thread. */
-    LateParts(Consumer<List<Studio>> menu, Consumer<List<Image>> window) {
+    /**
+     * Parts that a window is given by the event thread.
+     *
+     * @param panel makes the panel
+     * @param menu takes the examples
+     * @param window takes the icon
+     */
+    LateParts(Runnable panel, Consumer<List<Studio>> menu, Consumer<List<Image>> window) {
+        this.panel = panel;
         this.menu = menu;
         this.window = window;
     }
@@ -42,8 +51,11 @@ final class LateParts {
 
     private void make(Supplier<List<Studio>> examples) {
         try {
-            firstPicture.await(LONGEST_WAIT_SECONDS, TimeUnit.SECONDS);
-        } catch (InterruptedException e) {
+            firstPicture.await(LONGEST_WAIT_MILLISECONDS, TimeUnit.MILLISECONDS);
+            SwingUtilities.invokeLater(panel);
+            // until it is there: to wait for the panel itself would keep its errors from those who tell of them
+            SwingUtilities.invokeAndWait(() -> {});
+        } catch (InterruptedException | InvocationTargetException e) {
             return;
         }
         List<Studio> scenes = examples.get();

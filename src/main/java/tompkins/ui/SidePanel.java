@@ -103,10 +103,15 @@ final class SidePanel {
         }
     }
 
+    /** The width of a narrow panel, which it has at least. */
+    static int leastWidth() {
+        return Look.pixels(WIDTH);
+    }
+
     /** The width that it needs: that of its texts, at least that of a narrow panel. */
     int width() {
         int texts = panel.getMinimumSize().width + scroll.getVerticalScrollBar().getPreferredSize().width;
-        return Math.max(Look.pixels(WIDTH), texts);
+        return Math.max(leastWidth(), texts);
     }
 
     JComponent component() {

@@ -11,14 +11,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Supplier;
-import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JRootPane;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
-import javax.swing.UIManager;
 import javax.swing.WindowConstants;
 import tompkins.io.SelfDescription;
 import tompkins.studio.Studio;
@@ -53,15 +51,18 @@ public final class TompkinsWindow {
     private final WindowSize size;
     private final StudioModel model;
     private final PhotographView view;
-    private final SidePanel side;
+    private final SideRoom side;
     private final StatusBar status;
-    private final PlayPanel play;
     private final FileActions files;
     private final Captions captions;
     private final ClipboardActions clipboard;
     private final Menus menus;
     private final LateParts late;
     private final EditorDialog editor;
+    private final JPanel middle = new JPanel(new BorderLayout());
+
+    // made when they are first wanted
+    private PlayPanel play;
     private HelpWindow help;
 
     private TompkinsWindow(Studio studio, Path file, CommandLineWriter commandLine) {
@@ -69,13 +70,12 @@ public final class TompkinsWindow {
         Path place = file == null ? null : PlainPath.of(file);
         model = new StudioModel(studio, place);
         view = new PhotographView(model, new PictureListener(), this::isPlaying);
-        status = new StatusBar(view.controller());
-        side = new SidePanel(model, view, status::report, this::edit);
-        files = new FileActions(frame, model, view, status, settings, this::pause);
-        captions = new Captions(view.canvas(), settings);
-        play = new PlayPanel(model, new AnimationExport(frame, files, captions)::ask, captions::setAnimated);
         // the window is built while it is worked on
         view.render();
+        status = new StatusBar(view.controller());
+        side = new SideRoom(() -> new SidePanel(model, view, status::report, this::edit));
+        files = new FileActions(frame, model, view, status, settings, this::pause);
+        captions = new Captions(view.canvas(), settings);
         frame.setContentPane(content());
         clipboard = new ClipboardActions(frame, model, view, captions, commandLine, status);
         menus = new Menus(
@@ -87,7 +87,7 @@ public final class TompkinsWindow {
                 new WindowCommands());
         frame.setJMenuBar(menus.bar());
         editor = new EditorDialog(frame, model, files, menus::bindKeys);
-        late = new LateParts(menus::setExamples, frame::setIconImages);
+        late = new LateParts(this::furnish, menus::setExamples, frame::setIconImages);
         menus.bindOtherRedo(frame.getRootPane());
         frame.getRootPane().setTransferHandler(files.drop());
         bindPeekKey();
@@ -159,16 +159,40 @@ public final class TompkinsWindow {
         editor.open(part);
     }
 
+    /** Brings the panel. The processors are its own meanwhile: the picture goes on afterwards. */
+    private void furnish() {
+        boolean unfinished = view.controller().isBusy();
+        view.stop();
+        side.panel();
+        if (unfinished) {
+            view.render();
+        }
+    }
+
+    private PlayPanel playPanel() {
+        if (play == null) {
+            play = new PlayPanel(model, new AnimationExport(frame, files, captions)::ask, captions::setAnimated);
+            middle.add(play.component(), BorderLayout.SOUTH);
+        }
+        return play;
+    }
+
     private boolean isPlaying() {
-        return play.isPlaying();
+        return play != null && play.isPlaying();
     }
 
     private void pause() {
-        play.setPlaying(false);
+        if (play != null) {
+            play.setPlaying(false);
+        }
     }
 
     JFrame frame() {
         return frame;
+    }
+
+    SideRoom side() {
+        return side;
     }
 
     StudioModel model() {
@@ -184,9 +208,7 @@ public final class TompkinsWindow {
     }
 
     private JComponent content() {
-        JPanel middle = new JPanel(new BorderLayout());
         middle.add(view.canvas(), BorderLayout.CENTER);
-        middle.add(play.component(), BorderLayout.SOUTH);
         JPanel content = new JPanel(new BorderLayout());
         content.add(middle, BorderLayout.CENTER);
         content.add(side.component(), BorderLayout.EAST);
@@ -196,11 +218,8 @@ public final class TompkinsWindow {
 
     /** What does not follow the look by itself. */
     private void fitToLook() {
-        JComponent panel = side.component();
-        panel.setPreferredSize(new Dimension(side.width(), 0));
-        panel.setBorder(BorderFactory.createMatteBorder(0, 1, 0, 0, UIManager.getColor("Tompkins.line")));
+        side.fitToLook();
         size.require(onScreen(Look.pixels(MINIMUM_WIDTH), Look.pixels(MINIMUM_HEIGHT)));
-        panel.revalidate();
     }
 
     /**
@@ -246,7 +265,9 @@ public final class TompkinsWindow {
 
         @Override
         public void windowClosed(WindowEvent event) {
-            play.setShown(false);
+            if (play != null) {
+                play.setShown(false);
+            }
             status.stop();
             view.close();
             editor.dispose();
@@ -272,7 +293,7 @@ public final class TompkinsWindow {
 
         @Override
         public void pinned(PixelProbe.Reading reading, String picture) {
-            side.show(reading, picture);
+            side.panel().show(reading, picture);
         }
 
         @Override
@@ -315,8 +336,8 @@ public final class TompkinsWindow {
 
         @Override
         public void stop() {
-            if (play.isPlaying()) {
-                play.setPlaying(false);
+            if (isPlaying()) {
+                pause();
             } else if (!view.cancelPicking()) {
                 view.stop();
             }
@@ -330,14 +351,14 @@ public final class TompkinsWindow {
         @Override
         public void play(NumberProperty property) {
             takeEntries();
-            play.run(property);
+            playPanel().run(property);
         }
 
         @Override
         public void togglePlay() {
             takeEntries();
-            play.setShown(true);
-            play.setPlaying(!play.isPlaying());
+            playPanel().setShown(true);
+            playPanel().setPlaying(!playPanel().isPlaying());
         }
 
         /** What is half typed would stop an animation at once. */
@@ -347,7 +368,7 @@ public final class TompkinsWindow {
 
         @Override
         public void togglePlayPanel() {
-            play.setShown(!play.isShown());
+            playPanel().setShown(!playPanel().isShown());
         }
 
         @Override

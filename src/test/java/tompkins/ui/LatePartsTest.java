@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import tompkins.studio.Studio;
@@ -16,9 +17,11 @@ final class LatePartsTest {
 
     private final CompletableFuture<List<Studio>> menu = new CompletableFuture<>();
     private final CompletableFuture<List<Image>> window = new CompletableFuture<>();
+    private final AtomicInteger panels = new AtomicInteger();
     private final AtomicBoolean read = new AtomicBoolean();
     private final AtomicBoolean byEventThread = new AtomicBoolean();
     private final LateParts parts = new LateParts(
+            panels::incrementAndGet,
             scenes -> {
                 byEventThread.set(SwingUtilities.isEventDispatchThread());
                 menu.complete(scenes);
@@ -33,12 +36,14 @@ final class LatePartsTest {
     @Test
     void waitForTheFirstPicture() throws Exception {
         parts.prepare(this::examples);
-        Thread.sleep(300);
+        Thread.sleep(200);
         assertThat(read).isFalse();
+        assertThat(panels).hasValue(0);
         long start = System.nanoTime();
         parts.firstPictureDone();
         assertThat(menu.get(10, TimeUnit.SECONDS)).containsExactly(Studios.sphere());
         assertThat(byEventThread).isTrue();
+        assertThat(panels).hasValue(1);
         assertThat(window.get(10, TimeUnit.SECONDS)).isNotEmpty();
         assertThat(Duration.ofNanos(System.nanoTime() - start)).isLessThan(Duration.ofMillis(1500));
     }
@@ -47,5 +52,6 @@ final class LatePartsTest {
     void comeToAWindowWithoutAPictureToo() throws Exception {
         parts.prepare(this::examples);
         assertThat(menu.get(10, TimeUnit.SECONDS)).containsExactly(Studios.sphere());
+        assertThat(panels).hasValue(1);
     }
 }

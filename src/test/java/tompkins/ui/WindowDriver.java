@@ -69,6 +69,7 @@ public final class WindowDriver implements AutoCloseable {
         window = onEventThread(() -> TompkinsWindow.opened(
                 studio, file, () -> examples, (now, opened, from) -> Optional.of("tompkins render " + from)));
         await("a picture on the screen", () -> picture() != null);
+        await("the panel", () -> window.side().isFurnished());
         // which keys reach only then
         await("the focus", () -> window.frame().isFocused());
     }

@@ -1,0 +1,77 @@
+package tompkins.ui;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Insets;
+import java.util.function.Supplier;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
+import javax.swing.UIManager;
+import tompkins.ui.picture.Picture;
+
+/**
+ * The room beside the photograph. The panel comes into it when there is time, or as soon as it is needed: to make it
+ * takes half a second with its layout, for which the first picture need not wait.
+ */
+final class SideRoom {
+
+    private final JPanel room = new JPanel(new BorderLayout());
+    private final Supplier<SidePanel> maker;
+    private SidePanel panel;
+    private Picture shown;
+
+    /** An empty room for the panel that somebody makes. */
+    SideRoom(Supplier<SidePanel> maker) {
+        this.maker = maker;
+    }
+
+    JComponent component() {
+        return room;
+    }
+
+    /** Whether the panel is to be seen in its room. */
+    boolean isFurnished() {
+        return panel != null && panel.component().isVisible();
+    }
+
+    /** The panel, which comes into its room now if it is not there yet. */
+    SidePanel panel() {
+        if (panel == null) {
+            panel = maker.get();
+            if (shown != null) {
+                panel.show(shown);
+            }
+            furnish(panel.component());
+        }
+        return panel;
+    }
+
+    /** The texts find out how high they are only when they hear how wide they are: nobody need see that. */
+    private void furnish(JComponent content) {
+        content.setVisible(false);
+        room.add(content);
+        fitToLook();
+        Insets edges = room.getInsets();
+        int width = room.getPreferredSize().width - edges.left - edges.right;
+        content.setBounds(edges.left, edges.top, width, room.getHeight() - edges.top - edges.bottom);
+        SwingUtilities.invokeLater(() -> content.setVisible(true));
+    }
+
+    /** Shows what there is to say about the picture on the screen, as soon as the panel is there. */
+    void show(Picture picture) {
+        shown = picture;
+        if (panel != null) {
+            panel.show(picture);
+        }
+    }
+
+    /** What does not follow the look by itself. */
+    void fitToLook() {
+        int width = panel == null ? SidePanel.leastWidth() : panel.width();
+        room.setPreferredSize(new Dimension(width, 0));
+        room.setBorder(BorderFactory.createMatteBorder(0, 1, 0, 0, UIManager.getColor("Tompkins.line")));
+        room.revalidate();
+    }
+}

@@ -1,0 +1,104 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Rectangle;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
+import javax.swing.JComponent;
+import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import tompkins.studio.Studio;
+import tompkins.ui.model.Records;
+
+/** How the panel comes into a window that is there already. */
+@Timeout(300)
+class SideRoomTest {
+
+    /** Its remarks take several lines in the panel. */
+    private static final Studio SCENE = Records.with(Studios.sphere(), "remarks", "Look at this. ".repeat(20));
+
+    @TempDir
+    private Path folder;
+
+    private TompkinsWindow window;
+
+    @BeforeEach
+    void requireDisplay() {
+        WindowDriver.requireDisplay();
+        System.setProperty("tompkins.settings", folder.toString());
+    }
+
+    @AfterEach
+    void close() {
+        WindowDriver.onEventThread(() -> window.frame().dispose());
+    }
+
+    private void open() {
+        window = TompkinsWindow.opened(
+                SCENE, null, List::of, (now, opened, from) -> Optional.of("tompkins render " + from));
+    }
+
+    @Test
+    void thePanelComesLaterAndMovesNothing() {
+        Rectangle picture = WindowDriver.onEventThread(() -> {
+            open();
+            assertThat(window.side().isFurnished()).isFalse();
+            window.frame().validate();
+            return window.view().canvas().getBounds();
+        });
+        WindowDriver.await("the panel", () -> window.side().isFurnished());
+        WindowDriver.onEventThread(() -> {
+            window.frame().validate();
+            assertThat(window.view().canvas().getBounds()).isEqualTo(picture);
+        });
+    }
+
+    @Test
+    void thePanelHasItsPlaceAndItsHeightsAsSoonAsItIsSeen() {
+        AtomicReference<List<Rectangle>> first = new AtomicReference<>();
+        WindowDriver.onEventThread(() -> {
+            open();
+            JComponent panel = window.side().panel().component();
+            panel.addHierarchyListener(event -> {
+                if (panel.isShowing() && first.get() == null) {
+                    // as it is done before it is painted
+                    window.frame().validate();
+                    panel.validate();
+                    first.set(places());
+                }
+            });
+        });
+        WindowDriver.await("the panel", () -> window.side().isFurnished());
+        WindowDriver.onEventThread(() -> {
+            window.frame().validate();
+            window.side().panel().component().validate();
+        });
+        assertThat(first.get()).isEqualTo(WindowDriver.onEventThread(this::places));
+    }
+
+    private List<Rectangle> places() {
+        JComponent panel = window.side().panel().component();
+        JTextField field = Components.find(panel, JTextField.class, "Exposure");
+        Rectangle place = SwingUtilities.convertRectangle(field.getParent(), field.getBounds(), panel);
+        return List.of(panel.getBounds(), place);
+    }
+
+    @Test
+    void whoNeedsThePanelDoesNotWaitForIt() {
+        WindowDriver.onEventThread(() -> {
+            open();
+            SidePanel panel = window.side().panel();
+            assertThat(panel.component().getParent()).isSameAs(window.side().component());
+            assertThat(window.side().panel()).isSameAs(panel);
+        });
+        WindowDriver.await("the panel", () -> window.side().isFurnished());
+    }
+}
