@@ -81,10 +81,12 @@ final class Mp4Writer extends AnimationWriter {
     private List<String> command(int width, int height) {
         String input = "-f rawvideo -pix_fmt rgb24 -s " + width + "x" + height + " -r " + framesPerSecond + " -i -";
         // The colours of yuv420p cover two by two pixels: an odd picture gets a black row or column.
-        String shape = "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2";
+        String shape = "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv";
+        // A player that is not told how colours are coded guesses, and may turn green into something darker.
+        String colours = "-colorspace bt709 -color_range tv -color_primaries bt709 -color_trc iec61966-2-1";
         String output = "-c:v libx264 -pix_fmt yuv420p -crf 18 -movflags +faststart -f mp4";
         List<String> command = new ArrayList<>(List.of(program.toString(), "-y", "-loglevel", "error"));
-        command.addAll(List.of(String.join(" ", input, shape, output).split(" ")));
+        command.addAll(List.of(String.join(" ", input, shape, colours, output).split(" ")));
         command.add(pending().path().toString());
         return command;
     }

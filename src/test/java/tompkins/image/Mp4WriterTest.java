@@ -3,17 +3,31 @@ package tompkins.image;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
+import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** With scripts in the place of ffmpeg, which is not everywhere; and with ffmpeg itself where it is. */
 class Mp4WriterTest {
+
+    /** What the coder at its quality, and eight bits a channel, may change in a large bar. */
+    private static final int MOST_LEVELS_LOST = 4;
+
+    private static final int BAR_WIDTH = 20;
+
+    private static final int[] BARS = {
+        0xff0000, 0x00ff00, 0x0000ff, 0xffffff, 0x808080, 0x0a0a0a, 0xc86432, 0x7f7fff,
+    };
 
     @TempDir
     private Path folder;
@@ -134,15 +148,57 @@ class Mp4WriterTest {
         }
         try (AnimationWriter animation = AnimationFormat.MP4.open(film, 25)) {
             for (int i = 0; i < 10; i++) {
-                animation.add(
-                        BufferedImages.toBufferedImage(Samples.squares(161, 121, i), ToneCurve.SRGB),
-                        PhotographInfo.NONE);
+                animation.add(bars(), PhotographInfo.NONE);
             }
             animation.finish();
         }
         byte[] mp4 = Files.readAllBytes(film);
-        assertThat(List.of((char) mp4[4], (char) mp4[5], (char) mp4[6], (char) mp4[7]))
-                .containsExactly('f', 't', 'y', 'p');
-        assertThat(mp4.length).isGreaterThan(1000);
+        assertThat(new String(mp4, 4, 4, StandardCharsets.ISO_8859_1)).isEqualTo("ftyp");
+        assertThat(colourCodes(mp4))
+                .as("BT.709, sRGB, BT.709, as ISO/IEC 23091-2 counts them")
+                .containsExactly(1, 13, 1);
+        byte[] seen = firstFrameReadAsBt709(film);
+        for (int bar = 0; bar < BARS.length; bar++) {
+            int at = 3 * (60 * 162 + bar * BAR_WIDTH + BAR_WIDTH / 2);
+            for (int channel = 0; channel < 3; channel++) {
+                assertThat(seen[at + channel] & 0xff)
+                        .as("bar %d, channel %d", bar, channel)
+                        .isCloseTo(BARS[bar] >> 16 - 8 * channel & 0xff, within(MOST_LEVELS_LOST));
+            }
+        }
+    }
+
+    /** Bars of full and of mixed colours; one column and one row more than a video can have. */
+    private static BufferedImage bars() {
+        BufferedImage image = new BufferedImage(161, 121, BufferedImage.TYPE_INT_RGB);
+        for (int y = 0; y < 121; y++) {
+            for (int x = 0; x < 161; x++) {
+                image.setRGB(x, y, BARS[Math.min(x / BAR_WIDTH, BARS.length - 1)]);
+            }
+        }
+        return image;
+    }
+
+    /** Primaries, transfer and matrix, which the box "colr" of an MP4 file holds in two bytes each. */
+    private static int[] colourCodes(byte[] mp4) {
+        int at = new String(mp4, StandardCharsets.ISO_8859_1).indexOf("colrnclx") + "colrnclx".length();
+        ByteBuffer box = ByteBuffer.wrap(mp4, at, 6);
+        return new int[] {box.getShort(), box.getShort(), box.getShort()};
+    }
+
+    private byte[] firstFrameReadAsBt709(Path film) throws IOException {
+        Path frame = folder.resolve("frame");
+        String read = "-loglevel error -i " + film + " -frames:v 1 -vf scale=in_color_matrix=bt709:in_range=tv"
+                + " -f rawvideo -pix_fmt rgb24 " + frame;
+        List<String> command = new ArrayList<>(List.of(Mp4Writer.program().toString()));
+        command.addAll(List.of(read.split(" ")));
+        assertThat(new ProcessBuilder(command)
+                        .inheritIO()
+                        .start()
+                        .onExit()
+                        .join()
+                        .exitValue())
+                .isZero();
+        return Files.readAllBytes(frame);
     }
 }
