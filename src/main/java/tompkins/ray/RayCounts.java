@@ -17,6 +17,9 @@ public final class RayCounts {
     /** Tests whether a light is visible. */
     public long shadowRays;
 
+    /** How often a ray among the objects of the scene met the first of them on its way. */
+    public long sceneHits;
+
     /** Samples whose chief ray misses the surface on which the camera is focused; they were focused at infinity. */
     public long withoutFocus;
 
@@ -51,6 +54,7 @@ public final class RayCounts {
         samples += other.samples;
         rays += other.rays;
         shadowRays += other.shadowRays;
+        sceneHits += other.sceneHits;
         withoutFocus += other.withoutFocus;
         withoutShutter += other.withoutShutter;
         notFinite += other.notFinite;

@@ -279,6 +279,7 @@ public final class RenderJob {
         synchronized (counts) {
             return RenderReport.of(
                     counts,
+                    complete && counts.sceneHits == 0 && plan.hasObjectsInScene(),
                     nodes,
                     tests,
                     plan.studio().settings().pixels(),

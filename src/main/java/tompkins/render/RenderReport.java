@@ -19,6 +19,7 @@ import tompkins.ray.RayCounts;
  * @param tooDeep rays that were given up because of the recursion depth
  * @param tooFaint rays that were given up because they could bring too little light
  * @param lostLight what those could have brought at most, summed over all samples, of which each brings 1
+ * @param missesScene whether the picture is complete, the scene has objects, and no ray met any of them
  * @param nodes nodes of bounding-volume trees that were visited
  * @param tests primitives that were tested
  * @param pixels pixels of the picture
@@ -41,6 +42,7 @@ public record RenderReport(
         long tooDeep,
         long tooFaint,
         double lostLight,
+        boolean missesScene,
         long nodes,
         long tests,
         long pixels,
@@ -62,6 +64,7 @@ public record RenderReport(
 
     static RenderReport of(
             RayCounts counts,
+            boolean missesScene,
             long nodes,
             long tests,
             long pixels,
@@ -80,6 +83,7 @@ public record RenderReport(
                 counts.tooDeep,
                 counts.tooFaint,
                 counts.lostLight(),
+                missesScene,
                 nodes,
                 tests,
                 pixels,
@@ -99,6 +103,10 @@ public record RenderReport(
     /** What the user should know: one sentence for each kind of trouble. */
     public List<String> warnings() {
         List<String> warnings = new ArrayList<>();
+        if (missesScene) {
+            warnings.add("no ray met an object of the scene: another direction, a wider field of view or a lower speed"
+                    + " may show some");
+        }
         if (sampledPixels < pixels) {
             warnings.add(String.format(
                     Locale.ROOT,

@@ -163,6 +163,9 @@ final class RayTracer implements Tracer, Visibility {
         boolean hits = startHits;
         Colour light = Colour.BLACK;
         Colour share = Colour.WHITE;
+        if (hits && frame == Frame.SCENE) {
+            counts.sceneHits++;
+        }
         while (hits) {
             Hit hit = nearest.hit(ray, memory);
             Surface surface = nearest.primitive().surface();

@@ -132,6 +132,11 @@ public final class RenderPlan {
         return Math.pow(2, studio.camera().exposureStops());
     }
 
+    /** Whether anything stands in the scene that a ray can meet. */
+    public boolean hasObjectsInScene() {
+        return scene.objects().size() > 0;
+    }
+
     /** Whether the camera and the scene share one frame. */
     public boolean isAtRest() {
         return sceneFromCamera instanceof IdentityTransformation;
