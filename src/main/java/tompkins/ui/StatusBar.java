@@ -38,7 +38,9 @@ final class StatusBar {
     private final Timer fading;
     private String failure;
 
-    private boolean isEmpty;
+    /** What is said of the picture if there is nothing else to say. */
+    private String pictureHint = Texts.get("status.idle");
+
     private boolean picking;
 
     /** The picture on the screen, if it is said that it becomes better; else null. */
@@ -94,7 +96,7 @@ final class StatusBar {
 
     /** What is said if there is nothing else to say. */
     private String hint() {
-        return Texts.get(picking ? "lens.picking" : isEmpty ? "status.empty" : "status.idle");
+        return picking ? Texts.get("lens.picking") : pictureHint;
     }
 
     /** A line that is too long for the window is read in its tip. */
@@ -173,7 +175,7 @@ final class StatusBar {
         if (failure != null) {
             return;
         }
-        showHint(shown.studio());
+        showHint(shown);
         String key = shown.complete() ? "status.complete" : ended ? "status.stopped" : "status.refining";
         long milliseconds = shown.time().toMillis();
         String samples = Numbers.brief(shown.samples(), 3);
@@ -189,14 +191,27 @@ final class StatusBar {
         picture.setToolTipText(Tips.wrapped(Texts.get("status.errorTip")));
     }
 
-    private void showHint(Studio studio) {
+    private void showHint(Picture now) {
         boolean shown = what.getText().equals(hint());
-        isEmpty = studio.scene().isEmpty()
-                && studio.cameraFrame().isEmpty()
-                && !(studio.background() instanceof PanoramaBackground);
+        pictureHint = hint(now);
         if (shown) {
             showIdle();
         }
+    }
+
+    private static String hint(Picture picture) {
+        if (isEmpty(picture.studio())) {
+            return Texts.get("status.empty");
+        }
+        return picture.warnings().isEmpty()
+                ? Texts.get("status.idle")
+                : Texts.get("status.warning", picture.warnings().get(0));
+    }
+
+    private static boolean isEmpty(Studio studio) {
+        return studio.scene().isEmpty()
+                && studio.cameraFrame().isEmpty()
+                && !(studio.background() instanceof PanoramaBackground);
     }
 
     /** Says whether the next click picks a point, until it does. */

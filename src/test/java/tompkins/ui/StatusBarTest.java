@@ -39,9 +39,15 @@ class StatusBarTest {
         return Components.find(status.component(), JLabel.class, name);
     }
 
-    private static Picture picture(Studio studio) {
+    private static Picture picture(Studio studio, String... warnings) {
         return new Picture(
-                RenderPlan.of(studio), new LinearImage(1, 1, new float[3]), true, Duration.ZERO, 1, 0, List.of());
+                RenderPlan.of(studio),
+                new LinearImage(1, 1, new float[3]),
+                true,
+                Duration.ZERO,
+                1,
+                0,
+                List.of(warnings));
     }
 
     /** The first scene of all may be one that cannot be pictured. */
@@ -75,6 +81,18 @@ class StatusBarTest {
         status.say("something else");
         status.show(picture(Studio.DEFAULT));
         assertThat(what.getText()).isEqualTo("something else");
+    }
+
+    /** The section that has all of them may be folded. */
+    @Test
+    void theFirstWarningOfAPictureIsSaidUntilThereIsAPictureWithout() {
+        status.show(picture(Studios.sphere(), "no ray met an object", "all is black"));
+        assertThat(what.getText()).isEqualTo("Warning: no ray met an object.");
+        status.say("something else");
+        status.show((PixelProbe.Reading) null);
+        assertThat(what.getText()).isEqualTo("Warning: no ray met an object.");
+        status.show(picture(Studios.sphere()));
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle"));
     }
 
     /** A reading under the mouse, or a message, comes between. */
