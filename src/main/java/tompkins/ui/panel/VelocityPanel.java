@@ -1,13 +1,12 @@
 package tompkins.ui.panel;
 
 import java.awt.event.ActionEvent;
-import javax.swing.ButtonGroup;
+import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
-import javax.swing.JToggleButton;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.Camera;
@@ -18,6 +17,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.ui.model.FrontWindow;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.DirectionSphere;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Naming;
@@ -77,24 +77,19 @@ public final class VelocityPanel {
     }
 
     private JComponent scaleSwitch() {
-        JPanel row = Rows.of("gap 2", "[grow,fill,sg][grow,fill,sg][grow,fill,sg][grow,fill,sg]");
-        ButtonGroup group = new ButtonGroup();
-        for (SpeedScale each : SpeedScale.values()) {
-            JToggleButton button = new JToggleButton(Texts.get("scale." + each.name()), each == scale);
-            String name = Texts.get("scale." + each.name() + ".name");
-            Naming.name(button, name, name + ", " + each.range());
-            button.putClientProperty(
-                    "FlatLaf.style",
-                    "selectedBackground: $Component.accentColor; selectedForeground: $Tompkins.chosen;"
-                            + " focusedBorderColor: $Tompkins.chosen");
-            button.addActionListener(event -> {
-                scale = each;
-                update();
-            });
-            group.add(button);
-            row.add(button, "wmin 0");
-        }
-        return row;
+        return ChoiceRow.of(
+                List.of(SpeedScale.values()),
+                each -> Texts.get("scale." + each.name()),
+                VelocityPanel::name,
+                each -> name(each) + ", " + each.range(),
+                each -> {
+                    scale = each;
+                    update();
+                });
+    }
+
+    private static String name(SpeedScale scale) {
+        return Texts.get("scale." + scale.name() + ".name");
     }
 
     private JComponent directionRow() {

@@ -1,0 +1,45 @@
+package tompkins.ui.widget;
+
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.swing.ButtonGroup;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JToggleButton;
+
+/** A row of buttons of which one is chosen, at first the first. */
+public final class ChoiceRow {
+
+    private ChoiceRow() {}
+
+    /**
+     * A row for some values.
+     *
+     * @param text what stands on the button of a value
+     * @param name what the button is called
+     * @param tip what its value means
+     * @param chosen told of each choice
+     */
+    public static <T> JComponent of(
+            List<T> values,
+            Function<? super T, String> text,
+            Function<? super T, String> name,
+            Function<? super T, String> tip,
+            Consumer<? super T> chosen) {
+        JPanel row = Rows.of("gap 2", "[grow,fill,sg]".repeat(values.size()));
+        ButtonGroup group = new ButtonGroup();
+        for (T value : values) {
+            JToggleButton button = new JToggleButton(text.apply(value), group.getButtonCount() == 0);
+            Naming.name(button, name.apply(value), tip.apply(value));
+            button.putClientProperty(
+                    "FlatLaf.style",
+                    "selectedBackground: $Component.accentColor; selectedForeground: $Tompkins.chosen;"
+                            + " focusedBorderColor: $Tompkins.chosen");
+            button.addActionListener(event -> chosen.accept(value));
+            group.add(button);
+            row.add(button, "wmin 0");
+        }
+        return row;
+    }
+}
