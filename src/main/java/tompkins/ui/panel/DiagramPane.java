@@ -12,10 +12,12 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
+import tompkins.trace.Frame;
 import tompkins.ui.picture.SpaceTimeDiagram;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.Texts;
 
 /** Draws the space-time diagram of a ray: the event at the lens in the middle near the top, light at 45 degrees. */
 @SuppressWarnings("serial") // never written to a stream
@@ -30,13 +32,14 @@ final class DiagramPane extends JPanel {
     private static final double ROOM = 1.12;
 
     private static final double DOT = 0.28;
+    private static final String PRIME = "\u2032";
     private static final float[] DASHES = {3, 4};
 
     private transient SpaceTimeDiagram diagram;
 
     /** Empty at first. */
     DiagramPane() {
-        Naming.name(this, "ray.diagram");
+        Naming.name(this, Texts.get("ray.diagram"), "");
     }
 
     @Override
@@ -48,6 +51,9 @@ final class DiagramPane extends JPanel {
     void show(SpaceTimeDiagram other) {
         diagram = other;
         setVisible(other != null && Double.isFinite(other.reach()));
+        if (other != null) {
+            Naming.name(this, getName(), Texts.get("ray.diagram." + other.frame() + ".tip"));
+        }
         repaint();
     }
 
@@ -80,21 +86,27 @@ final class DiagramPane extends JPanel {
         drawThrough(g, new Point2D.Double(1, -1));
         g.setStroke(new BasicStroke(1.4f));
         g.setColor(UIManager.getColor("Tompkins.note"));
-        drawThrough(g, diagram.cameraTime());
-        drawThrough(g, diagram.cameraSpace());
+        drawThrough(g, diagram.otherTime());
+        drawThrough(g, diagram.otherSpace());
         g.setStroke(new BasicStroke(1));
         nameAxes(g);
         drawRay(g);
         g.dispose();
     }
 
-    /** The numbers of the scene's time, and the names of all axes at their ends. */
+    /**
+     * The numbers of the upright axis of time, and the names of all axes at their ends: those of the camera have
+     * primes.
+     */
     private void nameAxes(Graphics2D g) {
-        name(g, "t", new Point2D.Double(0, 1));
-        name(g, "x", new Point2D.Double(1, 0));
-        if (diagram.cameraTime().getX() != 0) {
-            name(g, "t\u2032", times(diagram.cameraTime(), -1));
-            name(g, "x\u2032", diagram.cameraSpace());
+        boolean ofScene = diagram.frame() == Frame.SCENE;
+        String own = ofScene ? "" : PRIME;
+        String other = ofScene ? PRIME : "";
+        name(g, "t" + own, new Point2D.Double(0, 1));
+        name(g, "x" + own, new Point2D.Double(1, 0));
+        if (diagram.otherTime().getX() != 0) {
+            name(g, "t" + other, times(diagram.otherTime(), -1));
+            name(g, "x" + other, diagram.otherSpace());
         }
         double step = step();
         int gap = g.getFontMetrics().getDescent();
@@ -112,11 +124,15 @@ final class DiagramPane extends JPanel {
         return (half >= 5 * power ? 5 : half >= 2 * power ? 2 : 1) * power;
     }
 
-    /** Writes a name to the right of the end of an axis, as it is seen from the event at the lens. */
+    /**
+     * Writes a name to the right of the end of an axis, as it is seen from the event at the lens; to the left of one
+     * that runs down to the right, for there is the edge.
+     */
     private void name(Graphics2D g, String name, Point2D direction) {
         FontMetrics type = g.getFontMetrics();
         Point2D end = edge(new Point2D.Double(), direction, type.getHeight());
-        double away = 0.8 * type.getHeight() / direction.distance(0, 0);
+        boolean falls = direction.getX() > 0 && direction.getY() < 0;
+        double away = (falls ? -0.8 : 0.8) * type.getHeight() / direction.distance(0, 0);
         double x = end.getX() + away * direction.getY() - type.stringWidth(name) / 2.0;
         double y = end.getY() + away * direction.getX() + type.getAscent() / 2.0;
         g.drawString(name, (float) x, (float) y);

@@ -16,11 +16,14 @@ import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.SwingUtilities;
 import tompkins.sceneobject.SceneObject;
+import tompkins.trace.Frame;
 import tompkins.trace.RayLife;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.model.StudioPath;
 import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.picture.RayStory;
+import tompkins.ui.picture.SpaceTimeDiagram;
+import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Rows;
@@ -34,6 +37,14 @@ public final class RaySection {
     private final Consumer<StudioPath> editor;
     private final StoryPane story = new StoryPane();
     private final DiagramPane diagram = new DiagramPane();
+    private final JComponent frames = ChoiceRow.of(
+            List.of(Frame.SCENE, Frame.CAMERA),
+            each -> Texts.get("ray.diagram." + each),
+            each -> Texts.get("ray.diagram." + each),
+            each -> Texts.get("ray.diagram." + each + ".choose"),
+            this::draw);
+    private Map<Frame, SpaceTimeDiagram> diagrams = Map.of();
+    private Frame frame = Frame.SCENE;
     private final JButton edit = new JButton(Texts.get("ray.edit"));
     private final Section section;
     private List<RayLife.Encounter> hits = List.of();
@@ -58,6 +69,7 @@ public final class RaySection {
         buttons.add(edit);
         buttons.add(button);
         JPanel content = Rows.column();
+        content.add(frames, "wmin 0");
         content.add(diagram, "wmin 0");
         content.add(story, "wmin 0");
         content.add(buttons);
@@ -88,7 +100,8 @@ public final class RaySection {
                 ? List.of()
                 : reading.life().hits();
         edit.setEnabled(!objects().isEmpty());
-        diagram.show(reading == null ? null : reading.diagram());
+        diagrams = reading == null ? Map.of() : reading.diagrams();
+        draw(frame);
         if (reading != null) {
             List<RayStory.Step> steps = new ArrayList<>(RayStory.of(reading));
             if (picture != null) {
@@ -96,6 +109,12 @@ public final class RaySection {
             }
             story.show(steps);
         }
+    }
+
+    private void draw(Frame upright) {
+        frame = upright;
+        diagram.show(diagrams.get(frame));
+        frames.setVisible(diagram.isVisible());
     }
 
     /** The objects that the ray hit and that the studio still holds, with their names. */

@@ -1,12 +1,15 @@
 package tompkins.ui.picture;
 
 import java.awt.geom.Point2D;
+import java.util.Map;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.SpaceTimeTransformation;
+import tompkins.studio.Studio;
+import tompkins.trace.Frame;
 import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
 
@@ -28,7 +31,7 @@ public final class PixelProbe implements AutoCloseable {
      * @param sceneAngleDegrees the same angle in the scene frame; NaN at rest, and for a ray that ends in the camera
      *     frame
      * @param frequencyRatio frequency in the camera frame divided by that in the scene frame
-     * @param diagram the life in space and time; null if there is none
+     * @param diagrams the life in space and time, in each frame; empty if there is none
      */
     public record Reading(
             int column,
@@ -40,7 +43,7 @@ public final class PixelProbe implements AutoCloseable {
             double angleDegrees,
             double sceneAngleDegrees,
             double frequencyRatio,
-            SpaceTimeDiagram diagram) {}
+            Map<Frame, SpaceTimeDiagram> diagrams) {}
 
     private record Question(RenderPlan plan, Point2D place, Consumer<Reading> answer) {}
 
@@ -67,7 +70,7 @@ public final class PixelProbe implements AutoCloseable {
         int row = (int) place.getY();
         RayLife life = RayLife.of(plan, place.getX(), place.getY(), 0, 0);
         if (life == null) {
-            return new Reading(column, row, null, null, null, null, Double.NaN, Double.NaN, 1, null);
+            return new Reading(column, row, null, null, null, null, Double.NaN, Double.NaN, 1, Map.of());
         }
         RayLife.Encounter end = life.end();
         SpaceTimeTransformation sceneFromCamera = plan.studio().sceneFromCamera();
@@ -82,7 +85,13 @@ public final class PixelProbe implements AutoCloseable {
                 degreesBetween(life.cameraDirection(), velocity),
                 degreesBetween(life.sceneDirection(), velocity),
                 life.frequencyRatio(),
-                SpaceTimeDiagram.of(life, plan.studio()));
+                diagrams(life, plan.studio()));
+    }
+
+    private static Map<Frame, SpaceTimeDiagram> diagrams(RayLife life, Studio studio) {
+        return Map.of(
+                Frame.SCENE, SpaceTimeDiagram.of(life, studio, Frame.SCENE),
+                Frame.CAMERA, SpaceTimeDiagram.of(life, studio, Frame.CAMERA));
     }
 
     /** NaN if one of the directions is null. */

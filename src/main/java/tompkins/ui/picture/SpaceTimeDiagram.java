@@ -8,37 +8,54 @@ import org.joml.Vector3dc;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.studio.Studio;
+import tompkins.trace.Frame;
 import tompkins.trace.RayLife;
 
 /**
- * What a space-time (Minkowski) diagram of a ray shows, in the scene frame: x is the place along the camera's velocity,
- * y the time, both counted from the event at which the ray starts at the lens.
+ * What a space-time (Minkowski) diagram of a ray shows, in one of the frames: x is the place along the camera's
+ * velocity, y the time, both counted from the event at which the ray starts at the lens.
  *
+ * @param frame the frame whose axes are upright
  * @param path the events of the main branch of the ray, from the lens on, backwards in time
  * @param onwards how x and y change along the ray after its last event, to the background; null if it ends there
- * @param cameraTime how x and y change along the camera's own time axis: the way of the camera
- * @param cameraSpace how x and y change along its axis of space: events that are simultaneous for the camera
+ * @param otherTime how x and y change along the time axis of the other frame: the way of what rests in it
+ * @param otherSpace how x and y change along its axis of space: events that are simultaneous in it
  */
-public record SpaceTimeDiagram(List<Point2D> path, Point2D onwards, Point2D cameraTime, Point2D cameraSpace) {
+public record SpaceTimeDiagram(
+        Frame frame, List<Point2D> path, Point2D onwards, Point2D otherTime, Point2D otherSpace) {
 
     /** Where the origins of both frames meet, whatever the transformation. */
     private static final Event ZERO = new Event(0, 0, 0, 0);
 
     /** The diagram of a ray of a studio's picture. */
-    static SpaceTimeDiagram of(RayLife life, Studio studio) {
+    static SpaceTimeDiagram of(RayLife life, Studio studio, Frame frame) {
+        boolean ofScene = frame == Frame.SCENE;
         SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
+        SpaceTimeTransformation fromOther = ofScene ? sceneFromCamera : sceneFromCamera.inverse();
         Vector3dc along = new Vector3d(studio.velocity().givenDirection()).normalize();
-        Event origin = sceneFromCamera.transform(life.cameraStart());
+        Event origin = ofScene ? sceneFromCamera.transform(life.cameraStart()) : life.cameraStart();
         List<Point2D> path = new ArrayList<>(List.of(new Point2D.Double()));
         for (RayLife.Encounter hit : life.mainHits()) {
-            path.add(place(hit.inScene(sceneFromCamera), origin, along));
+            path.add(place(ofScene ? hit.inScene(sceneFromCamera) : hit.inCamera(sceneFromCamera), origin, along));
         }
-        Point2D onwards = life.reachesBackground() ? new Point2D.Double(along.dot(life.lastDirection()), -1) : null;
+        Event time = new Event(0, 0, 0, 1);
+        Event space = new Event(along.x(), along.y(), along.z(), 0);
         return new SpaceTimeDiagram(
+                frame,
                 path,
-                onwards,
-                place(sceneFromCamera.transform(new Event(0, 0, 0, 1)), ZERO, along),
-                place(sceneFromCamera.transform(new Event(along.x(), along.y(), along.z(), 0)), ZERO, along));
+                onwards(life, ofScene ? null : fromOther, along),
+                place(fromOther.transform(time), ZERO, along),
+                place(fromOther.transform(space), ZERO, along));
+    }
+
+    /** One step backwards in time of what goes on to the background; the way out of the scene frame may be null. */
+    private static Point2D onwards(RayLife life, SpaceTimeTransformation fromScene, Vector3dc along) {
+        if (!life.reachesBackground()) {
+            return null;
+        }
+        Vector3dc direction = life.lastDirection();
+        Event step = new Event(direction.x(), direction.y(), direction.z(), -1);
+        return place(fromScene == null ? step : fromScene.transform(step), ZERO, along);
     }
 
     private static Point2D place(Event event, Event origin, Vector3dc along) {

@@ -11,6 +11,7 @@ import java.util.stream.IntStream;
 import javax.swing.UIManager;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import tompkins.trace.Frame;
 import tompkins.ui.WindowDriver;
 import tompkins.ui.picture.SpaceTimeDiagram;
 import tompkins.ui.widget.Look;
@@ -33,7 +34,7 @@ class DiagramPaneTest {
     }
 
     private static SpaceTimeDiagram along(List<Point2D> path, Point2D onwards) {
-        return new SpaceTimeDiagram(path, onwards, new Point2D.Double(0, 1), new Point2D.Double(1, 0));
+        return new SpaceTimeDiagram(Frame.SCENE, path, onwards, new Point2D.Double(0, 1), new Point2D.Double(1, 0));
     }
 
     private static BufferedImage painted(DiagramPane pane) {
@@ -82,6 +83,26 @@ class DiagramPaneTest {
         int row = lens(image);
         assertThat(isRay(image, SIZE / 2 - 20, row + 40)).isTrue();
         assertThat(isRay(image, SIZE / 2 - 70, row + 140)).isTrue();
+    }
+
+    /** At beta = 0.3 the way of the scene leaves the picture of the camera frame at its lower edge. */
+    @Test
+    void theNameOfTheScenesTimeStandsBesideItsAxisAndInside() {
+        double gamma = 1 / Math.sqrt(1 - 0.3 * 0.3);
+        BufferedImage image = painted(pane(new SpaceTimeDiagram(
+                Frame.CAMERA,
+                List.of(HERE, new Point2D.Double(0, -9)),
+                null,
+                new Point2D.Double(-0.3 * gamma, gamma),
+                new Point2D.Double(gamma, -0.3 * gamma))));
+        int axisAtTheEdge = SIZE / 2 + (int) (0.3 * (SIZE - lens(image)));
+        assertThat(isEmpty(image, axisAtTheEdge + 4, SIZE - 30, 20, 26)).isFalse();
+        assertThat(isEmpty(image, axisAtTheEdge - 32, SIZE - 20, 20, 16)).isTrue();
+    }
+
+    private static boolean isEmpty(BufferedImage image, int x, int y, int width, int height) {
+        int[] colours = image.getRGB(x, y, width, height, null, 0, width);
+        return IntStream.of(colours).allMatch(colour -> colour == Color.WHITE.getRGB());
     }
 
     @Test

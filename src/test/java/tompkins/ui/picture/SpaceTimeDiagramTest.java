@@ -14,6 +14,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.Mirror;
+import tompkins.trace.Frame;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.Studios;
 
@@ -23,8 +24,13 @@ class SpaceTimeDiagramTest {
     private static final Velocity FORWARDS = Velocity.of(0, 0, 0.8);
 
     private static SpaceTimeDiagram diagram(Studio studio) {
+        return diagram(studio, Frame.SCENE);
+    }
+
+    private static SpaceTimeDiagram diagram(Studio studio, Frame frame) {
         return PixelProbe.read(RenderPlan.of(studio), new Point2D.Double(32, 24))
-                .diagram();
+                .diagrams()
+                .get(frame);
     }
 
     private static Plane wall(double z) {
@@ -47,8 +53,8 @@ class SpaceTimeDiagramTest {
     void lightAlongTheVelocityRunsAtFortyFiveDegreesBetweenTheAxesOfTheCamera() {
         SpaceTimeDiagram diagram = diagram(Studios.sphere().withVelocity(FORWARDS));
         assertPlaces(diagram.path(), 0, 0, 9, -9);
-        assertPlace(diagram.cameraTime(), 4 / 3.0, 5 / 3.0);
-        assertPlace(diagram.cameraSpace(), 5 / 3.0, 4 / 3.0);
+        assertPlace(diagram.otherTime(), 4 / 3.0, 5 / 3.0);
+        assertPlace(diagram.otherSpace(), 5 / 3.0, 4 / 3.0);
         assertThat(diagram.onwards()).isNull();
         assertThat(diagram.reach()).isEqualTo(9, within(1e-12));
     }
@@ -57,8 +63,39 @@ class SpaceTimeDiagramTest {
     void timeIsTheSameForAllInAGalileanWorld() {
         SpaceTimeDiagram diagram =
                 diagram(Studios.sphere().withVelocity(FORWARDS).withTransformation(TransformationLaw.GALILEAN));
-        assertPlace(diagram.cameraTime(), 0.8, 1);
-        assertPlace(diagram.cameraSpace(), 1, 0);
+        assertPlace(diagram.otherTime(), 0.8, 1);
+        assertPlace(diagram.otherSpace(), 1, 0);
+    }
+
+    /**
+     * 9 = distance in the scene, which is sqrt((1 - beta) / (1 + beta)) = 1/3 of that in the camera frame, backwards.
+     */
+    @Test
+    void theCameraSeesTheSameEventsFromItsOwnAxes() {
+        SpaceTimeDiagram diagram = diagram(Studios.sphere().withVelocity(FORWARDS), Frame.CAMERA);
+        assertPlaces(diagram.path(), 0, 0, 27, -27);
+        assertPlace(diagram.otherTime(), -4 / 3.0, 5 / 3.0);
+        assertPlace(diagram.otherSpace(), 5 / 3.0, -4 / 3.0);
+        Studio galilean = Studios.sphere().withVelocity(FORWARDS).withTransformation(TransformationLaw.GALILEAN);
+        assertPlace(diagram(galilean, Frame.CAMERA).otherTime(), -0.8, 1);
+        assertPlace(diagram(galilean, Frame.CAMERA).otherSpace(), 1, 0);
+    }
+
+    /** What is straight ahead of a camera that moves sideways has its place across x. */
+    @Test
+    void lightAcrossTheVelocityComesToTheCameraAcrossIt() {
+        Studio studio = Studios.sphere().withVelocity(Velocity.of(0.8, 0, 0)).withScene(List.of(wall(6)));
+        assertPlaces(diagram(studio, Frame.CAMERA).path(), 0, 0, 0, -6);
+        Studio held = Studios.sphere().withVelocity(FORWARDS).withCameraFrame(List.of(wall(2)));
+        assertPlaces(diagram(held, Frame.CAMERA).path(), 0, 0, 2, -2);
+    }
+
+    /** A step to the background is 3 times as long in the frame that moves towards it. */
+    @Test
+    void aRayThatMeetsNothingGoesOnInTheCameraFrameToo() {
+        Studio empty = Studios.sphere().withScene(List.of()).withVelocity(FORWARDS);
+        assertPlace(diagram(empty, Frame.CAMERA).onwards(), 3, -3);
+        assertPlace(diagram(empty, Frame.SCENE).onwards(), 1, -1);
     }
 
     /** Seen straight ahead by a camera that moves sideways, light follows its way, as far as x goes. */
