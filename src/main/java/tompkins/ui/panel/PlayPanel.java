@@ -118,11 +118,20 @@ public final class PlayPanel {
     }
 
     private JComponent numberRow() {
-        JPanel row = Rows.of("gap 6", "[grow,fill][][]");
+        JPanel row = Rows.of("gap 6", "[grow,fill][][][]");
         row.add(properties, "wmin 60");
         row.add(courses);
         row.add(loop);
+        row.add(closeButton());
         return row;
+    }
+
+    private JButton closeButton() {
+        JButton button = new JButton("\u00d7");
+        button.putClientProperty("JButton.buttonType", "toolBarButton");
+        Naming.name(button, "play.close");
+        button.addActionListener(event -> setShown(false));
+        return button;
     }
 
     private JComponent valuesRow() {

@@ -75,6 +75,17 @@ class PlayPanelTest {
         });
     }
 
+    @Test
+    void theCrossPausesAndHidesThePanel() {
+        WindowDriver.onEventThread(() -> {
+            play.setPlaying(true);
+            Components.find(panel, JButton.class, "Close animation").doClick();
+            assertThat(play.isShown()).isFalse();
+            assertThat(play.isPlaying()).isFalse();
+            assertThat(told).last().isNull();
+        });
+    }
+
     private List<String> offered() {
         return IntStream.range(0, numbers.getItemCount())
                 .mapToObj(numbers::getItemAt)
