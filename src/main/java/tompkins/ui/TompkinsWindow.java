@@ -161,7 +161,8 @@ public final class TompkinsWindow {
 
     /** Brings the panel. The processors are its own meanwhile: the picture goes on afterwards. */
     private void furnish() {
-        boolean unfinished = view.controller().isBusy();
+        // a window that was closed meanwhile has no picture any more
+        boolean unfinished = frame.isDisplayable() && view.controller().isBusy();
         view.stop();
         side.panel();
         if (unfinished) {
@@ -265,9 +266,7 @@ public final class TompkinsWindow {
 
         @Override
         public void windowClosed(WindowEvent event) {
-            if (play != null) {
-                play.setShown(false);
-            }
+            pause();
             status.stop();
             view.close();
             editor.dispose();
