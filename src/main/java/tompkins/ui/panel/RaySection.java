@@ -101,6 +101,7 @@ public final class RaySection {
                 : reading.life().hits();
         edit.setEnabled(!objects().isEmpty());
         diagrams = reading == null ? Map.of() : reading.diagrams();
+        frames.setVisible(!diagrams.isEmpty());
         draw(frame);
         if (reading != null) {
             List<RayStory.Step> steps = new ArrayList<>(RayStory.of(reading));
@@ -114,7 +115,6 @@ public final class RaySection {
     private void draw(Frame upright) {
         frame = upright;
         diagram.show(diagrams.get(frame));
-        frames.setVisible(diagram.isVisible());
     }
 
     /** The objects that the ray hit and that the studio still holds, with their names. */

@@ -38,24 +38,20 @@ public record SpaceTimeDiagram(
         for (RayLife.Encounter hit : life.mainHits()) {
             path.add(place(ofScene ? hit.inScene(sceneFromCamera) : hit.inCamera(sceneFromCamera), origin, along));
         }
+        Point2D onwards = null;
+        if (life.reachesBackground()) {
+            Vector3dc direction = life.lastDirection();
+            Event step = new Event(direction.x(), direction.y(), direction.z(), -1);
+            onwards = place(ofScene ? step : fromOther.transform(step), ZERO, along);
+        }
         Event time = new Event(0, 0, 0, 1);
         Event space = new Event(along.x(), along.y(), along.z(), 0);
         return new SpaceTimeDiagram(
                 frame,
                 path,
-                onwards(life, ofScene ? null : fromOther, along),
+                onwards,
                 place(fromOther.transform(time), ZERO, along),
                 place(fromOther.transform(space), ZERO, along));
-    }
-
-    /** One step backwards in time of what goes on to the background; the way out of the scene frame may be null. */
-    private static Point2D onwards(RayLife life, SpaceTimeTransformation fromScene, Vector3dc along) {
-        if (!life.reachesBackground()) {
-            return null;
-        }
-        Vector3dc direction = life.lastDirection();
-        Event step = new Event(direction.x(), direction.y(), direction.z(), -1);
-        return place(fromScene == null ? step : fromScene.transform(step), ZERO, along);
     }
 
     private static Point2D place(Event event, Event origin, Vector3dc along) {
