@@ -1,0 +1,74 @@
+package tompkins.ui.panel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Container;
+import java.awt.geom.Point2D;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import javax.swing.JToggleButton;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
+import tompkins.ui.Components;
+import tompkins.ui.Studios;
+import tompkins.ui.WindowDriver;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.picture.PixelProbe;
+import tompkins.ui.widget.Look;
+
+/** The section of the pinned ray, without a display. */
+class RaySectionTest {
+
+    private static final Studio STUDIO = Studios.sphere().withVelocity(Velocity.of(0, 0, 0.8));
+
+    @AutoClose
+    private final PixelProbe probe = new PixelProbe(error -> {});
+
+    private final RaySection section = new RaySection(new StudioModel(STUDIO, null), () -> {}, path -> {});
+    private final Container content = (Container) section.component();
+    private final DiagramPane diagram = Components.find(content, DiagramPane.class, "Space-time diagram");
+    private final JToggleButton camera = Components.find(content, JToggleButton.class, "Camera frame");
+
+    @BeforeAll
+    static void look() {
+        Look.LIGHT.install();
+    }
+
+    private PixelProbe.Reading reading() {
+        CompletableFuture<PixelProbe.Reading> answer = new CompletableFuture<>();
+        probe.ask(RenderPlan.of(STUDIO), new Point2D.Double(32, 24), answer::complete);
+        return answer.join();
+    }
+
+    @Test
+    void theFrameThatWasChosenStaysForTheNextRay() {
+        PixelProbe.Reading reading = reading();
+        WindowDriver.onEventThread(() -> {
+            section.show(reading, null);
+            assertThat(diagram.getToolTipText()).contains("in the scene frame");
+            camera.doClick();
+            assertThat(diagram.getToolTipText()).contains("in the camera frame");
+            section.show(reading, null);
+            assertThat(diagram.getToolTipText()).contains("in the camera frame");
+        });
+    }
+
+    @Test
+    void aRayWithoutEventsHasNoFrameToChoose() {
+        PixelProbe.Reading dark =
+                new PixelProbe.Reading(1, 2, null, null, null, null, Double.NaN, Double.NaN, 1, Map.of());
+        PixelProbe.Reading reading = reading();
+        WindowDriver.onEventThread(() -> {
+            section.show(dark, null);
+            assertThat(diagram.isVisible()).isFalse();
+            assertThat(camera.getParent().isVisible()).isFalse();
+            section.show(reading, null);
+            assertThat(diagram.isVisible()).isTrue();
+            assertThat(camera.getParent().isVisible()).isTrue();
+        });
+    }
+}
