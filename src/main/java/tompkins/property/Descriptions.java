@@ -10,8 +10,8 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * Reads and builds descriptions without knowing them: they are records, sealed families of records, and lists of both.
- * A new one needs no line in scene files or in the editor.
+ * Reads, builds and changes descriptions without knowing them: they are records, sealed families of records, and lists
+ * of both. A new one needs no line in scene files or in the editor.
  */
 public final class Descriptions {
 
@@ -28,6 +28,23 @@ public final class Descriptions {
     /** The components of a record type, in their order. */
     public static List<RecordComponent> components(Class<?> type) {
         return COMPONENTS.get(type);
+    }
+
+    /** The component of a record type that has the given name, if there is one. */
+    public static Optional<RecordComponent> find(Class<?> type, String name) {
+        return components(type).stream()
+                .filter(component -> component.getName().equals(name))
+                .findFirst();
+    }
+
+    /**
+     * The component of a record type that has the given name.
+     *
+     * @throws IllegalArgumentException if there is none
+     */
+    public static RecordComponent component(Class<?> type, String name) {
+        return find(type, name)
+                .orElseThrow(() -> new IllegalArgumentException(type.getName() + " has no component " + name));
     }
 
     /** The value of a component. */
@@ -59,6 +76,22 @@ public final class Descriptions {
         }
     }
 
+    /**
+     * The same record with another value of one component.
+     *
+     * @throws InvalidPropertyException if the record does not accept it
+     * @throws IllegalArgumentException if there is no such component
+     */
+    public static <R> R with(R record, String name, Object value) {
+        component(record.getClass(), name);
+        @SuppressWarnings("unchecked")
+        Class<R> type = (Class<R>) record.getClass();
+        Object[] values = components(type).stream()
+                .map(component -> component.getName().equals(name) ? value : value(component, record))
+                .toArray();
+        return make(type, values);
+    }
+
     /** The constant {@code DEFAULT} of a record type: with it a new description starts. */
     public static Object standard(Class<?> type) {
         try {
@@ -66,6 +99,12 @@ public final class Descriptions {
         } catch (ReflectiveOperationException missing) {
             throw new IllegalStateException(type + " has no DEFAULT", missing);
         }
+    }
+
+    /** Whether a type is a record or a sealed family of records. */
+    public static boolean isDescription(Class<?> type) {
+        // an enum whose values have code of their own counts as sealed, too
+        return type.isRecord() || type.isSealed() && !type.isEnum();
     }
 
     /** The records of a sealed family, in the order in which it names them; the type itself if it is a record. */

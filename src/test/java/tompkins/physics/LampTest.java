@@ -7,12 +7,12 @@ import org.joml.Vector3d;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.light.PointLight;
+import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Disc;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
-import tompkins.ui.model.Records;
 
 /** Which side of a sheet a lamp lights. */
 class LampTest {
@@ -25,7 +25,7 @@ class LampTest {
                         List.of(disc), Photograph.pinhole(new Vector3d(0, 0, 1), 10, 0), Velocity.of(0, 0, 0), 1, 1)
                 .studio();
         PointLight lamp = new PointLight(new Vector3d(1, 2, z), Colour.WHITE, Colour.WHITE, 10);
-        float red = new Photograph(Records.with(dark, "lights", List.of(lamp)))
+        float red = new Photograph(Descriptions.with(dark, "lights", List.of(lamp)))
                 .image()
                 .value(0, 0, 0);
         assertThat(red > 0).isEqualTo(lit);

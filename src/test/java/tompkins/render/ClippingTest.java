@@ -9,13 +9,13 @@ import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.ToneCurve;
 import tompkins.light.ColourLaw;
+import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.studio.UniformBackground;
 import tompkins.trace.RenderPlan;
-import tompkins.ui.model.Records;
 
 /**
  * A sky of one brightness, seen straight ahead: its brightness falls by the fourth power of the Doppler factor, so that
@@ -85,8 +85,8 @@ class ClippingTest {
     }
 
     private static Studio sky(double speed, double stops) {
-        ThinLensCamera camera = Records.with(ThinLensCamera.DEFAULT, "exposureStops", stops);
-        return Records.with(Studio.DEFAULT, "background", new UniformBackground(new Colour(SKY, SKY, SKY)))
+        ThinLensCamera camera = Descriptions.with(ThinLensCamera.DEFAULT, "exposureStops", stops);
+        return Descriptions.with(Studio.DEFAULT, "background", new UniformBackground(new Colour(SKY, SKY, SKY)))
                 .withScene(List.of())
                 .withCamera(camera)
                 .withVelocity(Velocity.of(0, 0, speed))

@@ -22,6 +22,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.image.LinearImage;
 import tompkins.light.AmbientLight;
+import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.PaperStudios;
@@ -32,7 +33,6 @@ import tompkins.surface.Surface;
 import tompkins.surface.Tiling;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.VariedStudios;
-import tompkins.ui.model.Records;
 
 @Timeout(120)
 class RendererTest {
@@ -252,7 +252,7 @@ class RendererTest {
     void lightThatNoPictureCanHoldStaysBlackAndIsToldOf(double lamp, double share, int told)
             throws InterruptedException {
         Surface sky = new ColouredSurface(Colour.grey(share), Colour.BLACK);
-        RenderPlan plan = RenderPlan.of(Records.with(
+        RenderPlan plan = RenderPlan.of(Descriptions.with(
                         size(PaperStudios.fig1a(), 8, 6, 1), "lights", List.of(new AmbientLight(Colour.grey(lamp))))
                 .withScene(List.of(new Sphere("sky", new Vector3d(0, 0, 0), 1000, sky))));
 

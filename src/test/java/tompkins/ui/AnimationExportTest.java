@@ -18,10 +18,11 @@ import org.junit.jupiter.api.io.TempDir;
 import tompkins.image.AnimationFormat;
 import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
+import tompkins.render.Progress;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
-import tompkins.ui.file.Progress;
+import tompkins.studio.Studios;
 import tompkins.ui.panel.Animation;
 import tompkins.ui.panel.NumberProperty;
 

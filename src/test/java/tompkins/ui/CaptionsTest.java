@@ -10,6 +10,7 @@ import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
+import tompkins.studio.Studios;
 import tompkins.ui.panel.NumberProperty;
 import tompkins.ui.picture.PictureCanvas;
 

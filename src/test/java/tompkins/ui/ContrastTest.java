@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import tompkins.spacetime.SpeedScale;
+import tompkins.studio.Studios;
 import tompkins.study.ChartStyle;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.VelocityPanel;

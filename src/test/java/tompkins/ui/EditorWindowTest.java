@@ -25,11 +25,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.io.StudioReader;
+import tompkins.property.Descriptions;
 import tompkins.ray.PixelPicture;
 import tompkins.sceneobject.Sphere;
+import tompkins.studio.Studios;
 import tompkins.surface.PictureSurface;
 import tompkins.surface.Surface;
-import tompkins.ui.model.Records;
 import tompkins.ui.widget.Texts;
 
 /** The keys of the window with the tree of the scene. */
@@ -133,7 +134,7 @@ class EditorWindowTest {
     }
 
     private static Sphere pictured(Surface surface) {
-        return Records.with(Sphere.DEFAULT, "surface", surface);
+        return Descriptions.with(Sphere.DEFAULT, "surface", surface);
     }
 
     private PixelPicture picture() {

@@ -15,6 +15,7 @@ import javax.swing.JSlider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.studio.Studios;
 
 /** Drags sliders for ten seconds and reports how long the event thread was busy with one event at most. */
 @Timeout(300)

@@ -26,6 +26,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.camera.PanoramicCamera;
+import tompkins.studio.Studios;
 import tompkins.ui.widget.Look;
 
 /** The documents in the window, read with mouse and keys. */

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.studio.Studio;
+import tompkins.studio.Studios;
 import tompkins.ui.widget.ProseArea;
 
 /** What undo and reset do to values that were typed and not taken. */

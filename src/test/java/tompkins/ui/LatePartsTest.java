@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 import tompkins.studio.Studio;
+import tompkins.studio.Studios;
 
 final class LatePartsTest {
 

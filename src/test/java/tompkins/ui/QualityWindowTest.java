@@ -32,6 +32,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
+import tompkins.studio.Studios;
 import tompkins.study.ChartStyle;
 import tompkins.surface.ColouredSurface;
 import tompkins.ui.widget.Look;

@@ -18,7 +18,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
-import tompkins.ui.model.Records;
+import tompkins.property.Descriptions;
+import tompkins.studio.Studios;
 import tompkins.ui.widget.Texts;
 
 /** The format in which a file is saved: the one whose ending is typed, else the chosen one. */
@@ -134,7 +135,7 @@ class SaveDialogTest {
     void aSceneWithoutAFileIsSavedUnderItsTitleWhereTheLastFileWas() {
         String title = "Fig. 1(b): camera at 99.5 % of the speed of light";
         WindowDriver.onEventThread(
-                () -> driver.window().model().open(Records.with(Studios.sphere(), "title", title), null));
+                () -> driver.window().model().open(Descriptions.with(Studios.sphere(), "title", title), null));
         for (String item : List.of("menu.saveScene", "menu.savePhotograph")) {
             driver.menu(item);
             assertThat(driver.chooser().getSelectedFile())

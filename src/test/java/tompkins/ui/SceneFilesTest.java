@@ -25,6 +25,7 @@ import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.sceneobject.Box;
 import tompkins.studio.Studio;
+import tompkins.studio.Studios;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.model.StudioModel;
 

@@ -15,15 +15,16 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.property.Descriptions;
 import tompkins.studio.Studio;
-import tompkins.ui.model.Records;
+import tompkins.studio.Studios;
 
 /** How the panel comes into a window that is there already. */
 @Timeout(300)
 class SideRoomTest {
 
     /** Its remarks take several lines in the panel. */
-    private static final Studio SCENE = Records.with(Studios.sphere(), "remarks", "Look at this. ".repeat(20));
+    private static final Studio SCENE = Descriptions.with(Studios.sphere(), "remarks", "Look at this. ".repeat(20));
 
     @TempDir
     private Path folder;

@@ -9,10 +9,11 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
+import tompkins.property.Descriptions;
 import tompkins.studio.PanoramaBackground;
 import tompkins.studio.Studio;
+import tompkins.studio.Studios;
 import tompkins.trace.RenderPlan;
-import tompkins.ui.model.Records;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.picture.RenderController;
@@ -63,7 +64,7 @@ class StatusBarTest {
 
     @Test
     void aWideApertureThatDoesNotBlurIsSpokenOf() {
-        Studio wide = Studio.DEFAULT.withCamera(Records.with(Studio.DEFAULT.camera(), "apertureRadius", 0.2));
+        Studio wide = Studio.DEFAULT.withCamera(Descriptions.with(Studio.DEFAULT.camera(), "apertureRadius", 0.2));
         status.show(picture(wide));
         assertThat(picture.getText()).endsWith("too few samples to blur");
         status.show(picture(wide.withSettings(wide.settings().withSamples(4))));
@@ -76,7 +77,7 @@ class StatusBarTest {
         assertThat(what.getText()).isEqualTo(Texts.get("status.empty"));
         status.show(picture(Studios.sphere()));
         assertThat(what.getText()).isEqualTo(Texts.get("status.idle"));
-        status.show(picture(Records.with(Studio.DEFAULT, "background", PanoramaBackground.DEFAULT)));
+        status.show(picture(Descriptions.with(Studio.DEFAULT, "background", PanoramaBackground.DEFAULT)));
         assertThat(what.getText()).as("the sky is there to be seen").isEqualTo(Texts.get("status.idle"));
         status.say("something else");
         status.show(picture(Studio.DEFAULT));

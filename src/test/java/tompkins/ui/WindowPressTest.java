@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
+import tompkins.studio.Studios;
 import tompkins.ui.picture.PictureCanvas;
 
 /** What a press of the mouse does while something is half typed, or to what has the focus, in a real window. */

@@ -42,11 +42,12 @@ import tompkins.camera.ThinLensCamera;
 import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
+import tompkins.property.Descriptions;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
+import tompkins.studio.Studios;
 import tompkins.surface.ColouredSurface;
-import tompkins.ui.model.Records;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.Texts;
 
@@ -310,8 +311,8 @@ class WindowQuestionsTest {
         assertThat(isInView(panel, chart)).isFalse();
         WindowDriver.later(driver.find(JToggleButton.class, "Speed and accuracy")::doClick);
         WindowDriver.await("the button", () -> isInView(panel, chart));
-        WindowDriver.onEventThread(
-                () -> driver.window().model().open(Records.with(Studios.sphere(), "remarks", "Look at this."), null));
+        WindowDriver.onEventThread(() ->
+                driver.window().model().open(Descriptions.with(Studios.sphere(), "remarks", "Look at this."), null));
         WindowDriver.await("the remarks", () -> panel.getVerticalScrollBar().getValue() == 0);
     }
 

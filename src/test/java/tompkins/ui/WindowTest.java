@@ -38,6 +38,7 @@ import tompkins.io.StudioWriter;
 import tompkins.render.Renderer;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
+import tompkins.studio.Studios;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.ComparePanel;

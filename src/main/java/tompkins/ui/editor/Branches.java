@@ -5,7 +5,6 @@ import java.lang.reflect.Type;
 import java.util.HashSet;
 import java.util.Set;
 import tompkins.property.Descriptions;
-import tompkins.ui.model.Records;
 
 /**
  * Tells what a tree of the studio shows as branches from what a form shows: branches are lists, and whatever may hold
@@ -24,7 +23,7 @@ final class Branches {
         if (isList(type)) {
             return true;
         }
-        if (!(type instanceof Class<?> plain) || !Records.isDescription(plain) || !asked.add(type)) {
+        if (!(type instanceof Class<?> plain) || !Descriptions.isDescription(plain) || !asked.add(type)) {
             return false;
         }
         return Descriptions.members(plain).stream()

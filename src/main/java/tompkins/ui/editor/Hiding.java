@@ -4,7 +4,7 @@ import java.util.List;
 import tompkins.property.Descriptions;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.SceneObject;
-import tompkins.ui.model.StudioPath;
+import tompkins.studio.StudioPath;
 
 /** Objects that are hidden: the editor shows them as if they were not, so that they can be edited all the same. */
 final class Hiding {

@@ -9,7 +9,6 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import tompkins.property.Descriptions;
-import tompkins.ui.model.Records;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Tips;
@@ -41,8 +40,8 @@ public final class RecordForm {
 
     private void add(RecordComponent component, Consumer<Object> commit) {
         Note note = new Note("");
-        ValueEditor editor =
-                ValueEditors.of(component, note, part -> commit.accept(Records.with(value, component.getName(), part)));
+        ValueEditor editor = ValueEditors.of(
+                component, note, part -> commit.accept(Descriptions.with(value, component.getName(), part)));
         editors.put(component, editor);
         JLabel label = new JLabel(Wording.label(component.getName()));
         label.setToolTipText(Tips.wrapped(Wording.meaning(component)));

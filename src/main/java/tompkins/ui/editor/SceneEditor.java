@@ -18,11 +18,10 @@ import tompkins.camera.ThinLensCamera;
 import tompkins.property.Descriptions;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.SceneObject;
+import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
-import tompkins.ui.model.FrontWindow;
-import tompkins.ui.model.Records;
+import tompkins.studio.StudioPath;
 import tompkins.ui.model.StudioModel;
-import tompkins.ui.model.StudioPath;
 import tompkins.ui.widget.Column;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Keys;
@@ -281,7 +280,7 @@ public final class SceneEditor {
     private static SceneObject renamed(SceneObject object, String name) {
         return object instanceof Hidden hidden
                 ? new Hidden(renamed(hidden.object(), name))
-                : Records.with(object, "description", name);
+                : Descriptions.with(object, "description", name);
     }
 
     private static List<?> inserted(List<?> list, int place, Object element) {

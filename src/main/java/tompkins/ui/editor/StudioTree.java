@@ -16,7 +16,7 @@ import javax.swing.tree.TreeSelectionModel;
 import tompkins.property.Descriptions;
 import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
-import tompkins.ui.model.StudioPath;
+import tompkins.studio.StudioPath;
 import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Updating;

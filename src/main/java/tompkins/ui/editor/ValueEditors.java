@@ -13,13 +13,13 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.joml.Vector3i;
 import org.joml.Vector3ic;
+import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
 import tompkins.ray.PixelPicture;
 import tompkins.spacetime.Velocity;
-import tompkins.ui.model.Records;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
@@ -100,7 +100,7 @@ final class ValueEditors {
         if (type == MeshData.class) {
             return FileContentEditor.mesh(label, tip, note, commit);
         }
-        if (Records.isDescription(type)) {
+        if (Descriptions.isDescription(type)) {
             return new FamilyEditor(type, label, note, commit);
         }
         throw new IllegalArgumentException("no editor for " + component);

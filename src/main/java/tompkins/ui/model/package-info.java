@@ -1,2 +1,2 @@
-/** The studio as the window holds it, with its history, the ways to its parts, and changes that keep parts in step. */
+/** The studio as the window holds it, with its history. */
 package tompkins.ui.model;

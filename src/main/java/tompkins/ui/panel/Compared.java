@@ -4,8 +4,8 @@ import org.joml.Vector3d;
 import tompkins.light.ColourLaw;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
-import tompkins.ui.model.FrontWindow;
 import tompkins.ui.model.Shutters;
 import tompkins.ui.picture.Comparison;
 

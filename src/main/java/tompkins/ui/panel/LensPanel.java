@@ -7,10 +7,10 @@ import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.property.Descriptions;
 import tompkins.property.NumberText;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
-import tompkins.ui.model.Records;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.widget.Naming;
@@ -85,7 +85,7 @@ public final class LensPanel {
     }
 
     private Studio camera(String property, double value) {
-        return model.studio().withCamera(Records.with(model.studio().camera(), property, value));
+        return model.studio().withCamera(Descriptions.with(model.studio().camera(), property, value));
     }
 
     private Range apertures() {

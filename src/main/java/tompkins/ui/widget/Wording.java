@@ -2,11 +2,11 @@ package tompkins.ui.widget;
 
 import java.lang.reflect.RecordComponent;
 import java.util.Locale;
+import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.SceneObject;
-import tompkins.ui.model.Records;
 
 /** What the window calls types and properties: their names in words, and their meanings as tooltips. */
 public final class Wording {
@@ -54,7 +54,7 @@ public final class Wording {
 
     /** The meaning of a component, found by its name. */
     public static String meaning(Class<?> type, String component) {
-        return meaning(Records.component(type, component));
+        return meaning(Descriptions.component(type, component));
     }
 
     /** What is wrong with a value: the name of the property as the window calls it, what is allowed, and the value. */

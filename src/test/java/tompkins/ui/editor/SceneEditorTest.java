@@ -29,14 +29,13 @@ import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
+import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
+import tompkins.studio.StudioPath;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.LorentzWindow;
 import tompkins.ui.Components;
-import tompkins.ui.model.FrontWindow;
-import tompkins.ui.model.Records;
 import tompkins.ui.model.StudioModel;
-import tompkins.ui.model.StudioPath;
 import tompkins.ui.widget.Look;
 
 class SceneEditorTest {
@@ -57,8 +56,8 @@ class SceneEditorTest {
     @Test
     void namesOfAForeignSceneAreShownAsTheyStand() {
         String name = "<html><img src='http://127.0.0.1/picture.png'>";
-        model.set(Records.with(model.studio(), "title", name)
-                .withScene(List.of(Records.with(Sphere.DEFAULT, "description", name))));
+        model.set(Descriptions.with(model.studio(), "title", name)
+                .withScene(List.of(Descriptions.with(Sphere.DEFAULT, "description", name))));
         int shown = 0;
         for (int row = 0; row < tree.getRowCount(); row++) {
             Object line = tree.getPathForRow(row).getLastPathComponent();
@@ -124,7 +123,7 @@ class SceneEditorTest {
 
     @Test
     void whatDoesNotGoTogetherInAnotherTypeIsAsUsualThere() {
-        PanoramicCamera there = Records.with(PanoramicCamera.DEFAULT, "position", new Vector3d(0, 0, 10));
+        PanoramicCamera there = Descriptions.with(PanoramicCamera.DEFAULT, "position", new Vector3d(0, 0, 10));
         model.set(model.studio().withCamera(there));
         choose("Camera");
         Components.find(panel, JComboBox.class, "Camera").setSelectedItem(ThinLensCamera.class);
@@ -203,7 +202,7 @@ class SceneEditorTest {
         choose("Scene");
         choose("sphere");
         press("Duplicate");
-        Sphere copy = Records.with(Sphere.DEFAULT, "description", "sphere 2");
+        Sphere copy = Descriptions.with(Sphere.DEFAULT, "description", "sphere 2");
         assertThat(model.studio().scene()).hasSize(3).element(1).isEqualTo(copy);
         press("Down");
         assertThat(model.studio().scene()).element(2).isEqualTo(copy);
@@ -276,7 +275,7 @@ class SceneEditorTest {
         choose("sphere");
         press("Hide");
         Components.enter(panel, "Radius", "0.25");
-        Sphere smaller = Records.with(Sphere.DEFAULT, "radius", 0.25);
+        Sphere smaller = Descriptions.with(Sphere.DEFAULT, "radius", 0.25);
         assertThat(model.studio().scene()).first().isEqualTo(new Hidden(smaller));
         assertThat(Components.find(panel, JComboBox.class, "sphere").getSelectedItem())
                 .isEqualTo(Sphere.class);

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
-import tompkins.ui.Studios;
+import tompkins.studio.Studios;
 
 class AnimationTest {
 

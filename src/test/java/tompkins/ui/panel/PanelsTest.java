@@ -45,16 +45,15 @@ import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
+import tompkins.studio.Studios;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.GalileoWindow;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.Surface;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.Components;
-import tompkins.ui.Studios;
-import tompkins.ui.model.FrontWindow;
-import tompkins.ui.model.Records;
 import tompkins.ui.model.Shutters;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Comparison;
@@ -134,15 +133,15 @@ class PanelsTest {
     @Test
     void aWiderFieldOfViewKeepsTheProportions() {
         Container panel = (Container) new LensPanel(model, picking -> {}).component();
-        ThinLensCamera camera = Records.with(ThinLensCamera.DEFAULT, "horizontalAngleDegrees", 90.0);
-        model.set(model.studio().withCamera(Records.with(camera, "verticalAngleDegrees", 60.0)));
+        ThinLensCamera camera = Descriptions.with(ThinLensCamera.DEFAULT, "horizontalAngleDegrees", 90.0);
+        model.set(model.studio().withCamera(Descriptions.with(camera, "verticalAngleDegrees", 60.0)));
         Components.enter(panel, "Field of view (\u00b0)", "120");
         ThinLensCamera wider = (ThinLensCamera) model.studio().camera();
         assertThat(wider.horizontalAngleDegrees()).isEqualTo(120);
         // tan 45 : tan 30 = tan 60 : 1
         assertThat(wider.verticalAngleDegrees()).isCloseTo(90, within(1e-9));
         Components.enter(panel, "Field of view (\u00b0)", "90");
-        assertThat(model.studio().camera()).isEqualTo(Records.with(camera, "verticalAngleDegrees", 60.0));
+        assertThat(model.studio().camera()).isEqualTo(Descriptions.with(camera, "verticalAngleDegrees", 60.0));
 
         model.set(model.studio().withCamera(PanoramicCamera.DEFAULT));
         Components.enter(panel, "Field of view (\u00b0)", "90");
@@ -275,7 +274,7 @@ class PanelsTest {
     @CsvSource({"Forwards, 1, 0", "Backwards, -1, 0", "Sideways, 0, -1"})
     void theCameraMovesAsItLooks(String button, double x, double z) {
         Studio studio = model.studio().withVelocity(Velocity.of(0, 0, 0.5));
-        model.set(studio.withCamera(Records.with(studio.camera(), "viewDirection", new Vector3d(2, 0, 0))));
+        model.set(studio.withCamera(Descriptions.with(studio.camera(), "viewDirection", new Vector3d(2, 0, 0))));
         Container panel = (Container) new VelocityPanel(model).component();
         Components.find(panel, JButton.class, button).doClick();
         assertThat(velocity().direction()).isEqualTo(new Vector3d(x, 0, z));
@@ -458,7 +457,7 @@ class PanelsTest {
     void withoutAFocusInTheMiddleNoneIsShown() {
         Container panel = (Container) new LensPanel(model, picking -> {}).component();
         Sphere beside = new Sphere("focus", new Vector3d(5, 0, 10), 1, ColouredSurface.DEFAULT);
-        model.set(model.studio().withCamera(Records.with(model.studio().camera(), "focus", beside)));
+        model.set(model.studio().withCamera(Descriptions.with(model.studio().camera(), "focus", beside)));
         JTextField focus = Components.find(panel, JTextField.class, "Focus");
         assertThat(focus.getText()).isEqualTo("none");
         Components.press(focus, "UP");
@@ -466,7 +465,7 @@ class PanelsTest {
         Components.enter(panel, "Focus", "4");
         assertThat(model.studio().camera().focusDistance()).isEqualTo(4);
         Plane along = new Plane("focus", new Vector3d(1, 0, 0), new Vector3d(1, 0, 0), ColouredSurface.DEFAULT);
-        model.set(model.studio().withCamera(Records.with(model.studio().camera(), "focus", along)));
+        model.set(model.studio().withCamera(Descriptions.with(model.studio().camera(), "focus", along)));
         assertThat(focus.getText()).isEqualTo("\u221e");
     }
 
@@ -474,7 +473,7 @@ class PanelsTest {
     void aWideApertureWithOneSampleSaysThatNothingIsBlurred() {
         LensPanel lens = new LensPanel(model, picking -> {});
         Container panel = (Container) lens.component();
-        Studio wide = model.studio().withCamera(Records.with(model.studio().camera(), "apertureRadius", 0.2));
+        Studio wide = model.studio().withCamera(Descriptions.with(model.studio().camera(), "apertureRadius", 0.2));
         lens.show(picture(wide));
         assertThat(Components.notes(panel)).containsExactly(Texts.get("lens.oneSample"));
         lens.show(picture(wide.withSettings(wide.settings().withTargetError(0.01))));
@@ -528,7 +527,7 @@ class PanelsTest {
 
     private Velocity windowVelocity() {
         Surface window = FrontWindow.of(model.studio()).orElseThrow();
-        return (Velocity) Descriptions.value(Records.component(window.getClass(), "velocity"), window);
+        return (Velocity) Descriptions.value(Descriptions.component(window.getClass(), "velocity"), window);
     }
 
     @Test
@@ -561,7 +560,7 @@ class PanelsTest {
         assertThat(compared.view()).isEqualTo(Comparison.NONE);
         compareWith(panel, ComparePanel.Other.AT_REST);
         assertThat(compared.studio(now)).isEqualTo(now.withVelocity(Velocity.REST));
-        LorentzWindow matching = Records.with(LorentzWindow.DEFAULT, "velocity", now.velocity());
+        LorentzWindow matching = Descriptions.with(LorentzWindow.DEFAULT, "velocity", now.velocity());
         assertThat(FrontWindow.matches(compared.studio(FrontWindow.with(now, matching))))
                 .as("a camera at rest sees through its window what is there")
                 .isTrue();

@@ -17,15 +17,15 @@ import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
+import tompkins.studio.Studios;
 import tompkins.surface.Clear;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.Refractive;
 import tompkins.surface.Tiling;
 import tompkins.trace.RenderPlan;
-import tompkins.ui.Studios;
-import tompkins.ui.model.FrontWindow;
 
 /** What the probe says is held against closed formulas: aberration, the light cone, Doppler's factor. */
 class PixelProbeTest {

@@ -11,11 +11,11 @@ import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Plane;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
+import tompkins.studio.Studios;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.Mirror;
 import tompkins.surface.Refractive;
 import tompkins.trace.RenderPlan;
-import tompkins.ui.Studios;
 
 /** The numbers are closed formulas, the order is that of the ray. */
 class RayStoryTest {

@@ -21,9 +21,9 @@ import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
+import tompkins.studio.Studios;
 import tompkins.surface.Mirror;
 import tompkins.trace.RenderPlan;
-import tompkins.ui.Studios;
 
 @Timeout(120)
 class RenderControllerTest {

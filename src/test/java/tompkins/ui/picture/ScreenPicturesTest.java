@@ -13,8 +13,8 @@ import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
 import tompkins.render.Renderer;
+import tompkins.studio.Studios;
 import tompkins.trace.RenderPlan;
-import tompkins.ui.Studios;
 
 class ScreenPicturesTest {
 

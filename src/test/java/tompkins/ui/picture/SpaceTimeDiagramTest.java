@@ -12,11 +12,11 @@ import tompkins.sceneobject.Plane;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
+import tompkins.studio.Studios;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.Mirror;
 import tompkins.trace.Frame;
 import tompkins.trace.RenderPlan;
-import tompkins.ui.Studios;
 
 /** The expected places are closed formulas of the Lorentz transformation with beta = 0.8, gamma = 5/3. */
 class SpaceTimeDiagramTest {

@@ -9,13 +9,13 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.property.Descriptions;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.RenderSettings;
+import tompkins.studio.Studios;
 import tompkins.ui.Components;
-import tompkins.ui.Studios;
 import tompkins.ui.editor.RecordForm;
-import tompkins.ui.model.Records;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.LensPanel;
 
@@ -60,11 +60,11 @@ class NumberFieldTest {
         double[] radius = {0};
         RecordForm sphere =
                 new RecordForm(Sphere.class, component -> true, changed -> radius[0] = ((Sphere) changed).radius());
-        sphere.show(Records.with(Sphere.DEFAULT, "radius", 4.0));
+        sphere.show(Descriptions.with(Sphere.DEFAULT, "radius", 4.0));
         JTextField field = Components.find((Container) sphere.component(), JTextField.class, "Radius");
         Components.press(field, "UP");
         assertThat(radius[0]).isEqualTo(4.01);
-        sphere.show(Records.with(Sphere.DEFAULT, "radius", 123456.0));
+        sphere.show(Descriptions.with(Sphere.DEFAULT, "radius", 123456.0));
         Components.press(field, "shift DOWN");
         assertThat(radius[0]).isEqualTo(113456);
     }
@@ -156,7 +156,7 @@ class NumberFieldTest {
         RecordForm points = new RecordForm(
                 CylinderLattice.class, component -> true, changed -> lattice[0] = (CylinderLattice) changed);
         Container fields = (Container) points.component();
-        points.show(Records.with(lattice[0], "points", new Vector3i(2, 3, 4)));
+        points.show(Descriptions.with(lattice[0], "points", new Vector3i(2, 3, 4)));
         Components.press(Components.find(fields, JTextField.class, "Points y"), "UP");
         assertThat(lattice[0].points()).isEqualTo(new Vector3i(2, 4, 4));
         JTextField z = Components.enter(fields, "Points z", "2.5");

@@ -1,4 +1,4 @@
-package tompkins.ui.model;
+package tompkins.studio;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -10,7 +10,6 @@ import tompkins.sceneobject.Group;
 import tompkins.sceneobject.ImagePointGrid;
 import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.SceneObject;
-import tompkins.studio.Studio;
 
 /**
  * The way to a part of a studio: names of components, places in lists, and x, y, z in vectors.
@@ -137,7 +136,7 @@ public record StudioPath(List<Object> steps) {
         if (part instanceof Vector3dc vector) {
             return vector.get(AXES.indexOf((String) step));
         }
-        return Descriptions.value(Records.component(part.getClass(), (String) step), part);
+        return Descriptions.value(Descriptions.component(part.getClass(), (String) step), part);
     }
 
     /**
@@ -165,6 +164,6 @@ public record StudioPath(List<Object> steps) {
         if (whole instanceof Vector3dc vector) {
             return new Vector3d(vector).setComponent(AXES.indexOf((String) step), (Double) changed);
         }
-        return Records.with(whole, (String) step, changed);
+        return Descriptions.with(whole, (String) step, changed);
     }
 }

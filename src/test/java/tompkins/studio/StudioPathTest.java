@@ -1,10 +1,11 @@
-package tompkins.ui.model;
+package tompkins.studio;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import tompkins.camera.PanoramicCamera;
+import tompkins.property.Descriptions;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.ImagePointGrid;
@@ -12,13 +13,12 @@ import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
-import tompkins.studio.Studio;
 
 /** Where the parts of a studio are after it has changed. */
 class StudioPathTest {
 
     private static final SceneObject PAIR = new Group("pair", List.of(Box.DEFAULT, Sphere.DEFAULT));
-    private static final SceneObject BALL = Records.with(Sphere.DEFAULT, "description", "ball");
+    private static final SceneObject BALL = Descriptions.with(Sphere.DEFAULT, "description", "ball");
     private static final Studio BEFORE = Studio.DEFAULT.withScene(List.of(Plane.DEFAULT, PAIR, BALL));
     private static final StudioPath SCENE = StudioPath.ROOT.then("scene");
 
@@ -39,7 +39,7 @@ class StudioPathTest {
 
     @Test
     void aPartThatChangedKeepsItsPlace() {
-        assertThat(followed(SCENE.then(2), Plane.DEFAULT, PAIR, Records.with(BALL, "radius", 3.0)))
+        assertThat(followed(SCENE.then(2), Plane.DEFAULT, PAIR, Descriptions.with(BALL, "radius", 3.0)))
                 .isEqualTo(SCENE.then(2));
     }
 
@@ -56,14 +56,14 @@ class StudioPathTest {
     /** Its equal is another object; what is hidden is not in the picture, and so on no ray's way. */
     @Test
     void theWayToAnObjectIsFoundWhateverItIsPartOf() {
-        Sphere wanted = Records.with(Sphere.DEFAULT, "radius", 0.25);
-        Sphere equal = Records.with(Sphere.DEFAULT, "radius", 0.25);
+        Sphere wanted = Descriptions.with(Sphere.DEFAULT, "radius", 0.25);
+        Sphere equal = Descriptions.with(Sphere.DEFAULT, "radius", 0.25);
         assertThat(equal).isEqualTo(wanted);
-        Placed placed = Records.with(Placed.DEFAULT, "object", new Group("inner", List.of(BALL, wanted)));
+        Placed placed = Descriptions.with(Placed.DEFAULT, "object", new Group("inner", List.of(BALL, wanted)));
         Studio studio = BEFORE.withScene(List.of(equal, new Group("outer", List.of(PAIR, placed))));
         StudioPath inner = SCENE.then(1).then("objects").then(1).then("object");
         assertThat(StudioPath.to(studio, wanted)).contains(inner.then("objects").then(1));
-        ImagePointGrid grid = Records.with(ImagePointGrid.DEFAULT, "object", wanted);
+        ImagePointGrid grid = Descriptions.with(ImagePointGrid.DEFAULT, "object", wanted);
         assertThat(StudioPath.to(BEFORE.withCameraFrame(List.of(BALL, grid)), wanted))
                 .contains(StudioPath.ROOT.then("cameraFrame").then(1).then("object"));
         assertThat(StudioPath.to(BEFORE.withScene(List.of(equal)), wanted)).isEmpty();

@@ -1,4 +1,4 @@
-package tompkins.ui.model;
+package tompkins.studio;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -8,16 +8,15 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import tompkins.camera.Camera;
 import tompkins.image.LinearImage;
+import tompkins.property.Descriptions;
 import tompkins.render.Renderer;
 import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Velocity;
-import tompkins.studio.Studio;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.WindowAxes;
 import tompkins.trace.RenderPlan;
-import tompkins.ui.Studios;
 
 class FrontWindowTest {
 
@@ -53,13 +52,14 @@ class FrontWindowTest {
 
     @Test
     void aWindowOfAnyShapeIsOne() {
-        Parallelogram sheet = Records.with(Parallelogram.DEFAULT, "surface", CLEAR);
+        Parallelogram sheet = Descriptions.with(Parallelogram.DEFAULT, "surface", CLEAR);
         Studio studio = Studios.sphere().withVelocity(FAST).withCameraFrame(List.of(Sphere.DEFAULT, sheet));
         assertThat(FrontWindow.of(studio)).contains(CLEAR);
         Velocity slow = Velocity.of(0, 0, 0.1);
         assertThat(FrontWindow.withVelocity(studio, slow).cameraFrame())
                 .containsExactly(
-                        Sphere.DEFAULT, Records.with(sheet, "surface", new LorentzWindow(slow, WindowAxes.FRAME, 1)));
+                        Sphere.DEFAULT,
+                        Descriptions.with(sheet, "surface", new LorentzWindow(slow, WindowAxes.FRAME, 1)));
         assertThat(FrontWindow.with(studio, null).cameraFrame()).containsExactly(Sphere.DEFAULT);
     }
 
@@ -99,8 +99,8 @@ class FrontWindowTest {
     @Test
     void theWindowGoesWhereTheLensIs() {
         Studio studio = Studios.sphere();
-        Camera camera = Records.with(studio.camera(), "position", new Vector3d(1, 2, 3));
-        Camera far = Records.with(camera, "viewDirection", new Vector3d(1e200, 0, 0));
+        Camera camera = Descriptions.with(studio.camera(), "position", new Vector3d(1, 2, 3));
+        Camera far = Descriptions.with(camera, "viewDirection", new Vector3d(1e200, 0, 0));
         assertThat(FrontWindow.with(studio.withCamera(far), CLEAR).cameraFrame())
                 .containsExactly(
                         new Plane(FrontWindow.DESCRIPTION, new Vector3d(1.01, 2, 3), new Vector3d(1, 0, 0), CLEAR));

@@ -1,4 +1,4 @@
-package tompkins.ui.file;
+package tompkins.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -6,12 +6,10 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.image.LinearImage;
-import tompkins.render.Quality;
-import tompkins.render.Renderer;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
+import tompkins.studio.Studios;
 import tompkins.trace.RenderPlan;
-import tompkins.ui.Studios;
 
 class PhotographTakerTest {
 

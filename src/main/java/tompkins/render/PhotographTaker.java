@@ -1,11 +1,7 @@
-package tompkins.ui.file;
+package tompkins.render;
 
 import java.util.concurrent.CancellationException;
 import tompkins.image.LinearImage;
-import tompkins.render.Quality;
-import tompkins.render.RenderJob;
-import tompkins.render.RenderListener;
-import tompkins.render.Renderer;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 

@@ -1,14 +1,13 @@
-package tompkins.ui;
+package tompkins.studio;
 
 import java.util.List;
 import tompkins.camera.ThinLensCamera;
+import tompkins.property.Descriptions;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Velocity;
-import tompkins.studio.Studio;
-import tompkins.ui.model.Records;
 
-/** Studios for the tests of the window. */
+/** Studios for tests. */
 public final class Studios {
 
     private Studios() {}
@@ -28,7 +27,7 @@ public final class Studios {
     /** A picture that would take minutes. */
     public static Studio slow() {
         Studio lattice = lattice();
-        return lattice.withCamera(Records.with(ThinLensCamera.DEFAULT, "apertureRadius", 0.1))
+        return lattice.withCamera(Descriptions.with(ThinLensCamera.DEFAULT, "apertureRadius", 0.1))
                 .withSettings(lattice.settings().withSize(1600, 1200).withSamples(4096));
     }
 }

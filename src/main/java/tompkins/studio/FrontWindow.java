@@ -1,4 +1,4 @@
-package tompkins.ui.model;
+package tompkins.studio;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -10,7 +10,6 @@ import tompkins.property.Descriptions;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.Velocity;
-import tompkins.studio.Studio;
 import tompkins.surface.GalileoWindow;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.Surface;
@@ -57,7 +56,7 @@ public final class FrontWindow {
             if (!first) {
                 objects.add(object);
             } else if (surface != null) {
-                objects.add(Records.with(object, SURFACE, surface));
+                objects.add(Descriptions.with(object, SURFACE, surface));
             }
         }
         if (!found && surface != null) {
@@ -78,7 +77,7 @@ public final class FrontWindow {
 
     /** The window with another velocity. */
     public static Surface withVelocity(Surface window, Velocity velocity) {
-        return Records.with(window, "velocity", velocity);
+        return Descriptions.with(window, "velocity", velocity);
     }
 
     /** Whether the window has the velocity of the camera. */

@@ -1,4 +1,4 @@
-package tompkins.ui.file;
+package tompkins.render;
 
 import java.util.concurrent.CancellationException;
 
