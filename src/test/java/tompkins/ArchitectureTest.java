@@ -62,6 +62,7 @@ class ArchitectureTest {
             "trace",
             "render",
             "io",
+            "animation",
             "study",
             "ui",
             "app");

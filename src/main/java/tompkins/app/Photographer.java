@@ -134,7 +134,8 @@ final class Photographer {
         }
     }
 
-    private static PhotographInfo info(Studio studio, Path scene) {
+    /** What a photograph says about itself; a scene that is too long for it is a mistake. */
+    static PhotographInfo info(Studio studio, Path scene) {
         try {
             return SelfDescription.of(studio);
         } catch (InvalidPropertyException tooLong) {

@@ -2,12 +2,14 @@ package tompkins.app;
 
 import java.io.PrintWriter;
 import java.util.Locale;
+import java.util.function.Supplier;
+import tompkins.render.Progress;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderListener;
 import tompkins.render.Tile;
 
-/** One line on a terminal that says how far a render is, how fast, and how long it still takes. */
-final class ProgressLine implements RenderListener {
+/** One line on a terminal that says how far a picture or an animation is, and how long it still takes. */
+final class ProgressLine implements RenderListener, Progress {
 
     private static final long INTERVAL_NANOS = 200_000_000;
 
@@ -21,19 +23,32 @@ final class ProgressLine implements RenderListener {
 
     @Override
     public synchronized void tileDone(RenderJob job, Tile tile) {
+        show(
+                job.progress(),
+                () -> String.format(Locale.ROOT, "%.2f million camera rays/s   ", job.samples() / seconds() / 1e6));
+    }
+
+    @Override
+    public synchronized void setProgress(double share) {
+        show(share, () -> "");
+    }
+
+    @Override
+    public boolean isCancelled() {
+        return false;
+    }
+
+    private void show(double progress, Supplier<String> speed) {
         long now = System.nanoTime();
-        if (!line.watched() || now - last < INTERVAL_NANOS) {
-            return;
+        if (line.watched() && now - last >= INTERVAL_NANOS) {
+            last = now;
+            double left = seconds() * (1 - progress) / Math.max(progress, 1e-9);
+            line.show(String.format(Locale.ROOT, "%3.0f %%   %s%.0f s left", 100 * progress, speed.get(), left));
         }
-        last = now;
-        double progress = job.progress();
-        double seconds = (now - start) / 1e9;
-        line.show(String.format(
-                Locale.ROOT,
-                "%3.0f %%   %.2f million camera rays/s   %.0f s left",
-                100 * progress,
-                job.samples() / seconds / 1e6,
-                seconds * (1 - progress) / Math.max(progress, 1e-9)));
+    }
+
+    private double seconds() {
+        return (System.nanoTime() - start) / 1e9;
     }
 
     /** Takes the line away. */

@@ -17,6 +17,7 @@ import tompkins.property.Require;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.FrontWindow;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 
@@ -33,7 +34,7 @@ final class StudioOptions {
                 names = "--beta",
                 paramLabel = "B|X,Y,Z",
                 description = "speed of the camera in units of c, which keeps its direction, along z if the scene gives"
-                        + " none; or its velocity")
+                        + " none; or its velocity; a Lorentz window in front of the lens that has the same keeps it")
         private String beta;
 
         @Option(
@@ -98,7 +99,8 @@ final class StudioOptions {
             return MistakeException.inOption(
                     "--beta",
                     fasterSpeeds,
-                    () -> studio.withVelocity(
+                    () -> FrontWindow.withVelocity(
+                            studio,
                             beta.length == 1
                                     ? Velocity.of(SpeedScale.BETA, beta[0], direction)
                                     : Velocity.of(new Vector3d(beta))));
@@ -106,7 +108,7 @@ final class StudioOptions {
         if (motion.gamma != null) {
             double gamma = MistakeException.inOption(
                     "--gamma", () -> Require.within("gamma", motion.gamma, 1, Velocity.LARGEST_GAMMA));
-            return studio.withVelocity(Velocity.of(SpeedScale.GAMMA, gamma, direction));
+            return FrontWindow.withVelocity(studio, Velocity.of(SpeedScale.GAMMA, gamma, direction));
         }
         return studio;
     }

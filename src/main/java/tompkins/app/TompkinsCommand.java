@@ -39,6 +39,7 @@ final class TompkinsCommand implements Callable<Integer> {
 
     static {
         COMMANDS.put("render", RenderCommand.class);
+        COMMANDS.put("animate", AnimateCommand.class);
         COMMANDS.put("check", CheckCommand.class);
         COMMANDS.put("explain", ExplainCommand.class);
         COMMANDS.put("trace", TraceCommand.class);

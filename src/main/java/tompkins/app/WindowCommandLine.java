@@ -12,6 +12,7 @@ import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.FrontWindow;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.ui.CommandLineWriter;
@@ -118,7 +119,7 @@ final class WindowCommandLine implements CommandLineWriter {
         Shutter now = studio.camera().shutter();
         Shutter start = withoutTime(now, opened.camera().shutter());
         RenderSettings settings = studio.settings();
-        Studio said = opened.withVelocity(studio.velocity())
+        Studio said = FrontWindow.withVelocity(opened, studio.velocity())
                 .withColours(studio.colours())
                 .withCamera(opened.camera().withShutter(start.openedAt(now.openingTime())))
                 .withSettings(opened.settings()

@@ -3,6 +3,8 @@ package tompkins.image;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** The formats in which animations are saved. They play for ever, where the format can say so. */
 public enum AnimationFormat {
@@ -35,6 +37,28 @@ public enum AnimationFormat {
     /** The endings that the name of a file in this format may have; none for a folder. */
     public List<String> endings() {
         return endings;
+    }
+
+    /**
+     * The format for a name: that of its ending, and numbered pictures for a name without one.
+     *
+     * @throws FileException if the ending is that of no animation
+     */
+    public static AnimationFormat of(Path target) throws FileException {
+        for (AnimationFormat format : values()) {
+            if (FileEndings.match(target, format.endings)) {
+                return format;
+            }
+        }
+        Path name = target.getFileName();
+        if (name != null && name.toString().lastIndexOf('.') > 0) {
+            String known = Stream.of(values())
+                    .flatMap(format -> format.endings.stream())
+                    .collect(Collectors.joining(", "));
+            throw new FileException(target + ": the name of an animation must end in one of " + known
+                    + ", or have no ending, for a folder of numbered PNG pictures");
+        }
+        return NUMBERED_PNG;
     }
 
     /**

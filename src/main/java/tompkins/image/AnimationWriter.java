@@ -33,6 +33,22 @@ public abstract sealed class AnimationWriter implements Closeable
     }
 
     /**
+     * Adds a photograph as a frame. All frames have the size of the first.
+     *
+     * @param curve how its light becomes colours
+     * @param caption what is written into its lower left corner; nothing if it is empty
+     * @param info as in {@link #add(BufferedImage, PhotographInfo)}, which also says what is thrown
+     */
+    public final void add(LinearImage photograph, ToneCurve curve, String caption, PhotographInfo info)
+            throws FileException {
+        BufferedImage frame = BufferedImages.toBufferedImage(photograph, curve);
+        if (!caption.isEmpty()) {
+            PictureLabel.paint(frame, caption);
+        }
+        add(frame, info);
+    }
+
+    /**
      * Adds a frame. All frames have the size of the first.
      *
      * @param frame as a screen shows it, of type {@link BufferedImage#TYPE_INT_RGB}

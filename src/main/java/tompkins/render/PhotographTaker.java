@@ -1,11 +1,10 @@
 package tompkins.render;
 
 import java.util.concurrent.CancellationException;
-import tompkins.image.LinearImage;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
-/** Takes complete photographs for files, apart from the one on the screen. */
+/** Takes complete photographs for files, one after the other. */
 public final class PhotographTaker implements AutoCloseable {
 
     private static final int POLL_MILLISECONDS = 20;
@@ -14,13 +13,14 @@ public final class PhotographTaker implements AutoCloseable {
     private RenderPlan plan;
 
     /**
-     * Takes a photograph and waits for it.
+     * Takes a photograph, as good as the studio says, and waits for it.
      *
      * @param done the share of the task that was done before
      * @param share the share of the task that the photograph is
+     * @return the job that is done
      * @throws CancellationException if the task is cancelled
      */
-    public LinearImage take(Studio studio, Progress progress, double done, double share) throws InterruptedException {
+    public RenderJob take(Studio studio, Progress progress, double done, double share) throws InterruptedException {
         // from moment to moment of an animation the scene often stays
         plan = RenderPlan.of(studio, plan);
         RenderJob job = renderer.start(plan, Quality.of(studio), RenderListener.NONE);
@@ -33,7 +33,7 @@ public final class PhotographTaker implements AutoCloseable {
             Thread.sleep(POLL_MILLISECONDS);
         }
         job.await();
-        return job.image();
+        return job;
     }
 
     @Override

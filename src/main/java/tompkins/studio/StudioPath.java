@@ -1,8 +1,12 @@
 package tompkins.studio;
 
+import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.property.Descriptions;
@@ -10,15 +14,24 @@ import tompkins.sceneobject.Group;
 import tompkins.sceneobject.ImagePointGrid;
 import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.SceneObject;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.Velocity;
 
 /**
- * The way to a part of a studio: names of components, places in lists, and x, y, z in vectors.
+ * The way to a part of a studio: names of components, places in lists, x, y, z in vectors, and in velocities the speed
+ * on a {@link SpeedScale} by its {@link SpeedScale#key}.
  *
  * @param steps names (String) and places (Integer), from the studio to the part
  */
 public record StudioPath(List<Object> steps) {
 
     private static final String AXES = "xyz";
+
+    /** A name, and places in its list and in the lists of that. */
+    private static final String NAME = "[A-Za-z]+(\\[[0-9]{1,9}\\])*";
+
+    private static final Pattern PATH = Pattern.compile(NAME + "(\\." + NAME + ")*");
+    private static final Pattern STEP = Pattern.compile("([A-Za-z]+)|\\[([0-9]+)\\]");
 
     /** The studio itself. */
     public static final StudioPath ROOT = new StudioPath(List.of());
@@ -59,6 +72,32 @@ public record StudioPath(List<Object> steps) {
         return part instanceof ImagePointGrid grid
                 ? then(step).toPart("object", grid.object(), wanted)
                 : Optional.empty();
+    }
+
+    /**
+     * The way that a text writes as messages do, such as {@code scene[0].centre.x}; empty if it writes none. It need
+     * not lead to anything.
+     */
+    public static Optional<StudioPath> parse(String text) {
+        if (!PATH.matcher(text).matches()) {
+            return Optional.empty();
+        }
+        return Optional.of(new StudioPath(
+                STEP.matcher(text).results().map(StudioPath::parsed).toList()));
+    }
+
+    private static Object parsed(MatchResult step) {
+        return step.group(1) == null ? Integer.valueOf(step.group(2)) : step.group(1);
+    }
+
+    /** The way as messages write it, such as {@code scene[0].centre.x}. */
+    @Override
+    public String toString() {
+        StringBuilder text = new StringBuilder();
+        for (Object step : steps) {
+            text.append(step instanceof Integer ? "[" + step + "]" : (text.isEmpty() ? "" : ".") + step);
+        }
+        return text.toString();
     }
 
     /** The way to a part of this part. */
@@ -120,6 +159,42 @@ public record StudioPath(List<Object> steps) {
         return Math.max(0, Math.min(neighbour, now.size() - 1));
     }
 
+    /** The steps that lead on from a part: names, or {@code [0] to [4]} in a list; none if it has no parts. */
+    public static List<String> stepsFrom(Object part) {
+        if (part instanceof List<?> list) {
+            return list.isEmpty()
+                    ? List.of()
+                    : List.of(list.size() == 1 ? "[0]" : "[0] to [" + (list.size() - 1) + "]");
+        }
+        if (part instanceof Vector3dc) {
+            return List.of(AXES.split(""));
+        }
+        if (part instanceof Velocity) {
+            return Stream.of(SpeedScale.values()).map(SpeedScale::key).toList();
+        }
+        return part instanceof Record
+                ? Descriptions.components(part.getClass()).stream()
+                        .map(RecordComponent::getName)
+                        .toList()
+                : List.of();
+    }
+
+    /** How many steps of this way exist in a whole; all of them, if it leads to a part. */
+    public int length(Object whole) {
+        Object part = whole;
+        for (int i = 0; i < steps.size(); i++) {
+            Object step = steps.get(i);
+            boolean exists = part instanceof List<?> list
+                    ? step instanceof Integer place && place < list.size()
+                    : stepsFrom(part).contains(step);
+            if (!exists) {
+                return i;
+            }
+            part = step(part, step);
+        }
+        return steps.size();
+    }
+
     /** The part of a whole. */
     public Object get(Object whole) {
         Object part = whole;
@@ -136,7 +211,17 @@ public record StudioPath(List<Object> steps) {
         if (part instanceof Vector3dc vector) {
             return vector.get(AXES.indexOf((String) step));
         }
+        if (part instanceof Velocity velocity) {
+            return scale(step).valueOf(velocity);
+        }
         return Descriptions.value(Descriptions.component(part.getClass(), (String) step), part);
+    }
+
+    private static SpeedScale scale(Object key) {
+        return Stream.of(SpeedScale.values())
+                .filter(scale -> scale.key().equals(key))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("there is no speed scale " + key));
     }
 
     /**
@@ -163,6 +248,9 @@ public record StudioPath(List<Object> steps) {
         }
         if (whole instanceof Vector3dc vector) {
             return new Vector3d(vector).setComponent(AXES.indexOf((String) step), (Double) changed);
+        }
+        if (whole instanceof Velocity velocity) {
+            return Velocity.of(scale(step), (Double) changed, velocity.givenDirection());
         }
         return Descriptions.with(whole, (String) step, changed);
     }

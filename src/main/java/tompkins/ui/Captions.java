@@ -14,7 +14,7 @@ import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Wording;
 
 /** What pictures say about themselves: how fast the camera is, by which laws, and the number that is animated. */
-final class Captions {
+public final class Captions {
 
     private static final String SETTING = "caption";
 
@@ -57,10 +57,10 @@ final class Captions {
     }
 
     /** The caption of a picture with a number besides its speed, or with none if it is null. */
-    static String of(Studio studio, NumberProperty number) {
+    public static String of(Studio studio, NumberProperty number) {
         List<String> words = new ArrayList<>();
         words.add(motion(studio));
-        if (number != null && !number.isSpeed()) {
+        if (number != null && !number.number().isSpeed()) {
             words.add(Texts.get("caption.number", number.name(), number.text().apply(studio)));
         }
         return String.join(", ", words);

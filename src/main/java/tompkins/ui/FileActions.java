@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
@@ -299,11 +300,12 @@ final class FileActions implements FileContentEditor.Choosers {
         status.report(Texts.get(refused ? "file.savedWithout" : "file.saved", file));
     }
 
-    /** A file was saved that cannot be opened again. */
-    void exported(Path file) {
+    /** A file was saved that cannot be opened again; tells of it, and what the user should know about it. */
+    void exported(Path file, List<String> warnings) {
         used(file);
+        String saved = Texts.get("file.saved", file);
         // it may have taken so long that nobody looks
-        status.say(Texts.get("file.saved", file));
+        status.say(Stream.concat(Stream.of(saved), warnings.stream()).collect(Collectors.joining("; ")));
     }
 
     /** Asks where to save the photograph. */
@@ -344,7 +346,9 @@ final class FileActions implements FileContentEditor.Choosers {
                 task -> {
                     PhotographInfo info = SelfDescription.of(studio);
                     try (PhotographTaker taker = new PhotographTaker()) {
-                        LinearImage image = ready ? onScreen.image() : taker.take(studio, task, 0, 1);
+                        LinearImage image = ready
+                                ? onScreen.image()
+                                : taker.take(studio, task, 0, 1).image();
                         PhotographFile.write(
                                 file, image, format, studio.settings().toneCurve(), info);
                     }

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.zip.CRC32;
@@ -70,6 +71,13 @@ class LimitsTest {
                     .containsExactlyInAnyOrder(
                             "mine.png", "text.png", "bomb.png", "folder.png", "cut.png", "damaged.png");
         }
+    }
+
+    private String[] animate(String scene, String... more) {
+        String output = folder.resolve("never.gif").toString();
+        List<String> words = new ArrayList<>(List.of("animate", scene, "--from", "0", "--to", "1", "-o", output));
+        words.addAll(List.of(more));
+        return words.toArray(String[]::new);
     }
 
     private List<Case> cases() throws IOException {
@@ -163,6 +171,19 @@ class LimitsTest {
                         folder.resolve("no/a.png").toString()),
                 new Case("samples option", 2, "render", good, "-o", output, "--samples", "0"),
                 new Case("error option", 2, "render", good, "-o", output, "--error", "2"),
+                new Case("animation of what is no number", 2, animate(good, "--number", "scene[0].centre")),
+                new Case("animation beyond the speed of light", 2, animate(good)),
+                new Case(
+                        "animation in a picture's format",
+                        2,
+                        "animate",
+                        good,
+                        "--from",
+                        "0",
+                        "--to",
+                        "0.9",
+                        "-o",
+                        "a.tif"),
                 new Case("two wishes at once", 2, "render", good, "-o", output, "--samples", "4", "--seconds", "1"),
                 new Case("option without its number", 2, "render", "--error", good),
                 new Case("option before its command", 2, "--samples", "4", good),

@@ -23,24 +23,26 @@ class TompkinsCommandTest {
         assertThat(run.code()).isEqualTo(2);
         assertThat(run.out()).isEmpty();
         assertThat(run.err().lines()).hasSize(1);
-        assertThat(run.err()).startsWith("rendr: ").contains("command", "render, check, explain, trace, study");
+        assertThat(run.err())
+                .startsWith("rendr: ")
+                .contains("command", "render, animate, check, explain, trace, study");
     }
 
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
             value = {
-                "rendr | rendr: there is neither a file nor a command of this name; the commands are render, check, "
-                        + "explain, trace, study, help; did you mean \"render\"?",
-                "foo | the commands are render, check, explain, trace, study",
+                "rendr | rendr: there is neither a file nor a command of this name; the commands are render, "
+                        + "animate, check, explain, trace, study, help; did you mean \"render\"?",
+                "foo | the commands are render, animate, check, explain, trace, study",
                 "foo bar | foo: there is neither a file nor a command of this name; the commands are",
                 "rendr --size 4x4 scenes/fig1b.json | rendr: there is neither a file nor a command of this name",
-                "--size 4x4 scenes/fig1b.json | --size is an option of render, explain, trace; write the command before it",
-                "scenes/fig1b.json --beta=0,0,0 | --beta is an option of render, explain, trace",
+                "--size 4x4 scenes/fig1b.json | --size is an option of render, animate, explain, trace; write the command before it",
+                "scenes/fig1b.json --beta=0,0,0 | --beta is an option of render, animate, explain, trace",
                 "README.md more words | tompkins: too many arguments: more words",
                 "-x | tompkins: unknown option -x",
-                "help rendr | tompkins: rendr: there is no command of this name; the commands are render, check, "
-                        + "explain, trace, study, help; did you mean \"render\"?",
+                "help rendr | tompkins: rendr: there is no command of this name; the commands are render, "
+                        + "animate, check, explain, trace, study, help; did you mean \"render\"?",
                 "study tree a b | tompkins study: too many arguments: b"
             })
     void wordsThatMeanNothingAreNamedWithWhatThereIs(String line, String said) {

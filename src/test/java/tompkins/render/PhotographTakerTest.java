@@ -31,8 +31,8 @@ class PhotographTakerTest {
         LinearImage taken;
         LinearImage again;
         try (PhotographTaker taker = new PhotographTaker()) {
-            taken = taker.take(studio, NO_END, 0, 1);
-            again = taker.take(studio, NO_END, 0, 1);
+            taken = taker.take(studio, NO_END, 0, 1).image();
+            again = taker.take(studio, NO_END, 0, 1).image();
         }
         LinearImage rendered;
         try (Renderer renderer = new Renderer(1)) {

@@ -15,6 +15,8 @@ import javax.imageio.ImageIO;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.animation.Animation;
+import tompkins.animation.StudioNumber;
 import tompkins.image.AnimationFormat;
 import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
@@ -23,13 +25,11 @@ import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
-import tompkins.ui.panel.Animation;
-import tompkins.ui.panel.NumberProperty;
 
 class AnimationExportTest {
 
     private static final Animation FASTER =
-            new Animation(NumberProperty.speed(SpeedScale.BETA), 0, 0.8, 0.4, Animation.Course.FORWARDS);
+            new Animation(StudioNumber.speed(SpeedScale.BETA), 0, 0.8, 0.4, Animation.Course.FORWARDS);
 
     @TempDir
     private Path folder;

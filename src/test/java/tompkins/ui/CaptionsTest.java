@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tompkins.animation.StudioNumber;
 import tompkins.light.ColourLaw;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
@@ -34,7 +35,7 @@ class CaptionsTest {
 
     @Test
     void theyTellTheNumberThatIsAnimated() {
-        Studio later = NumberProperty.openingTime().with().apply(FAST, 1.5);
+        Studio later = StudioNumber.OPENING_TIME.with(FAST, 1.5);
         assertThat(Captions.of(later, NumberProperty.openingTime()))
                 .isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25, Opening time of the shutter = 1.5");
         assertThat(Captions.of(later, NumberProperty.speed(SpeedScale.RAPIDITY)))

@@ -4,14 +4,12 @@ import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import java.util.function.BiFunction;
 import java.util.function.Function;
-import java.util.function.ToDoubleFunction;
 import org.joml.Vector3dc;
+import tompkins.animation.StudioNumber;
 import tompkins.property.Descriptions;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
-import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.ui.widget.Numbers;
@@ -20,57 +18,41 @@ import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Wording;
 
 /**
- * A number of the studio that an animation can change. Two are equal if they are called the same and stand in the same
- * place.
+ * A number of the studio as the window calls it. Two are equal if they are called the same and stand in the same place.
  *
  * @param name what the user calls it
- * @param path where it stands
- * @param get its value
- * @param with the studio with another value; throws if that is not allowed
+ * @param number where it stands
  * @param text its value, for reading
  */
-public record NumberProperty(
-        String name,
-        StudioPath path,
-        ToDoubleFunction<Studio> get,
-        BiFunction<Studio, Double, Studio> with,
-        Function<Studio, String> text) {
+public record NumberProperty(String name, StudioNumber number, Function<Studio, String> text) {
 
     /** So many numbers are offered at most; scenes can have millions. */
     private static final int MOST = 500;
 
-    private static final StudioPath VELOCITY = StudioPath.ROOT.then("velocity");
-
     /** A number that is shown with its first digits. */
-    private NumberProperty(
-            String name, StudioPath path, ToDoubleFunction<Studio> get, BiFunction<Studio, Double, Studio> with) {
-        this(name, path, get, with, studio -> Numbers.brief(get.applyAsDouble(studio)));
+    private NumberProperty(String name, StudioNumber number) {
+        this(name, number, studio -> Numbers.brief(number.in(studio)));
     }
 
     /** The speed on a scale; the direction stays. */
     public static NumberProperty speed(SpeedScale scale) {
         return new NumberProperty(
                 Texts.get("scale." + scale.name() + ".name"),
-                VELOCITY,
-                studio -> scale.valueOf(studio.velocity()),
-                (studio, value) -> FrontWindow.withVelocity(
-                        studio, Velocity.of(scale, value, studio.velocity().givenDirection())),
+                StudioNumber.speed(scale),
                 studio -> SpeedText.of(studio.velocity(), scale));
-    }
-
-    /** Whether this is the speed, on whatever scale. */
-    public boolean isSpeed() {
-        return path.equals(VELOCITY);
     }
 
     /** The time at which the shutter opens. */
     public static NumberProperty openingTime() {
-        return new NumberProperty(
-                Texts.get("play.openingTime"),
-                StudioPath.ROOT.then("camera").then("shutter").then("openingTime"),
-                studio -> studio.camera().shutter().openingTime(),
-                (studio, value) -> studio.withCamera(
-                        studio.camera().withShutter(studio.camera().shutter().openedAt(value))));
+        return new NumberProperty(Texts.get("play.openingTime"), StudioNumber.OPENING_TIME);
+    }
+
+    /** A number of a studio; it is called by its place if it is not among those that are offered. */
+    public static NumberProperty of(StudioNumber number, Studio studio) {
+        return of(studio).stream()
+                .filter(property -> property.number().equals(number))
+                .findFirst()
+                .orElseGet(() -> new NumberProperty(number.place().toString(), number));
     }
 
     /**
@@ -102,12 +84,15 @@ public record NumberProperty(
             return;
         }
         if (value instanceof Double) {
-            properties.add(new NumberProperty(name, path, studio -> (Double) path.get(studio), path::with));
+            StudioNumber number = new StudioNumber(path);
+            if (!number.equals(StudioNumber.OPENING_TIME)) {
+                properties.add(new NumberProperty(name, number));
+            }
+        } else if (value instanceof Velocity) {
+            properties.add(new NumberProperty(name, new StudioNumber(path.then(SpeedScale.BETA.key()))));
         } else if (value instanceof Vector3dc) {
-            for (String axis : List.of("x", "y", "z")) {
-                StudioPath component = path.then(axis);
-                properties.add(new NumberProperty(
-                        name + " " + axis, component, studio -> (Double) component.get(studio), component::with));
+            for (String axis : StudioPath.stepsFrom(value)) {
+                properties.add(new NumberProperty(name + " " + axis, new StudioNumber(path.then(axis))));
             }
         } else if (value instanceof List<?> list) {
             for (int i = 0; i < list.size() && properties.size() < MOST; i++) {
@@ -123,12 +108,12 @@ public record NumberProperty(
 
     @Override
     public boolean equals(Object other) {
-        return other instanceof NumberProperty property && name.equals(property.name) && path.equals(property.path);
+        return other instanceof NumberProperty property && name.equals(property.name) && number.equals(property.number);
     }
 
     @Override
     public int hashCode() {
-        return Objects.hash(name, path);
+        return Objects.hash(name, number);
     }
 
     @Override

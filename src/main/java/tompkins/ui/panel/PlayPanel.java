@@ -18,6 +18,7 @@ import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
+import tompkins.animation.Animation;
 import tompkins.property.Require;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
@@ -39,7 +40,6 @@ import tompkins.ui.widget.Wording;
 public final class PlayPanel {
 
     private static final int TICK_MILLISECONDS = 33;
-    private static final double LONGEST_SECONDS = 600;
 
     private final StudioModel model;
     private final Consumer<NumberProperty> chosen;
@@ -86,8 +86,9 @@ public final class PlayPanel {
         this.chosen = chosen;
         fromField = field("play.from", number -> setEnds(allowed("from", number), to));
         toField = field("play.to", number -> setEnds(from, allowed("to", number)));
-        secondsField =
-                field("play.seconds", number -> setSeconds(Require.within("seconds", number, 0.1, LONGEST_SECONDS)));
+        secondsField = field(
+                "play.seconds",
+                number -> setSeconds(Require.within("seconds", number, Animation.SHORTEST, Animation.LONGEST)));
         setSeconds(4);
         Naming.name(properties, "play.property");
         properties.setRenderer(PlainText.in(new DefaultListCellRenderer()));
@@ -165,7 +166,7 @@ public final class PlayPanel {
     private double allowed(String end, double number) {
         Require.finite(end, number);
         // made only to see whether it can be
-        Objects.requireNonNull(property().with().apply(model.studio(), number));
+        Objects.requireNonNull(property().number().with(model.studio(), number));
         return number;
     }
 
@@ -205,7 +206,7 @@ public final class PlayPanel {
     }
 
     private double present() {
-        return property().get().applyAsDouble(model.studio());
+        return property().number().in(model.studio());
     }
 
     /** What the hand has done with the scrubber is a step of its own, unless it belongs to an animation that runs. */
@@ -302,7 +303,7 @@ public final class PlayPanel {
     }
 
     private Animation animation() {
-        return new Animation(property(), from, to, seconds, (Animation.Course) courses.getSelectedItem());
+        return new Animation(property().number(), from, to, seconds, (Animation.Course) courses.getSelectedItem());
     }
 
     /** Starts or stops the animation; it does not start with a value that was refused. */

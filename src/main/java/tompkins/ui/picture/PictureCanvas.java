@@ -18,8 +18,9 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
+import tompkins.image.PictureLabel;
+import tompkins.image.PictureLabel.Corner;
 import tompkins.studio.Studio;
-import tompkins.ui.picture.PictureLabel.Corner;
 import tompkins.ui.widget.Texts;
 
 /**

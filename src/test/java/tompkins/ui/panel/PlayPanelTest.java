@@ -19,6 +19,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.animation.Animation;
 import tompkins.camera.PanoramicCamera;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;

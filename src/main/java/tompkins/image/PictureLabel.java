@@ -1,4 +1,4 @@
-package tompkins.ui.picture;
+package tompkins.image;
 
 import java.awt.AlphaComposite;
 import java.awt.Color;
@@ -13,7 +13,7 @@ import java.awt.image.BufferedImage;
 public final class PictureLabel {
 
     /** Where in a picture a label stands. */
-    enum Corner {
+    public enum Corner {
         TOP_LEFT,
         TOP_RIGHT,
         BOTTOM_LEFT,
@@ -43,7 +43,7 @@ public final class PictureLabel {
     }
 
     /** Writes a text into a corner of a picture; what there is no room for is left out at its end. */
-    static void paint(Graphics2D graphics, Font font, String text, Rectangle picture, Corner corner) {
+    public static void paint(Graphics2D graphics, Font font, String text, Rectangle picture, Corner corner) {
         Graphics2D g = (Graphics2D) graphics.create();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);

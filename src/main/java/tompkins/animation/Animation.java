@@ -1,18 +1,33 @@
-package tompkins.ui.panel;
+package tompkins.animation;
 
 import tompkins.property.NumberText;
+import tompkins.property.Require;
 import tompkins.studio.Studio;
 
 /**
  * A number of the studio that runs from one value to another.
  *
- * @param property the number
+ * @param number the number
  * @param from value at the beginning
  * @param to value at the end, or in the middle if the animation runs there and back
- * @param seconds how long it takes
+ * @param seconds how long it takes, from {@link #SHORTEST} to {@link #LONGEST}
  * @param course how it runs
  */
-public record Animation(NumberProperty property, double from, double to, double seconds, Course course) {
+public record Animation(StudioNumber number, double from, double to, double seconds, Course course) {
+
+    /** The fewest seconds that an animation takes. */
+    public static final double SHORTEST = 0.1;
+
+    /** The most seconds that an animation takes. */
+    public static final double LONGEST = 600;
+
+    /** Frames a second in files. */
+    public static final int FRAME_RATE = 25;
+
+    /** Checks the seconds. */
+    public Animation {
+        Require.within("seconds", seconds, SHORTEST, LONGEST);
+    }
 
     /** How an animation runs. */
     public enum Course {
@@ -24,11 +39,8 @@ public record Animation(NumberProperty property, double from, double to, double 
         THERE_AND_BACK
     }
 
-    /** Frames a second in files. */
-    public static final int FRAME_RATE = 25;
-
     /** The value at a time, from 0 at the beginning to 1 at the end. */
-    double value(double time) {
+    public double value(double time) {
         double share = switch (course) {
             case FORWARDS -> time;
             case BACKWARDS -> 1 - time;
@@ -45,7 +57,7 @@ public record Animation(NumberProperty property, double from, double to, double 
      * The time of a value, at an end of its own for those that it does not reach; of two times the one nearer to
      * another.
      */
-    double time(double value, double near) {
+    public double time(double value, double near) {
         double share = from == to ? 0 : Math.max(0, Math.min(1, (value - from) / (to - from)));
         return switch (course) {
             case FORWARDS -> share;
@@ -56,7 +68,7 @@ public record Animation(NumberProperty property, double from, double to, double 
 
     /** The studio at a time, from 0 to 1. */
     public Studio studio(Studio studio, double time) {
-        return property.with().apply(studio, value(time));
+        return number.with(studio, value(time));
     }
 
     /** Number of frames in a file. */

@@ -1,19 +1,16 @@
-package tompkins.ui.panel;
+package tompkins.animation;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.List;
 import org.junit.jupiter.api.Test;
-import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
-import tompkins.studio.Studios;
 
 class AnimationTest {
 
     private static Animation speed(Animation.Course course) {
-        return new Animation(NumberProperty.speed(SpeedScale.BETA), 0, 0.8, 0.4, course);
+        return new Animation(StudioNumber.speed(SpeedScale.BETA), 0, 0.8, 0.4, course);
     }
 
     @Test
@@ -28,8 +25,8 @@ class AnimationTest {
     @Test
     void nothingLiesBeyondTheEndsAndTheyAreReached() {
         double last = 0.9999999999;
-        Animation animation = new Animation(
-                NumberProperty.speed(SpeedScale.BETA), 0.1234567890123, last, 1, Animation.Course.FORWARDS);
+        Animation animation =
+                new Animation(StudioNumber.speed(SpeedScale.BETA), 0.1234567890123, last, 1, Animation.Course.FORWARDS);
         assertThat(animation.value(0)).isEqualTo(0.1234567890123);
         assertThat(animation.value(1)).isEqualTo(last);
         assertThat(animation.value(1 - 1e-12)).isEqualTo(last);
@@ -41,21 +38,5 @@ class AnimationTest {
         assertThat(speed(Animation.Course.FORWARDS).frames()).isEqualTo(10);
         assertThat(speed(Animation.Course.FORWARDS).timeOf(9)).isEqualTo(1);
         assertThat(speed(Animation.Course.THERE_AND_BACK).timeOf(9)).isEqualTo(0.9);
-    }
-
-    @Test
-    void everyNumberOfTheSceneCanRun() {
-        List<NumberProperty> properties = NumberProperty.of(Studios.sphere());
-        NumberProperty radius = properties.stream()
-                .filter(property -> property.name().equals("Scene \u203a sphere \u203a Radius"))
-                .findFirst()
-                .orElseThrow();
-        Studio larger = radius.with().apply(Studios.sphere(), 2.0);
-        assertThat(((Sphere) larger.scene().get(0)).radius()).isEqualTo(2);
-        for (NumberProperty property : properties) {
-            double value = property.get().applyAsDouble(Studios.sphere());
-            Studio same = property.with().apply(Studios.sphere(), value);
-            assertThat(property.get().applyAsDouble(same)).as(property.name()).isEqualTo(value);
-        }
     }
 }

@@ -1,0 +1,47 @@
+package tompkins.animation;
+
+import java.util.concurrent.CancellationException;
+import java.util.function.Function;
+import tompkins.image.AnimationWriter;
+import tompkins.image.FileException;
+import tompkins.image.ToneCurve;
+import tompkins.io.SelfDescription;
+import tompkins.render.PhotographTaker;
+import tompkins.render.Progress;
+import tompkins.render.RenderJob;
+import tompkins.studio.Studio;
+
+/** Takes the photographs of an animation one after the other, each with the quality that the studio asks for. */
+public final class AnimationRecorder {
+
+    private AnimationRecorder() {}
+
+    /**
+     * Takes all photographs and adds them to a file; it is up to the caller to finish that.
+     *
+     * @param caption what is written into the photograph of a studio; nothing if it is empty
+     * @return what the user should know about the photographs
+     * @throws CancellationException if it is cancelled
+     * @throws FileException if a photograph cannot be written
+     */
+    public static FrameWarnings record(
+            Studio studio,
+            Animation animation,
+            AnimationWriter writer,
+            Function<Studio, String> caption,
+            Progress progress)
+            throws FileException, InterruptedException {
+        int frames = animation.frames();
+        FrameWarnings warnings = new FrameWarnings(frames);
+        try (PhotographTaker taker = new PhotographTaker()) {
+            for (int i = 0; i < frames; i++) {
+                Studio moment = animation.studio(studio, animation.timeOf(i));
+                RenderJob photograph = taker.take(moment, progress, (double) i / frames, 1.0 / frames);
+                ToneCurve curve = moment.settings().toneCurve();
+                writer.add(photograph.image(), curve, caption.apply(moment), SelfDescription.of(moment));
+                warnings.add(i + 1, photograph.report().warnings());
+            }
+        }
+        return warnings;
+    }
+}

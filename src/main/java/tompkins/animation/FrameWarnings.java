@@ -1,0 +1,46 @@
+package tompkins.animation;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What the user should know about the photographs of an animation: of the first that has warnings all of them, of the
+ * others only how many they are.
+ */
+public final class FrameWarnings {
+
+    private final int frames;
+    private final List<String> sentences = new ArrayList<>();
+    private int others;
+
+    /**
+     * No warnings yet.
+     *
+     * @param frames number of photographs
+     */
+    FrameWarnings(int frames) {
+        this.frames = frames;
+    }
+
+    /** Takes the warnings of a photograph, which has a number from 1. */
+    void add(int number, List<String> warnings) {
+        if (warnings.isEmpty()) {
+            return;
+        }
+        if (!sentences.isEmpty()) {
+            others++;
+            return;
+        }
+        warnings.forEach(warning -> sentences.add("picture " + number + " of " + frames + ": " + warning));
+    }
+
+    /** One sentence for each; none if all is well. */
+    public List<String> sentences() {
+        List<String> all = new ArrayList<>(sentences);
+        if (others > 0) {
+            all.add("there are warnings about " + others + (others == 1 ? " other picture" : " other pictures")
+                    + ", too; render takes a single one and tells them");
+        }
+        return all;
+    }
+}

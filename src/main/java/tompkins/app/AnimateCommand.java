@@ -1,0 +1,171 @@
+package tompkins.app;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.function.Function;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import tompkins.animation.Animation;
+import tompkins.animation.AnimationRecorder;
+import tompkins.animation.FrameWarnings;
+import tompkins.animation.StudioNumber;
+import tompkins.image.AnimationFormat;
+import tompkins.image.AnimationWriter;
+import tompkins.image.FileException;
+import tompkins.io.StudioReader;
+import tompkins.property.InvalidPropertyException;
+import tompkins.property.Require;
+import tompkins.render.Quality;
+import tompkins.studio.Studio;
+import tompkins.ui.Captions;
+import tompkins.ui.panel.NumberProperty;
+
+/** Saves animations of a number of a scene. */
+@Command(
+        mixinStandardHelpOptions = true,
+        versionProvider = ProgramVersion.class,
+        description =
+                "Takes photographs while a number of the scene, such as the speed of the camera, runs from one value"
+                        + " to another, and saves them as an animation with 25 pictures a second.")
+final class AnimateCommand implements Callable<Integer> {
+
+    @Parameters(paramLabel = "SCENE", description = "scene file, or saved photograph")
+    private Path scene;
+
+    @Option(
+            names = {"-o", "--output"},
+            required = true,
+            paramLabel = "FILE",
+            description =
+                    "the animation: .png or .apng (exact), .gif (256 colours), .mp4 (if ffmpeg is installed); a name"
+                            + " without an ending is a new folder of numbered pictures")
+    private Path output;
+
+    @Option(
+            names = "--number",
+            defaultValue = "velocity.beta",
+            paramLabel = "PLACE",
+            description =
+                    "place of the number in the scene file, such as velocity.rapidity, camera.shutter.openingTime or"
+                            + " scene[0].centre.x; default: ${DEFAULT-VALUE}, the speed")
+    private String number;
+
+    @Option(names = "--from", required = true, paramLabel = "A", description = "value at the beginning")
+    private double from;
+
+    @Option(
+            names = "--to",
+            required = true,
+            paramLabel = "B",
+            description = "value at the end, or in the middle of an animation there and back")
+    private double to;
+
+    @Option(
+            names = "--duration",
+            defaultValue = "4",
+            paramLabel = "S",
+            description = "seconds that it plays, from 0.1 to 600; default: ${DEFAULT-VALUE}")
+    private double seconds;
+
+    @Option(names = "--back", description = "go back to the first value in the same time, so that it can run in a loop")
+    private boolean back;
+
+    @Option(names = "--caption", description = "write beta, gamma and the number into the pictures")
+    private boolean captioned;
+
+    @Option(names = "--force", description = "replace a file that is already there")
+    private boolean force;
+
+    @ArgGroup
+    private QualityWish quality = new QualityWish();
+
+    @Mixin
+    private StudioOptions options;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Override
+    public Integer call() throws IOException, InterruptedException {
+        Studio studio = quality.applyTo(options.applyTo(StudioReader.read(scene)));
+        Animation animation = animation(studio);
+        requirePossible(studio, animation);
+        long start = System.nanoTime();
+        ProgressLine progress = new ProgressLine(spec.commandLine().getErr());
+        FrameWarnings warnings;
+        try (AnimationWriter writer = open()) {
+            warnings = AnimationRecorder.record(studio, animation, writer, caption(studio, animation), progress);
+            writer.finish();
+        } finally {
+            progress.clear();
+        }
+        warnings.sentences().forEach(warning -> spec.commandLine().getErr().println("warning: " + warning));
+        spec.commandLine()
+                .getOut()
+                .println(String.format(
+                        Locale.ROOT,
+                        "%s  (%.2f s, %d pictures)",
+                        output.toRealPath(LinkOption.NOFOLLOW_LINKS),
+                        (System.nanoTime() - start) / 1e9,
+                        animation.frames()));
+        return 0;
+    }
+
+    private Animation animation(Studio studio) {
+        StudioNumber animated = MistakeException.inOption("--number", () -> StudioNumber.at(number, studio));
+        double duration = MistakeException.inOption(
+                "--duration", () -> Require.within("duration", seconds, Animation.SHORTEST, Animation.LONGEST));
+        return new Animation(
+                animated, from, to, duration, back ? Animation.Course.THERE_AND_BACK : Animation.Course.FORWARDS);
+    }
+
+    /** Finds the mistakes of all pictures first: nobody wants to hear of the last one after the others took an hour. */
+    private void requirePossible(Studio studio, Animation animation) {
+        Studio first = with("--from", from, studio, animation.number());
+        Photographer.info(first, scene);
+        ScenePlan.of(first, scene);
+        with("--to", to, studio, animation.number());
+        for (int i = 0; i < animation.frames(); i++) {
+            with("--number " + number, animation.value(animation.timeOf(i)), studio, animation.number());
+        }
+        Photographer.requireMemory(studio.settings(), Quality.of(studio));
+        if (!force && Files.isRegularFile(output)) {
+            throw new MistakeException(output + ": there is a file of this name already; --force replaces it");
+        }
+    }
+
+    /** The studio with another value, which an option has brought. */
+    private static Studio with(String option, double value, Studio studio, StudioNumber number) {
+        try {
+            return number.with(studio, value);
+        } catch (InvalidPropertyException refused) {
+            throw new MistakeException(option + ": " + refused.getMessage());
+        }
+    }
+
+    private AnimationWriter open() {
+        try {
+            return AnimationFormat.of(output).open(output, Animation.FRAME_RATE);
+        } catch (FileException wrongPlace) {
+            // no disk has failed yet: the user named the place
+            throw new MistakeException(wrongPlace.getMessage());
+        }
+    }
+
+    private Function<Studio, String> caption(Studio studio, Animation animation) {
+        if (!captioned) {
+            return moment -> "";
+        }
+        NumberProperty property = NumberProperty.of(animation.number(), studio);
+        return moment -> Captions.of(moment, property);
+    }
+}

@@ -1,0 +1,108 @@
+package tompkins.animation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.property.Descriptions;
+import tompkins.property.InvalidPropertyException;
+import tompkins.sceneobject.Group;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.Sphere;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.FrontWindow;
+import tompkins.studio.Studio;
+import tompkins.surface.LorentzWindow;
+
+class StudioNumberTest {
+
+    private static final Studio STUDIO = Studio.DEFAULT
+            .withScene(List.of(
+                    Plane.DEFAULT,
+                    new Group("pair", List.of(Sphere.DEFAULT, Descriptions.with(Sphere.DEFAULT, "radius", 0.25)))))
+            .withVelocity(Velocity.of(SpeedScale.BETA, 0.6, new Vector3d(1, 0, 0)));
+
+    /** gamma and rapidity of 0.6 are 5/4 and ln 2. */
+    @ParameterizedTest
+    @CsvSource({
+        "velocity.beta, 0.6",
+        "velocity.gamma, 1.25",
+        "velocity.rapidity, 0.6931471805599453",
+        "velocity.oneMinusBeta, 0.4",
+        "scene[1].objects[1].radius, 0.25",
+        "camera.shutter.openingTime, 0"
+    })
+    void placesAreWrittenAsInMessages(String place, double value) {
+        StudioNumber number = StudioNumber.at(place, STUDIO);
+        assertThat(number.in(STUDIO)).isCloseTo(value, within(1e-15));
+        assertThat(number.place()).hasToString(place);
+        Studio changed = number.with(STUDIO, 0.3 + number.in(STUDIO));
+        assertThat(number.in(changed)).isCloseTo(0.3 + value, within(1e-15));
+        assertThat(number.with(changed, number.in(STUDIO)).scene()).isEqualTo(STUDIO.scene());
+    }
+
+    @Test
+    void theSpeedKeepsItsDirection() {
+        Studio fast = StudioNumber.speed(SpeedScale.GAMMA).with(STUDIO, 5.0 / 3);
+        assertThat(fast.velocity().components().x()).isCloseTo(0.8, within(1e-15));
+        assertThat(StudioNumber.at("velocity.gamma", STUDIO)).isEqualTo(StudioNumber.speed(SpeedScale.GAMMA));
+        assertThat(StudioNumber.speed(SpeedScale.RAPIDITY).isSpeed()).isTrue();
+        assertThat(StudioNumber.OPENING_TIME.isSpeed()).isFalse();
+    }
+
+    @Test
+    void aVectorIsChangedInOneComponent() {
+        Studio moved = StudioNumber.at("scene[1].objects[0].centre.y", STUDIO).with(STUDIO, 7);
+        Sphere sphere = (Sphere) ((Group) moved.scene().get(1)).objects().get(0);
+        assertThat(sphere.centre())
+                .isEqualTo(new Vector3d(
+                        Sphere.DEFAULT.centre().x(), 7, Sphere.DEFAULT.centre().z()));
+    }
+
+    /** The window that undoes the aberration still undoes it, until it is changed itself. */
+    @Test
+    void aWindowThatHasTheVelocityOfTheCameraKeepsIt() {
+        LorentzWindow window = (LorentzWindow) FrontWindow.withVelocity(LorentzWindow.DEFAULT, STUDIO.velocity());
+        Studio studio = FrontWindow.with(STUDIO, window);
+        Studio faster = StudioNumber.speed(SpeedScale.BETA).with(studio, 0.9);
+        assertThat(((LorentzWindow) FrontWindow.of(faster).orElseThrow()).velocity())
+                .isEqualTo(Velocity.of(SpeedScale.BETA, 0.9, new Vector3d(1, 0, 0)));
+        Studio apart =
+                StudioNumber.at("cameraFrame[0].surface.velocity.beta", studio).with(studio, 0.1);
+        assertThat(apart.velocity()).isEqualTo(STUDIO.velocity());
+        assertThat(((LorentzWindow) FrontWindow.of(apart).orElseThrow())
+                        .velocity()
+                        .speed())
+                .isEqualTo(0.1);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = ';',
+            value = {
+                "velocty.beta; place must be one that begins with title, topic, remarks, scene, cameraFrame,",
+                "velocity; place must be one that goes on after velocity with beta, gamma, rapidity, oneMinusBeta, was velocity",
+                "scene; place must be one that goes on after scene with [0] to [1], was scene",
+                "scene[2].radius; place must be one that goes on after scene with [0] to [1], was scene[2].radius",
+                "scene[1].objects[0].centre.w; place must be one that goes on after scene[1].objects[0].centre with x, y, z",
+                "cameraFrame[0]; (cameraFrame is none that can be changed little by little), was cameraFrame[0]",
+                "title; (title is none that can be changed little by little), was title",
+                "settings.width; (settings.width is none that",
+                "velocity.beta.x; (velocity.beta is none that",
+                "scene..x; place must be that of a number, such as velocity.beta,",
+                "scene[99999999999]; place must be that of a number, such as velocity.beta,",
+                "''; place must be that of a number, such as velocity.beta,",
+                "0.9; place must be that of a number, such as velocity.beta,"
+            })
+    void otherPlacesAreRefused(String place, String message) {
+        assertThatThrownBy(() -> StudioNumber.at(place, STUDIO))
+                .isInstanceOf(InvalidPropertyException.class)
+                .hasMessageContaining(message);
+    }
+}

@@ -1,0 +1,217 @@
+package tompkins.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.image.PhotographFile;
+import tompkins.io.StudioReader;
+import tompkins.sceneobject.Sphere;
+import tompkins.studio.FrontWindow;
+import tompkins.studio.Studio;
+import tompkins.surface.LorentzWindow;
+
+class AnimateCommandTest {
+
+    @TempDir
+    private Path folder;
+
+    private Path scene;
+
+    @BeforeEach
+    void writeScene() throws IOException {
+        scene = Files.writeString(folder.resolve("ball.json"), """
+                {
+                  "velocity": { "beta": 0.2, "direction": [0, 0, 1] },
+                  "scene": [{ "type": "Sphere", "centre": [0, 0, 5], "radius": 1.5 }],
+                  "settings": { "width": 32, "height": 24, "samples": 1 }
+                }
+                """);
+    }
+
+    private ProgramRun animate(String output, Object... more) {
+        Stream<Object> start = Stream.of("animate", scene, "-o", folder.resolve(output), "--duration", "0.2");
+        return ProgramRun.of(Stream.concat(start, Stream.of(more)).toArray());
+    }
+
+    private List<Studio> moments(String frames) {
+        return IntStream.rangeClosed(1, 5)
+                .mapToObj(i -> StudioReader.read(folder.resolve(frames + "/frame000" + i + ".png")))
+                .toList();
+    }
+
+    @Test
+    void theSpeedRunsAlongItsDirection() {
+        ProgramRun run = animate("frames", "--from", "0", "--to", "0.8");
+
+        assertThat(run.err()).isEmpty();
+        assertThat(run.code()).isZero();
+        assertThat(run.out()).contains("frames", "5 pictures");
+        double[] speeds = moments("frames").stream()
+                .mapToDouble(studio -> studio.velocity().components().z())
+                .toArray();
+        assertThat(speeds).containsExactly(new double[] {0, 0.2, 0.4, 0.6, 0.8}, within(1e-15));
+    }
+
+    /** A loop of five steps does not show its beginning twice. */
+    @Test
+    void anyNumberRunsThereAndBack() {
+        assertThat(animate("frames", "--number=scene[0].centre.z", "--from=5", "--to=10", "--back")
+                        .code())
+                .isZero();
+        assertThat(moments("frames").stream()
+                        .mapToDouble(AnimateCommandTest::depth)
+                        .toArray())
+                .containsExactly(new double[] {5, 7, 9, 9, 7}, within(1e-12));
+    }
+
+    private static double depth(Studio studio) {
+        return ((Sphere) studio.scene().get(0)).centre().z();
+    }
+
+    @Test
+    void eachPictureIsThePhotographOfItsMoment() throws IOException {
+        animate("frames", "--from", "0", "--to", "0.8", "--samples", "2");
+        Path photograph = folder.resolve("photograph.png");
+        ProgramRun.of("render", scene, "-o", photograph, "--beta", "0.8", "--samples", "2");
+
+        Path last = folder.resolve("frames/frame0005.png");
+        assertThat(pixels(last).equals(pixels(photograph))).isTrue();
+        assertThat(pixels(last).equals(pixels(folder.resolve("frames/frame0004.png"))))
+                .isFalse();
+        assertThat(PhotographFile.readScene(last)).isEqualTo(PhotographFile.readScene(photograph));
+    }
+
+    @Test
+    void captionsAreWrittenIfTheyAreWanted() throws IOException {
+        animate("plain", "--from", "0", "--to", "0.8", "--size", "160x120");
+        animate("captioned", "--from", "0", "--to", "0.8", "--size", "160x120", "--caption");
+
+        assertThat(pixels(folder.resolve("captioned/frame0003.png"))
+                        .equals(pixels(folder.resolve("plain/frame0003.png"))))
+                .isFalse();
+    }
+
+    private static List<Integer> pixels(Path picture) throws IOException {
+        BufferedImage image = ImageIO.read(picture.toFile());
+        int width = image.getWidth();
+        return IntStream.of(image.getRGB(0, 0, width, image.getHeight(), null, 0, width))
+                .boxed()
+                .toList();
+    }
+
+    /** The window undoes the aberration at any speed; that it follows is the same for a single photograph. */
+    @Test
+    void aLorentzWindowThatHasTheVelocityOfTheCameraKeepsIt() {
+        scene = Path.of("scenes/fig4.json");
+        String[] small = {"--size", "16x12", "--samples", "1"};
+        animate("frames", "--from", "0.1", "--to", "0.9", small[0], small[1], small[2], small[3]);
+        Path photograph = folder.resolve("slow.png");
+        ProgramRun.of("render", scene, "-o", photograph, "--gamma", "1.25", small[0], small[1], small[2], small[3]);
+
+        assertThat(moments("frames").stream().map(AnimateCommandTest::windowSpeed))
+                .containsExactly(0.1, 0.3, 0.5, 0.7, 0.9);
+        assertThat(windowSpeed(StudioReader.read(photograph))).isCloseTo(0.6, within(1e-15));
+    }
+
+    private static double windowSpeed(Studio studio) {
+        return ((LorentzWindow) FrontWindow.of(studio).orElseThrow()).velocity().speed();
+    }
+
+    @Test
+    void theFormatIsThatOfTheName() throws IOException {
+        for (String name : List.of("a.gif", "a.apng", "a.png")) {
+            assertThat(animate(name, "--from", "0", "--to", "0.8").code()).isZero();
+        }
+        assertThat(Files.readAllBytes(folder.resolve("a.gif"))).startsWith('G', 'I', 'F', '8', '9', 'a');
+        assertThat(Files.readAllBytes(folder.resolve("a.apng"))).isEqualTo(Files.readAllBytes(folder.resolve("a.png")));
+        assertThat(StudioReader.read(folder.resolve("a.png")).velocity().isRest())
+                .isTrue();
+    }
+
+    @Test
+    void whatIsThereIsReplacedOnlyByForce() throws IOException {
+        Path file = Files.writeString(folder.resolve("a.gif"), "mine");
+
+        ProgramRun refused = animate("a.gif", "--from", "0", "--to", "0.8");
+        assertThat(refused.code()).isEqualTo(2);
+        assertThat(refused.err()).contains("a.gif: there is a file of this name already; --force replaces it");
+        assertThat(file).hasContent("mine");
+        assertThat(animate("a.gif", "--from", "0", "--to", "0.8", "--force").code())
+                .isZero();
+        assertThat(Files.size(file)).isGreaterThan(100);
+    }
+
+    /** Sideways the ball is out of the picture from some speed on. */
+    @Test
+    void warningsNameThePicture() {
+        ProgramRun run = animate("a.gif", "--from", "0.9", "--to", "0.999", "--beta=0.5,0,0");
+
+        assertThat(run.code()).isZero();
+        assertThat(run.err().lines())
+                .containsExactly(
+                        "warning: picture 1 of 5: no ray met an object of the scene: another direction, a wider field of"
+                                + " view or a lower speed may show some",
+                        "warning: there are warnings about 4 other pictures, too; render takes a single one and tells"
+                                + " them");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--to=1 | --to: beta must be at least 0 and below 1 (the speed of light), was 1",
+                "--to=-1 --number=scene[0].radius | --to: radius must be a finite number above 0",
+                "--to=2 --number=scene[0] | --number must be one that goes on after scene[0] with description, centre,",
+                "--to=2 --number=scene[0].radus | --number must be one that goes on after scene[0] with description,",
+                "--to=0.9 --samples=0 | --samples must be a whole number from 1",
+                "--to=0.9 --seconds=2 | unknown option --seconds",
+                "--to=0.9 --size=60000x60000 | --size 60000x60000: height must be small enough",
+            })
+    void mistakesAreFoundBeforeTheFirstPicture(String options, String message) throws IOException {
+        Object[] more = Stream.concat(Stream.of("--from=0.5"), Stream.of(options.split(" ")))
+                .toArray();
+
+        ProgramRun run = animate("a.gif", more);
+
+        assertThat(run.err()).contains(message);
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.out()).isEmpty();
+        try (Stream<Path> files = Files.list(folder)) {
+            assertThat(files).containsExactly(scene);
+        }
+    }
+
+    @Test
+    void durationsAreLimited() {
+        ProgramRun run =
+                ProgramRun.of("animate", scene, "-o", folder.resolve("a.gif"), "--from=0", "--to=0.9", "--duration=0");
+
+        assertThat(run.err()).startsWith("--duration must be from 0.1 to 600, was 0");
+        assertThat(run.code()).isEqualTo(2);
+    }
+
+    @Test
+    void placesWhereNothingCanBeSavedAreMistakes() {
+        ProgramRun ending = animate("a.tif", "--from", "0", "--to", "0.8");
+        assertThat(ending.code()).isEqualTo(2);
+        assertThat(ending.err())
+                .contains(
+                        "a.tif: the name of an animation must end in one of .png, .apng, .gif, .mp4, or have no ending");
+        ProgramRun missing = animate("nowhere/a.gif", "--from", "0", "--to", "0.8");
+        assertThat(missing.code()).isEqualTo(2);
+        assertThat(missing.err()).contains("there is no folder");
+    }
+}
