@@ -109,8 +109,10 @@ final class PageKit extends HTMLEditorKit {
             smaller.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BICUBIC);
             smaller.translate(corner.x, corner.y);
             smaller.scale(scale(), scale());
-            super.paint(
-                    smaller, new Rectangle((int) super.getPreferredSpan(X_AXIS), (int) super.getPreferredSpan(Y_AXIS)));
+            smaller.translate(-corner.x, -corner.y);
+            corner.setSize((int) super.getPreferredSpan(X_AXIS), (int) super.getPreferredSpan(Y_AXIS));
+            // where it is painted it is painted again with each frame, if it is an animation
+            super.paint(smaller, corner);
             smaller.dispose();
         }
     }

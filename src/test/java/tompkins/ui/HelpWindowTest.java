@@ -9,12 +9,15 @@ import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JDialog;
 import javax.swing.JEditorPane;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
+import javax.swing.RepaintManager;
 import javax.swing.SwingUtilities;
 import javax.swing.text.AttributeSet;
 import javax.swing.text.BadLocationException;
@@ -315,6 +318,38 @@ class HelpWindowTest {
         WindowDriver.await(
                 "a text as wide as its window",
                 () -> Math.abs(text.getWidth() - width) < 40 && text.getWidth() == text.getVisibleRect().width);
+    }
+
+    /** Each frame of the animation in the tour is painted where it stands, though nothing else happens. */
+    @Test
+    void animationsRun() {
+        Point place = WindowDriver.onEventThread(() -> {
+            HTMLDocument.Iterator images = ((HTMLDocument) text.getDocument()).getIterator(HTML.Tag.IMG);
+            while (!images.getAttributes()
+                    .getAttribute(HTML.Attribute.SRC)
+                    .toString()
+                    .endsWith(".gif")) {
+                images.next();
+            }
+            Rectangle corner = text.modelToView2D(images.getStartOffset()).getBounds();
+            text.scrollRectToVisible(corner);
+            return new Point(corner.x + 20, corner.y + 20);
+        });
+        AtomicInteger frames = new AtomicInteger();
+        RepaintManager.setCurrentManager(new RepaintManager() {
+            @Override
+            public void addDirtyRegion(JComponent component, int x, int y, int width, int height) {
+                if (component == text && new Rectangle(x, y, width, height).contains(place)) {
+                    frames.incrementAndGet();
+                }
+                super.addDirtyRegion(component, x, y, width, height);
+            }
+        });
+        try {
+            WindowDriver.await("frames", () -> frames.get() > 10);
+        } finally {
+            RepaintManager.setCurrentManager(null);
+        }
     }
 
     @Test
