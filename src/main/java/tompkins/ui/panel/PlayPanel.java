@@ -19,6 +19,7 @@ import javax.swing.JToggleButton;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import tompkins.animation.Animation;
+import tompkins.property.InvalidPropertyException;
 import tompkins.property.Require;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
@@ -260,22 +261,33 @@ public final class PlayPanel {
 
     /**
      * Values that show something: speeds from rest, times through the scene, other numbers from their value to twice
-     * it.
+     * it, or where that is too much to half of it.
      */
     private void suggestValues() {
         NumberProperty property = property();
         double now = present();
         played = now;
         chosen.accept(property);
-        if (property.equals(NumberProperty.speed(SpeedScale.BETA))) {
+        Object last = property.number().place().last();
+        if (last.equals(SpeedScale.BETA.key())) {
             suggest(0, 0.99);
-        } else if (property.equals(NumberProperty.speed(SpeedScale.RAPIDITY))) {
+        } else if (last.equals(SpeedScale.RAPIDITY.key())) {
             suggest(0, 3);
         } else if (property.equals(NumberProperty.openingTime())) {
             Range times = size.times(model.studio());
             suggest(times.minimum() / 2, times.maximum() / 2);
         } else {
-            suggest(now, now == 0 ? 1 : 2 * now);
+            double twice = now == 0 ? 1 : 2 * now;
+            suggest(now, isAllowed(twice) ? twice : now / 2);
+        }
+    }
+
+    private boolean isAllowed(double number) {
+        try {
+            allowed("to", number);
+            return true;
+        } catch (InvalidPropertyException refused) {
+            return false;
         }
     }
 

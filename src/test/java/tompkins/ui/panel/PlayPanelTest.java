@@ -20,7 +20,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.animation.Animation;
+import tompkins.animation.StudioNumber;
 import tompkins.camera.PanoramicCamera;
+import tompkins.camera.ThinLensCamera;
+import tompkins.property.Descriptions;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.shutter.DetectorPlaneShutter;
@@ -28,9 +31,11 @@ import tompkins.shutter.FixedPointSurfaceShutter;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.surface.ColouredSurface;
+import tompkins.surface.LorentzWindow;
 import tompkins.ui.Components;
 import tompkins.ui.WindowDriver;
 import tompkins.ui.model.StudioModel;
@@ -299,6 +304,28 @@ class PlayPanelTest {
         play.run(NumberProperty.openingTime());
         assertThat(play.isPlaying()).isFalse();
         assertThat(Components.notes(panel)).anyMatch(text -> text.startsWith("\u26a0 " + OPENING_TIME));
+    }
+
+    /** Also those that cannot be twice as large, such as the angle of a camera or the speed of a window. */
+    @Test
+    void whatIsSuggestedIsAllowed() {
+        Studio studio = model.studio();
+        ThinLensCamera wide = Descriptions.with(ThinLensCamera.DEFAULT, "horizontalAngleDegrees", 120.0);
+        model.set(FrontWindow.with(studio.withCamera(wide), LorentzWindow.DEFAULT));
+        assertThat(offered()).anyMatch(name -> name.endsWith("Velocity"));
+        for (int i = 0; i < numbers.getItemCount(); i++) {
+            numbers.setSelectedIndex(i);
+            StudioNumber number = ((NumberProperty) numbers.getSelectedItem()).number();
+            double from = end("From");
+            double to = end("To");
+            assertThat(to).as(chosen()).isNotEqualTo(from);
+            assertThat(number.in(number.with(model.studio(), from))).isEqualTo(from);
+            assertThat(number.in(number.with(model.studio(), to))).isEqualTo(to);
+        }
+    }
+
+    private double end(String name) {
+        return Double.parseDouble(Components.find(panel, JTextField.class, name).getText());
     }
 
     /** The list is that of the scene, also after the panel was hidden. */
