@@ -1,12 +1,17 @@
 package tompkins.app;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -16,7 +21,6 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
-import tompkins.animation.FrameWarnings;
 import tompkins.animation.StudioNumber;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
@@ -98,17 +102,18 @@ final class AnimateCommand implements Callable<Integer> {
     public Integer call() throws IOException, InterruptedException {
         Studio studio = quality.applyTo(options.applyTo(StudioReader.read(scene)));
         Animation animation = animation(studio);
-        requirePossible(studio, animation);
+        Set<String> warnings = new LinkedHashSet<>(requirePossible(studio, animation));
         long start = System.nanoTime();
-        ProgressLine progress = new ProgressLine(spec.commandLine().getErr());
-        FrameWarnings warnings;
+        PrintWriter err = spec.commandLine().getErr();
+        ProgressLine progress = new ProgressLine(err);
         try (AnimationWriter writer = open()) {
-            warnings = AnimationRecorder.record(studio, animation, writer, caption(studio, animation), progress);
+            warnings.addAll(AnimationRecorder.record(studio, animation, writer, caption(studio, animation), progress)
+                    .sentences());
             writer.finish();
         } finally {
             progress.clear();
         }
-        warnings.sentences().forEach(warning -> spec.commandLine().getErr().println("warning: " + warning));
+        warnings.forEach(warning -> err.println("warning: " + warning));
         spec.commandLine()
                 .getOut()
                 .println(String.format(
@@ -117,6 +122,7 @@ final class AnimateCommand implements Callable<Integer> {
                         output.toRealPath(LinkOption.NOFOLLOW_LINKS),
                         (System.nanoTime() - start) / 1e9,
                         animation.frames()));
+        Photographer.tellFilesToKeep(studio, err);
         return 0;
     }
 
@@ -128,12 +134,18 @@ final class AnimateCommand implements Callable<Integer> {
                 animated, from, to, duration, back ? Animation.Course.THERE_AND_BACK : Animation.Course.FORWARDS);
     }
 
-    /** Finds the mistakes of all pictures first: nobody wants to hear of the last one after the others took an hour. */
-    private void requirePossible(Studio studio, Animation animation) {
+    /**
+     * Finds the mistakes of all pictures first: nobody wants to hear of the last one after the others took an hour.
+     *
+     * @return warnings about the scene at both ends
+     */
+    private List<String> requirePossible(Studio studio, Animation animation) {
         Studio first = with("--from", from, studio, animation.number());
+        Studio last = with("--to", to, studio, animation.number());
         Photographer.info(first, scene);
-        ScenePlan.of(first, scene);
-        with("--to", to, studio, animation.number());
+        List<String> warnings = Stream.of(first, last)
+                .flatMap(end -> ScenePlan.of(end, scene).warnings().stream())
+                .toList();
         for (int i = 0; i < animation.frames(); i++) {
             with("--number " + number, animation.value(animation.timeOf(i)), studio, animation.number());
         }
@@ -141,6 +153,7 @@ final class AnimateCommand implements Callable<Integer> {
         if (!force && Files.isRegularFile(output)) {
             throw new MistakeException(output + ": there is a file of this name already; --force replaces it");
         }
+        return warnings;
     }
 
     /** The studio with another value, which an option has brought. */

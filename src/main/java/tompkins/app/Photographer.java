@@ -106,6 +106,11 @@ final class Photographer {
         PhotographFile.write(free, job.image(), format, studio.settings().toneCurve(), info);
         plan.warnings().forEach(warning -> err.println("warning: " + warning));
         report(free, job.report());
+        tellFilesToKeep(studio, err);
+    }
+
+    /** Names the files of a scene that are too large to travel inside its photographs. */
+    static void tellFilesToKeep(Studio studio, PrintWriter err) {
         List<String> named = StudioWriter.filesOnlyNamed(studio);
         if (!named.isEmpty()) {
             err.println("note: keep " + String.join(", ", named)

@@ -168,6 +168,20 @@ class AnimateCommandTest {
                                 + " them");
     }
 
+    /** Accuracy is promised up to gamma 1e6. */
+    @Test
+    void whatIsModelledRoughlyAtAnEndIsSaid() {
+        ProgramRun fast = animate("fast.gif", "--number=velocity.gamma", "--from=2e6", "--to=3e7");
+        ProgramRun faster = animate("faster.gif", "--number=velocity.gamma", "--from=2", "--to=3e7");
+        ProgramRun slow = animate("slow.gif", "--number=velocity.gamma", "--from=1", "--to=1.1");
+
+        assertThat(fast.err().lines().filter(line -> line.startsWith("warning: gamma ")))
+                .hasSize(2);
+        assertThat(faster.err().lines().filter(line -> line.startsWith("warning: gamma 30000000 is above 1000000")))
+                .hasSize(1);
+        assertThat(slow.err()).isEmpty();
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
