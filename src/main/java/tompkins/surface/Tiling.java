@@ -76,7 +76,7 @@ public record Tiling(
         double u = at.u() / width;
         double v = at.v() / height;
         if (!filtered) {
-            return isOdd(Math.floor(u) + Math.floor(v)) ? 1 : 0;
+            return SquareWave.isOdd(Math.floor(u) + Math.floor(v)) ? 1 : 0;
         }
         double spreadU = at.spreadU(ray, hit) / width;
         double spreadV = at.spreadV(ray, hit) / height;
@@ -112,11 +112,6 @@ public record Tiling(
         return Math.sqrt(across + share * share);
     }
 
-    /** Parity by halves, which are exact: a whole number that no int can hold is still odd or even. */
-    private static boolean isOdd(double whole) {
-        return 2 * Math.floor(whole / 2) < whole;
-    }
-
     @Override
     public boolean usesCoordinates() {
         return true;
@@ -129,7 +124,8 @@ public record Tiling(
 
     @Override
     public boolean throwsShadowAt(Hit hit) {
-        boolean odd = isOdd(Math.floor(hit.coordinates.u() / width) + Math.floor(hit.coordinates.v() / height));
+        boolean odd =
+                SquareWave.isOdd(Math.floor(hit.coordinates.u() / width) + Math.floor(hit.coordinates.v() / height));
         return (odd ? second : first).throwsShadowAt(hit);
     }
 
