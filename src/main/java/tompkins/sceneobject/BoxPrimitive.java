@@ -73,10 +73,11 @@ final class BoxPrimitive extends Primitive {
                 }
                 continue;
             }
-            double lower = toLowest / slope;
-            double upper = toHighest / slope;
-            enter = Math.max(enter, startsHere ? 0 : Math.min(lower, upper));
-            leave = Math.min(leave, Math.max(lower, upper));
+            double near = startsHere ? 0 : (slope > 0 ? toLowest : toHighest) / slope;
+            double far = (slope > 0 ? toHighest : toLowest) / slope;
+            // Math.max and Math.min would take care of NaN and of the sign of 0 as well, and longer
+            enter = near > enter ? near : enter;
+            leave = far < leave ? far : leave;
         }
         if (start != NO_FACE) {
             return nearest(leave, 0, limit);
