@@ -17,6 +17,12 @@ public final class RayCounts {
     /** Tests whether a light is visible. */
     public long shadowRays;
 
+    /** Nodes of bounding-volume trees that were visited. */
+    public long nodes;
+
+    /** Primitives that were tested. */
+    public long tests;
+
     /** How often a ray among the objects of the scene met the first of them on its way. */
     public long sceneHits;
 
@@ -54,6 +60,8 @@ public final class RayCounts {
         samples += other.samples;
         rays += other.rays;
         shadowRays += other.shadowRays;
+        nodes += other.nodes;
+        tests += other.tests;
         sceneHits += other.sceneHits;
         withoutFocus += other.withoutFocus;
         withoutShutter += other.withoutShutter;

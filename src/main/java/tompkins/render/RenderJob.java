@@ -43,8 +43,6 @@ public final class RenderJob {
     private final AtomicReference<RenderFailedException> failure = new AtomicReference<>();
     private final Object passLock = new Object();
     private final RayCounts counts = new RayCounts();
-    private long nodes;
-    private long tests;
     private volatile boolean cancelled;
     private volatile boolean complete;
     private volatile long endTime;
@@ -74,14 +72,12 @@ public final class RenderJob {
      */
     void work() {
         RayCounts mine = new RayCounts();
-        SampleTracer tracer = null;
         try {
-            tracer = plan.tracer(mine);
-            renderTiles(tracer, mine);
+            renderTiles(plan.tracer(mine), mine);
         } catch (RuntimeException | Error error) {
             failure.compareAndSet(null, new RenderFailedException(error));
         } finally {
-            workerEnded(mine, tracer);
+            workerEnded(mine);
         }
     }
 
@@ -184,11 +180,9 @@ public final class RenderJob {
         }
     }
 
-    private void workerEnded(RayCounts mine, SampleTracer tracer) {
+    private void workerEnded(RayCounts mine) {
         synchronized (counts) {
             counts.add(mine);
-            nodes += tracer == null ? 0 : tracer.nodes();
-            tests += tracer == null ? 0 : tracer.tests();
         }
         if (workersEnded.incrementAndGet() == workers) {
             endTime = System.nanoTime();
@@ -273,17 +267,14 @@ public final class RenderJob {
      */
     public RenderReport report() {
         long until = end.getCount() == 0 ? endTime : System.nanoTime();
-        int sampledPixels = film.sampledPixels();
-        double error = estimatedError(sampledPixels);
+        double error = Roughness.estimatedError(film, plan, this::isCancelled);
         Clipping clipping = clipping();
         synchronized (counts) {
             return RenderReport.of(
                     counts,
                     complete && counts.sceneHits == 0 && plan.hasObjectsInScene(),
-                    nodes,
-                    tests,
                     plan.studio().settings().pixels(),
-                    sampledPixels,
+                    film.sampledPixels(),
                     clipping,
                     error,
                     complete ? schedule.wantedError() : 0,
@@ -300,19 +291,5 @@ public final class RenderJob {
         return !complete || studio.colours() == ColourLaw.UNCHANGED
                 ? Clipping.NONE
                 : Clipping.of(film.image(), studio.settings().toneCurve());
-    }
-
-    private double estimatedError(int sampledPixels) {
-        boolean samplesMissing = film.samples(0) == 1 && Roughness.needsSeveralSamples(plan);
-        boolean varianceUnknown = film.samples(0) > 1 && !film.comparesHalves();
-        boolean pixelsMissing = sampledPixels < film.width() * film.height();
-        if (samplesMissing || varianceUnknown || pixelsMissing) {
-            return Double.NaN;
-        }
-        try {
-            return new Roughness(film, this::isCancelled).rootMeanSquare();
-        } catch (CancellationException unwanted) {
-            return Double.NaN;
-        }
     }
 }

@@ -40,6 +40,24 @@ final class Roughness {
     }
 
     /**
+     * The root mean square error that a picture still has in linear light; NaN if there is too little to tell, or if
+     * nobody wants to know it any more.
+     */
+    static double estimatedError(Film film, RenderPlan plan, BooleanSupplier stopped) {
+        boolean samplesMissing = film.samples(0) == 1 && needsSeveralSamples(plan);
+        boolean varianceUnknown = film.samples(0) > 1 && !film.comparesHalves();
+        boolean pixelsMissing = film.sampledPixels() < film.width() * film.height();
+        if (samplesMissing || varianceUnknown || pixelsMissing) {
+            return Double.NaN;
+        }
+        try {
+            return new Roughness(film, stopped).rootMeanSquare();
+        } catch (CancellationException unwanted) {
+            return Double.NaN;
+        }
+    }
+
+    /**
      * The roughness of the pixels that have samples.
      *
      * @param stopped whether nobody wants it any more

@@ -7,6 +7,7 @@ import org.joml.Vector3dc;
 import tompkins.math.Vectors;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
 
 /**
  * The primitives as a lamp sees them: a grid of directions, each with the primitives that stand there. A shadow ray
@@ -201,9 +202,9 @@ public final class LightGrid {
      * @param dz its third component
      * @param limit distance of the lamp
      * @param memory for the ray
-     * @param scratch takes note of the work
+     * @param counts takes note of the work
      */
-    public boolean shadows(Hit from, double dx, double dy, double dz, double limit, Ray memory, NearestHit scratch) {
+    public boolean shadows(Hit from, double dx, double dy, double dz, double limit, Ray memory, RayCounts counts) {
         Ray ray = null;
         int tests = 0;
         boolean shadow = false;
@@ -222,7 +223,7 @@ public final class LightGrid {
                 tests++;
             }
         }
-        scratch.count(0, tests);
+        counts.tests += tests;
         return shadow;
     }
 

@@ -2,10 +2,11 @@ package tompkins.sceneobject;
 
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
 
 /**
  * The result of a search for the nearest primitive, with the memory that the search needs. One for each thread, used
- * again for every ray; it also counts the work that was done.
+ * again for every ray.
  */
 public final class NearestHit {
 
@@ -17,11 +18,15 @@ public final class NearestHit {
     final TreeNode[] waiting = new TreeNode[DEEPEST_TREE];
     final double[] entries = new double[DEEPEST_TREE];
 
+    private final RayCounts counts;
     private Primitive primitive;
     private TreeNode leaf;
     private double distance;
-    private long nodes;
-    private long tests;
+
+    /** The memory of a thread, which counts there the nodes and primitives that its searches look at. */
+    public NearestHit(RayCounts counts) {
+        this.counts = counts;
+    }
 
     /** Starts a search of everything nearer than {@code limit}. */
     void start(double limit) {
@@ -55,9 +60,9 @@ public final class NearestHit {
                         && (found == null || candidate.order() < found.order()));
     }
 
-    void count(long moreNodes, long moreTests) {
-        nodes += moreNodes;
-        tests += moreTests;
+    void count(long nodes, long tests) {
+        counts.nodes += nodes;
+        counts.tests += tests;
     }
 
     /** Notes the leaf in which the nearest primitive so far was found. */
@@ -88,15 +93,5 @@ public final class NearestHit {
     /** The hit on the nearest primitive, in memory that may be used again. */
     public Hit hit(Ray ray, Hit memory) {
         return primitive.hit(ray, distance, memory);
-    }
-
-    /** Nodes of trees that were visited since this object was made. */
-    public long nodes() {
-        return nodes;
-    }
-
-    /** Primitives that were tested since this object was made. */
-    public long tests() {
-        return tests;
     }
 }

@@ -9,6 +9,7 @@ import java.util.function.ToDoubleFunction;
 import org.joml.Vector3d;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
 import tompkins.sceneobject.NearestHit;
 import tompkins.sceneobject.ObjectTree;
 import tompkins.sceneobject.PrimitiveCollector;
@@ -175,7 +176,7 @@ final class StabilityStudy implements Study {
         BigDecimal exact = new BigDecimal(far)
                 .subtract(BigDecimal.ONE.subtract(square(offset)).sqrt(DIGITS));
         Ray ray = Ray.from(0, 0, 0, 0, 0, 1, 0);
-        NearestHit nearest = new NearestHit();
+        NearestHit nearest = new NearestHit(new RayCounts());
         boolean hit = new ObjectTree(
                         PrimitiveCollector.primitivesOf(new Sphere("sphere", centre, 1, ColouredSurface.DEFAULT)))
                 .nearest(ray, nearest);

@@ -9,6 +9,7 @@ import java.util.SplittableRandom;
 import java.util.function.Supplier;
 import org.joml.Vector3d;
 import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.NearestHit;
 import tompkins.sceneobject.ObjectTree;
@@ -114,7 +115,7 @@ final class TreeStudy implements Study {
     }
 
     private static double search(ObjectTree tree, Ray[] rays) {
-        NearestHit nearest = new NearestHit();
+        NearestHit nearest = new NearestHit(new RayCounts());
         double sum = 0;
         for (Ray ray : rays) {
             sum += tree.nearest(ray, nearest) ? nearest.distance() : 0;
@@ -125,8 +126,8 @@ final class TreeStudy implements Study {
     /** How many rays find another object, or the same one at a distance that differs in any bit, than with a list. */
     private static int differences(List<Primitive> primitives, ObjectTree tree, Ray[] rays) {
         ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
-        NearestHit inList = new NearestHit();
-        NearestHit inTree = new NearestHit();
+        NearestHit inList = new NearestHit(new RayCounts());
+        NearestHit inTree = new NearestHit(new RayCounts());
         int different = 0;
         for (Ray ray : rays) {
             boolean hit = list.nearest(ray, inList);

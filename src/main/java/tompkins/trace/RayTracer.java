@@ -33,7 +33,7 @@ final class RayTracer implements Tracer, Visibility {
     private final int maximumDepth;
     private final RayCounts counts;
     private final RayWitness witness;
-    private final NearestHit nearest = new NearestHit();
+    private final NearestHit nearest;
     private final Hit hitMemory = Hit.blank();
     private final Ray startMemory = Ray.blank();
     private final Ray shadowMemory = Ray.blank();
@@ -62,6 +62,7 @@ final class RayTracer implements Tracer, Visibility {
         this.beyond = beyond;
         this.maximumDepth = maximumDepth;
         this.counts = counts;
+        nearest = new NearestHit(counts);
         this.witness = witness;
     }
 
@@ -217,7 +218,7 @@ final class RayTracer implements Tracer, Visibility {
         toZ /= distance;
         for (LightGrid grid : lightGrids) {
             if (grid.isOf(x, y, z)) {
-                return !grid.shadows(from, toX, toY, toZ, distance, shadowMemory, nearest);
+                return !grid.shadows(from, toX, toY, toZ, distance, shadowMemory, counts);
             }
         }
         Ray ray = shadowMemory.setShadow(from, toX, toY, toZ);
@@ -231,10 +232,5 @@ final class RayTracer implements Tracer, Visibility {
     @Override
     public Illumination illumination() {
         return illumination;
-    }
-
-    /** Nodes and primitives that were looked at so far. */
-    NearestHit work() {
-        return nearest;
     }
 }

@@ -11,7 +11,6 @@ import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.Candidates;
 import tompkins.sceneobject.EntryNodes;
-import tompkins.sceneobject.NearestHit;
 
 /** Takes samples of a picture. One for each thread. */
 public final class SampleTracer {
@@ -254,21 +253,5 @@ public final class SampleTracer {
     /** The row of the pixel at which this tracer is at work. */
     public int row() {
         return row;
-    }
-
-    /** Nodes of trees that this tracer visited. */
-    public long nodes() {
-        return sceneWork().nodes()
-                + (cameraTracer == null ? 0 : cameraTracer.work().nodes());
-    }
-
-    /** Tests of primitives in trees and lists that this tracer made. */
-    public long tests() {
-        return sceneWork().tests()
-                + (cameraTracer == null ? 0 : cameraTracer.work().tests());
-    }
-
-    private NearestHit sceneWork() {
-        return sceneEntry.sceneTracer().work();
     }
 }

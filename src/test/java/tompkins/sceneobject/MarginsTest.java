@@ -17,6 +17,7 @@ import tompkins.property.Descriptions;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayBlock;
+import tompkins.ray.RayCounts;
 import tompkins.surface.ColouredSurface;
 
 /**
@@ -191,7 +192,7 @@ class MarginsTest {
                 .as(name)
                 .isTrue();
         double limit = lamp.distance(ray.x, ray.y, ray.z);
-        assertThat(grid.shadows(start(ray), ray.dx, ray.dy, ray.dz, limit, Ray.blank(), new NearestHit()))
+        assertThat(grid.shadows(start(ray), ray.dx, ray.dy, ray.dz, limit, Ray.blank(), new RayCounts()))
                 .as(name)
                 .isTrue();
         return 1;

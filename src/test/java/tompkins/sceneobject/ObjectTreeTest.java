@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.ray.Ray;
 import tompkins.ray.RayBlock;
+import tompkins.ray.RayCounts;
 import tompkins.surface.ColouredSurface;
 
 class ObjectTreeTest {
@@ -21,8 +22,8 @@ class ObjectTreeTest {
         List<Primitive> primitives = spheres(count, new Random(count));
         ObjectTree tree = new ObjectTree(primitives, 1);
         ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
-        NearestHit inTree = new NearestHit();
-        NearestHit inList = new NearestHit();
+        NearestHit inTree = new NearestHit(new RayCounts());
+        NearestHit inList = new NearestHit(new RayCounts());
         Random random = new Random(7);
 
         int hits = 0;
@@ -48,8 +49,8 @@ class ObjectTreeTest {
         ObjectTree tree = new ObjectTree(primitives, 1);
         ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
         EntryNodes entries = new EntryNodes();
-        NearestHit inTree = new NearestHit();
-        NearestHit inList = new NearestHit();
+        NearestHit inTree = new NearestHit(new RayCounts());
+        NearestHit inList = new NearestHit(new RayCounts());
         Random random = new Random(11);
 
         int hits = 0;
@@ -74,14 +75,14 @@ class ObjectTreeTest {
         List<Primitive> primitives = spheres(1000, new Random(5));
         ObjectTree tree = new ObjectTree(primitives, 1);
         ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
-        NearestHit inTree = new NearestHit();
+        NearestHit inTree = new NearestHit(new RayCounts());
         Random random = new Random(13);
 
         int shadows = 0;
         for (int i = 0; i < 500; i++) {
             tree.nearest(ray(random), inTree);
             Ray ray = ray(random);
-            boolean shadow = list.shadow(ray, 5, new NearestHit()) != null;
+            boolean shadow = list.shadow(ray, 5, new NearestHit(new RayCounts())) != null;
             shadows += shadow ? 1 : 0;
 
             assertThat(tree.shadow(ray, 5, inTree) != null).isEqualTo(shadow);
@@ -130,7 +131,7 @@ class ObjectTreeTest {
                     .addTo(collector, Placement.NONE);
         }
         ObjectTree tree = new ObjectTree(collector.primitives(), smallestTree);
-        NearestHit nearest = new NearestHit();
+        NearestHit nearest = new NearestHit(new RayCounts());
 
         assertThat(tree.nearest(Ray.from(0, 0, 0, 0, 0, 1, 0), nearest)).isTrue();
 
@@ -193,8 +194,8 @@ class ObjectTreeTest {
         }
         ObjectTree tree = new ObjectTree(collector.primitives(), 1);
         ObjectTree list = new ObjectTree(collector.primitives(), Integer.MAX_VALUE);
-        NearestHit inTree = new NearestHit();
-        NearestHit inList = new NearestHit();
+        NearestHit inTree = new NearestHit(new RayCounts());
+        NearestHit inList = new NearestHit(new RayCounts());
         Random random = new Random(17);
 
         assertThat(depth(tree.root())).isLessThan(NearestHit.DEEPEST_TREE);

@@ -16,6 +16,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.fuzz.RandomStudio;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
 import tompkins.surface.Surface;
 import tompkins.surface.Tiling;
 
@@ -291,8 +292,8 @@ class PrimitiveContractTest {
         ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
         assertThat(tree.hasTree()).isTrue();
         assertThat(list.hasTree()).isFalse();
-        NearestHit fromTree = new NearestHit();
-        NearestHit fromList = new NearestHit();
+        NearestHit fromTree = new NearestHit(new RayCounts());
+        NearestHit fromList = new NearestHit(new RayCounts());
         int hits = 0;
         for (int i = 0; i < 100_000; i++) {
             Bounds bounds = primitives.get((int) aims.mix(0, primitives.size())).bounds();

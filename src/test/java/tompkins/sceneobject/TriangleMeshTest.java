@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import tompkins.ray.Hit;
 import tompkins.ray.MeshData;
 import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
 import tompkins.surface.ColouredSurface;
 
 class TriangleMeshTest {
@@ -18,7 +19,7 @@ class TriangleMeshTest {
     @Test
     void raysMeetTheOctahedronWhereItsEquationSays() {
         ObjectTree tree = new ObjectTree(PrimitiveCollector.primitivesOf(TriangleMesh.DEFAULT), 2);
-        NearestHit nearest = new NearestHit();
+        NearestHit nearest = new NearestHit(new RayCounts());
         Random random = new Random(1);
 
         for (int i = 0; i < 1000; i++) {
@@ -61,7 +62,7 @@ class TriangleMeshTest {
         Placed placed =
                 new Placed("placed", TriangleMesh.DEFAULT, 0.5, new Vector3d(0, 0, 1), 90, new Vector3d(0, 0, 10));
         ObjectTree tree = new ObjectTree(PrimitiveCollector.primitivesOf(placed));
-        NearestHit nearest = new NearestHit();
+        NearestHit nearest = new NearestHit(new RayCounts());
 
         assertThat(tree.nearest(Ray.from(0.05, 0.1, 0, 0, 0, 1, 0), nearest)).isTrue();
 
