@@ -40,7 +40,11 @@ final class AnimationExport {
         SaveDialog.ask(
                 frame,
                 files.chooser(),
-                Texts.get("play.exportTitle"),
+                Texts.get(
+                        "play.exportTitle",
+                        animation.frames(),
+                        studio.settings().width(),
+                        studio.settings().height()),
                 "animation",
                 formats,
                 (file, format) -> save(studio, animation, file, format));
@@ -54,7 +58,8 @@ final class AnimationExport {
                 frame,
                 Texts.get("file.saving", file),
                 progress -> warnings.set(write(studio, animation, file, format, captioned, progress)),
-                () -> files.exported(file, warnings.get().sentences()));
+                () -> files.exported(file, warnings.get().sentences()),
+                () -> files.sayNotSaved(file));
     }
 
     /** Takes all pictures and writes them; leaves nothing behind if the task is cancelled or fails. */

@@ -153,9 +153,12 @@ final class FileActions implements FileContentEditor.Choosers {
         }
     }
 
-    /** Begins a scene without objects. */
-    void begin() {
-        open(Studio.DEFAULT);
+    /** Begins a scene without objects, and then goes on to where they are added. */
+    void begin(Runnable next) {
+        leaveForAnother(() -> {
+            show(Studio.DEFAULT, null);
+            next.run();
+        });
     }
 
     /** Opens the file of the scene again, which another program may have changed. */
@@ -290,7 +293,11 @@ final class FileActions implements FileContentEditor.Choosers {
         awaitEnd(
                 file,
                 BackgroundTask.start(
-                        frame, Texts.get("file.saving", file), task -> StudioWriter.save(studio, file), done));
+                        frame,
+                        Texts.get("file.saving", file),
+                        task -> StudioWriter.save(studio, file),
+                        done,
+                        () -> sayNotSaved(file)));
     }
 
     private void saved(Path file) {
@@ -318,7 +325,10 @@ final class FileActions implements FileContentEditor.Choosers {
         SaveDialog.ask(
                 frame,
                 chooser(),
-                Texts.get("file.savePhotograph"),
+                Texts.get(
+                        "file.savePhotograph",
+                        studio.settings().width(),
+                        studio.settings().height()),
                 fileName(),
                 formats,
                 (file, format) -> savePhotograph(studio, file, format));
@@ -360,7 +370,13 @@ final class FileActions implements FileContentEditor.Choosers {
                         // it asks for something
                         status.say(Texts.get("file.savedNaming", file, String.join(", ", named)));
                     }
-                });
+                },
+                () -> sayNotSaved(file));
+    }
+
+    /** Tells that a file was left as it was, since its saving was cancelled. */
+    void sayNotSaved(Path file) {
+        status.report(Texts.get("file.notSaved", file));
     }
 
     /** Whether files can be dropped on the window, and what becomes of them. */

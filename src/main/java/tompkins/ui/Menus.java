@@ -136,7 +136,7 @@ final class Menus {
 
     private JMenu fileMenu() {
         JMenu menu = menu("menu.file");
-        add(menu, "menu.new", "ctrl N", files::begin);
+        add(menu, "menu.new", "ctrl N", () -> files.begin(commands::editScene));
         add(menu, "menu.open", "ctrl O", files::open);
         JMenu recent = new JMenu(Texts.get("menu.recent"));
         recent.setName("menu.recent");

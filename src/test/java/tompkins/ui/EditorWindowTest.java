@@ -28,6 +28,7 @@ import tompkins.io.StudioReader;
 import tompkins.property.Descriptions;
 import tompkins.ray.PixelPicture;
 import tompkins.sceneobject.Sphere;
+import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.surface.PictureSurface;
 import tompkins.surface.Surface;
@@ -67,6 +68,16 @@ class EditorWindowTest {
     private Stream<JDialog> editors() {
         return Components.showing(driver.window().frame(), JDialog.class)
                 .filter(dialog -> "editor".equals(dialog.getName()));
+    }
+
+    @Test
+    void aNewSceneIsBegunWhereObjectsAreAdded() {
+        WindowDriver.onEventThread(() -> editors().forEach(dialog -> dialog.setVisible(false)));
+        driver.menu("menu.new");
+        WindowDriver.await("the editor", this::isOpen);
+        assertThat(driver.studio()).isEqualTo(Studio.DEFAULT);
+        assertThat(driver.find(JButton.class, Texts.get("tree.add")).isEnabled())
+                .isTrue();
     }
 
     private JTextField radius() {

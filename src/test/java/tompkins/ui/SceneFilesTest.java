@@ -134,7 +134,8 @@ class SceneFilesTest {
                     .files()
                     .awaitEnd(
                             file,
-                            BackgroundTask.start(driver.window().frame(), "saving", task -> written.await(), () -> {}));
+                            BackgroundTask.start(
+                                    driver.window().frame(), "saving", task -> written.await(), () -> {}, () -> {}));
         });
         save();
         JLabel what = driver.find(JLabel.class, "status.what");

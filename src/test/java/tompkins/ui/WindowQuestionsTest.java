@@ -221,7 +221,8 @@ class WindowQuestionsTest {
         try (Stream<Path> left = Files.list(folder)) {
             assertThat(left.filter(Files::isRegularFile)).containsExactly(file);
         }
-        assertThat(driver.find(JLabel.class, "status.what").getText()).doesNotStartWith("Saved");
+        assertThat(driver.find(JLabel.class, "status.what").getText())
+                .isEqualTo("Cancelled: " + film + " was not saved.");
     }
 
     @Test

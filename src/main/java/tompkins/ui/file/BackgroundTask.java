@@ -96,13 +96,14 @@ public final class BackgroundTask implements Progress {
      * Starts work. Called by the event thread.
      *
      * @param done called on the event thread if the work was done, even if Cancel came too late
+     * @param notDone called on the event thread if it was cancelled
      */
-    public static BackgroundTask start(Window owner, String title, Work work, Runnable done) {
+    public static BackgroundTask start(Window owner, String title, Work work, Runnable done, Runnable notDone) {
         BackgroundTask task = new BackgroundTask(owner, title);
         RUNNING.add(task);
         Timer timer = new Timer(PATIENCE_MILLISECONDS, event -> task.refresh());
         timer.start();
-        Thread thread = new Thread(() -> task.run(work, timer, done), "tompkins-task");
+        Thread thread = new Thread(() -> task.run(work, timer, done, notDone), "tompkins-task");
         thread.setDaemon(true);
         thread.start();
         return task;
@@ -123,7 +124,8 @@ public final class BackgroundTask implements Progress {
                     found.set(work.call());
                     task.requireWanted();
                 },
-                () -> done.accept(found.get()));
+                () -> done.accept(found.get()),
+                () -> {});
     }
 
     /**
@@ -143,13 +145,13 @@ public final class BackgroundTask implements Progress {
         return RUNNING.contains(this);
     }
 
-    private void run(Work work, Timer timer, Runnable done) {
+    private void run(Work work, Timer timer, Runnable done, Runnable notDone) {
         Runnable end;
         try {
             work.run(this);
             end = done;
         } catch (CancellationException stopped) {
-            end = () -> {};
+            end = notDone;
         } catch (Exception | Error failure) {
             // whatever it is, a task that has ended must not count as running
             end = () -> Messages.error(owner, Messages.of(failure));

@@ -45,7 +45,8 @@ class BackgroundTaskTest {
     }
 
     private void start(BackgroundTask.Work work) {
-        WindowDriver.onEventThread(() -> BackgroundTask.start(owner, "work", work, () -> ended.add("done")));
+        WindowDriver.onEventThread(
+                () -> BackgroundTask.start(owner, "work", work, () -> ended.add("done"), () -> ended.add("not done")));
     }
 
     private Stream<JButton> cancel() {
@@ -71,7 +72,17 @@ class BackgroundTaskTest {
     }
 
     @Test
-    void whatIsNoLongerWantedIsNotDone() {
+    void whatIsCancelledInTimeIsNotDone() {
+        start(task -> {
+            assertThat(late.await(60, TimeUnit.SECONDS)).isTrue();
+            task.requireWanted();
+        });
+        cancelWhileItRuns();
+        assertThat(ended).containsExactly("not done");
+    }
+
+    @Test
+    void whatIsNoLongerWantedIsNotFound() {
         find();
         cancelWhileItRuns();
         assertThat(ended).isEmpty();
