@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
+import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
@@ -224,6 +225,15 @@ class HistoryTest {
     void aStepToAnotherSceneIsSpokenOf() {
         driver.type(field("Speed"), "0.5");
         driver.key(KeyEvent.VK_N, KeyEvent.VK_CONTROL);
+        WindowDriver.await(
+                "the editor",
+                () -> Components.showing(driver.window().frame(), JDialog.class).anyMatch(JDialog::isFocused));
+        driver.key(KeyEvent.VK_ESCAPE);
+        WindowDriver.await(
+                "its end",
+                () -> Components.showing(driver.window().frame(), JDialog.class)
+                        .findAny()
+                        .isEmpty());
         Studio begun = driver.studio();
         driver.type(field("Speed"), "0.7");
         undo();
