@@ -111,7 +111,7 @@ class SceneInDamagedFileTest {
         int text = new String(whole, ISO_8859_1).indexOf("tompkins.scene") - 8;
         for (int place : new int[] {text, text + 48}) {
             byte[] png = whole.clone();
-            png[place] ^= 0x80;
+            png[place] ^= Byte.MIN_VALUE;
             Path file = file(png);
             assertThatThrownBy(() -> PhotographFile.readScene(file))
                     .isInstanceOf(FileException.class)
