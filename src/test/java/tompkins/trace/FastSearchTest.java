@@ -144,7 +144,11 @@ class FastSearchTest {
             assertThat(Arrays.stream(colours).distinct())
                     .as("different colours")
                     .hasSizeGreaterThan(30);
-            assertThat(counts).usingRecursiveComparison().isEqualTo(other.counts);
+            // less work is what it is all for
+            assertThat(counts)
+                    .usingRecursiveComparison()
+                    .ignoringFields("nodes", "tests")
+                    .isEqualTo(other.counts);
         }
     }
 }

@@ -5,11 +5,20 @@ import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.BiConsumer;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 import tompkins.trace.Frame;
@@ -32,6 +41,10 @@ final class DiagramPane extends JPanel {
     private static final double ROOM = 1.12;
 
     private static final double DOT = 0.28;
+
+    /** How far inwards from its end an axis may have its name, in halves of the height of the type. */
+    private static final int STEPS_INWARDS = 8;
+
     private static final String PRIME = "\u2032";
     private static final float[] DASHES = {3, 4};
 
@@ -79,42 +92,77 @@ final class DiagramPane extends JPanel {
         g.fillRect(0, 0, getWidth(), getHeight());
         g.setColor(UIManager.getColor("Tompkins.line"));
         g.drawRect(0, 0, getWidth() - 1, getHeight() - 1);
-        drawThrough(g, new Point2D.Double(1, 0));
-        drawThrough(g, new Point2D.Double(0, 1));
+        ownAxes().forEach(g::draw);
         g.setStroke(new BasicStroke(1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 1, DASHES, 0));
-        drawThrough(g, new Point2D.Double(1, 1));
-        drawThrough(g, new Point2D.Double(1, -1));
+        light().forEach(g::draw);
         g.setStroke(new BasicStroke(1.4f));
         g.setColor(UIManager.getColor("Tompkins.note"));
-        drawThrough(g, diagram.otherTime());
-        drawThrough(g, diagram.otherSpace());
+        otherAxes().forEach(g::draw);
         g.setStroke(new BasicStroke(1));
-        nameAxes(g);
+        words(g.getFontMetrics())
+                .forEach((word, place) -> g.drawString(word, (float) place.getX(), (float) place.getMaxY()));
+        int gap = g.getFontMetrics().getDescent();
+        ticks().forEach(tick -> {
+            Point2D at = place(new Point2D.Double(0, tick));
+            g.draw(new Line2D.Double(at.getX() - gap, at.getY(), at.getX() + gap, at.getY()));
+        });
         drawRay(g);
         g.dispose();
     }
 
+    private List<Line2D> ownAxes() {
+        return List.of(through(new Point2D.Double(1, 0)), through(new Point2D.Double(0, 1)));
+    }
+
+    private List<Line2D> light() {
+        return List.of(through(new Point2D.Double(1, 1)), through(new Point2D.Double(1, -1)));
+    }
+
+    private List<Line2D> otherAxes() {
+        return List.of(through(diagram.otherTime()), through(diagram.otherSpace()));
+    }
+
+    /** All lines, in pixels. */
+    List<Line2D> lines() {
+        return Stream.of(ownAxes(), light(), otherAxes(), ray())
+                .flatMap(List::stream)
+                .toList();
+    }
+
     /**
-     * The numbers of the upright axis of time, and the names of all axes at their ends: those of the camera have
-     * primes.
+     * The numbers of the upright axis of time that there is room for, and the names of all axes near their ends: those
+     * of the camera have primes. Each with its place in pixels, from the top of its letters to the line they stand on.
      */
-    private void nameAxes(Graphics2D g) {
+    Map<String, Rectangle2D> words(FontMetrics type) {
         boolean ofScene = diagram.frame() == Frame.SCENE;
         String own = ofScene ? "" : PRIME;
         String other = ofScene ? PRIME : "";
-        name(g, "t" + own, new Point2D.Double(0, 1));
-        name(g, "x" + own, new Point2D.Double(1, 0));
+        WordPlaces places = new WordPlaces(new Rectangle(1, 1, getWidth() - 2, getHeight() - 2), lines());
+        Map<String, Rectangle2D> words = new LinkedHashMap<>();
+        for (double tick : ticks()) {
+            String number = Numbers.brief(tick, 3);
+            places.takeFree(besideTick(number, tick, type)).ifPresent(place -> words.put(number, place));
+        }
+        BiConsumer<String, Point2D> name =
+                (text, direction) -> words.put(text, places.take(besideAxis(text, direction, type)));
+        name.accept("t" + own, new Point2D.Double(0, 1));
+        name.accept("x" + own, new Point2D.Double(1, 0));
         if (diagram.otherTime().getX() != 0) {
-            name(g, "t" + other, times(diagram.otherTime(), -1));
-            name(g, "x" + other, diagram.otherSpace());
+            // there is more room below
+            name.accept("t" + other, times(diagram.otherTime(), -1));
+            name.accept("x" + other, diagram.otherSpace());
         }
+        return words;
+    }
+
+    /** The times of the marks on the upright axis. */
+    private List<Double> ticks() {
         double step = step();
-        int gap = g.getFontMetrics().getDescent();
-        for (int i = 1; step > 0 && i * step <= diagram.reach(); i++) {
-            Point2D tick = place(new Point2D.Double(0, -i * step));
-            g.draw(new Line2D.Double(tick.getX() - gap, tick.getY(), tick.getX() + gap, tick.getY()));
-            g.drawString(Numbers.brief(-i * step, 3), (float) tick.getX() + 2 * gap, (float) tick.getY() + gap);
-        }
+        return step > 0
+                ? IntStream.rangeClosed(1, (int) (diagram.reach() / step))
+                        .mapToObj(i -> -i * step)
+                        .toList()
+                : List.of();
     }
 
     /** The largest of 1, 2, 5, 10, ... that is at most half of the reach; 0 if that is 0. */
@@ -124,18 +172,38 @@ final class DiagramPane extends JPanel {
         return (half >= 5 * power ? 5 : half >= 2 * power ? 2 : 1) * power;
     }
 
+    /** To the right of a mark on the upright axis, or to the left. */
+    private List<Rectangle2D> besideTick(String number, double tick, FontMetrics type) {
+        Point2D at = place(new Point2D.Double(0, tick));
+        double away = 2 * type.getDescent() + type.stringWidth(number) / 2.0;
+        return List.of(
+                around(at.getX() + away, at.getY(), number, type), around(at.getX() - away, at.getY(), number, type));
+    }
+
     /**
-     * Writes a name to the right of the end of an axis, as it is seen from the event at the lens; to the left of one
-     * that runs down to the right, for there is the edge.
+     * The places beside an axis, from its ends inwards, at first at the end of a direction and to the right, as it is
+     * seen from the event at the lens.
      */
-    private void name(Graphics2D g, String name, Point2D direction) {
-        FontMetrics type = g.getFontMetrics();
-        Point2D end = edge(new Point2D.Double(), direction, type.getHeight());
-        boolean falls = direction.getX() > 0 && direction.getY() < 0;
-        double away = (falls ? -0.8 : 0.8) * type.getHeight() / direction.distance(0, 0);
-        double x = end.getX() + away * direction.getY() - type.stringWidth(name) / 2.0;
-        double y = end.getY() + away * direction.getX() + type.getAscent() / 2.0;
-        g.drawString(name, (float) x, (float) y);
+    private List<Rectangle2D> besideAxis(String name, Point2D direction, FontMetrics type) {
+        List<Rectangle2D> places = new ArrayList<>();
+        for (int step = 0; step < STEPS_INWARDS; step++) {
+            for (Point2D way : List.of(direction, times(direction, -1))) {
+                Point2D end = edge(new Point2D.Double(), way, type.getHeight());
+                double pixel = 1 / way.distance(0, 0);
+                double away = 0.8 * type.getHeight() * pixel;
+                double inwards = step * type.getHeight() * pixel / 2;
+                double x = end.getX() - inwards * way.getX();
+                double y = end.getY() + inwards * way.getY();
+                places.add(around(x + away * way.getY(), y + away * way.getX(), name, type));
+                places.add(around(x - away * way.getY(), y - away * way.getX(), name, type));
+            }
+        }
+        return places;
+    }
+
+    private static Rectangle2D around(double x, double y, String word, FontMetrics type) {
+        double width = type.stringWidth(word);
+        return new Rectangle2D.Double(x - width / 2, y - type.getAscent() / 2.0, width, type.getAscent());
     }
 
     /** Where a line from a point of the diagram comes near the edge of this component. */
@@ -148,24 +216,28 @@ final class DiagramPane extends JPanel {
                 : ((right > 0 ? getWidth() - margin : margin) - start.getX()) / right;
         double along = down == 0
                 ? Double.POSITIVE_INFINITY
-                : ((down > 0 ? getHeight() - margin / 2.0 : margin) - start.getY()) / down;
+                : ((down > 0 ? getHeight() - margin / 2.0 : margin / 2.0) - start.getY()) / down;
         double length = Math.max(0, Math.min(across, along));
         return new Point2D.Double(start.getX() + length * right, start.getY() + length * down);
     }
 
+    /** The way of the ray in straight pieces, in pixels: a point at least. */
+    private List<Line2D> ray() {
+        List<Point2D> corners =
+                new ArrayList<>(diagram.path().stream().map(this::place).toList());
+        Point2D last = diagram.path().get(diagram.path().size() - 1);
+        corners.add(diagram.onwards() == null ? place(last) : edge(last, diagram.onwards(), 0));
+        return IntStream.range(1, corners.size())
+                .<Line2D>mapToObj(i -> new Line2D.Double(corners.get(i - 1), corners.get(i)))
+                .toList();
+    }
+
     private void drawRay(Graphics2D g) {
-        Path2D ray = new Path2D.Double();
-        Point2D lens = place(diagram.path().get(0));
-        ray.moveTo(lens.getX(), lens.getY());
-        diagram.path().stream().map(this::place).forEach(point -> ray.lineTo(point.getX(), point.getY()));
-        if (diagram.onwards() != null) {
-            Point2D last = diagram.path().get(diagram.path().size() - 1);
-            Point2D end = edge(last, diagram.onwards(), 0);
-            ray.lineTo(end.getX(), end.getY());
-        }
+        Path2D path = new Path2D.Double();
+        ray().forEach(piece -> path.append(piece, true));
         g.setColor(UIManager.getColor("Component.accentColor"));
         g.setStroke(new BasicStroke(2.4f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND));
-        g.draw(ray);
+        g.draw(path);
         double radius = Look.pixels(DOT);
         for (Point2D event : diagram.path()) {
             Point2D centre = place(event);
@@ -173,10 +245,10 @@ final class DiagramPane extends JPanel {
         }
     }
 
-    /** Draws a line through the event at the lens, from edge to edge. */
-    private void drawThrough(Graphics2D g, Point2D direction) {
+    /** A line through the event at the lens, from edge to edge, in pixels. */
+    private Line2D through(Point2D direction) {
         double length = 2.0 * (getWidth() + getHeight()) / (scale() * direction.distance(0, 0));
-        g.draw(new Line2D.Double(place(times(direction, -length)), place(times(direction, length))));
+        return new Line2D.Double(place(times(direction, -length)), place(times(direction, length)));
     }
 
     private static Point2D times(Point2D point, double factor) {

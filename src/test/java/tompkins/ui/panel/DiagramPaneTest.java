@@ -3,8 +3,10 @@ package tompkins.ui.panel;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Color;
+import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -98,6 +100,40 @@ class DiagramPaneTest {
         int axisAtTheEdge = SIZE / 2 + (int) (0.3 * (SIZE - lens(image)));
         assertThat(isEmpty(image, axisAtTheEdge + 4, SIZE - 30, 20, 26)).isFalse();
         assertThat(isEmpty(image, axisAtTheEdge - 32, SIZE - 20, 20, 16)).isTrue();
+    }
+
+    /** At all speeds, in both frames, for light from ahead, from aside and from behind. */
+    @Test
+    void wordsStandOffTheLinesAndOffEachOther() {
+        for (double beta :
+                new double[] {-0.999, -0.9, -0.6, -0.2, 0.001, 0.1, 0.3, 0.5, 0.7, 0.8, 0.9, 0.99, 0.99999}) {
+            double gamma = 1 / Math.sqrt((1 - beta) * (1 + beta));
+            for (Frame frame : Frame.values()) {
+                int sign = frame == Frame.SCENE ? 1 : -1;
+                for (double x : new double[] {-9, -3, 0, 5, 9}) {
+                    requireRoomForWords(new SpaceTimeDiagram(
+                            frame,
+                            List.of(HERE, new Point2D.Double(x, -9)),
+                            null,
+                            new Point2D.Double(sign * gamma * beta, gamma),
+                            new Point2D.Double(gamma, sign * gamma * beta)));
+                }
+            }
+        }
+    }
+
+    private static void requireRoomForWords(SpaceTimeDiagram diagram) {
+        DiagramPane pane = pane(diagram);
+        Font font = UIManager.getFont("small.font");
+        pane.setSize(24 * font.getSize(), 13 * font.getSize());
+        List<Rectangle2D> words =
+                List.copyOf(pane.words(pane.getFontMetrics(font)).values());
+        assertThat(words).as("four names, and numbers").hasSizeGreaterThanOrEqualTo(5);
+        for (Rectangle2D word : words) {
+            assertThat(pane.getBounds().contains(word)).isTrue();
+            assertThat(pane.lines()).noneMatch(line -> line.intersects(word));
+            assertThat(words).filteredOn(word::intersects).containsExactly(word);
+        }
     }
 
     private static boolean isEmpty(BufferedImage image, int x, int y, int width, int height) {

@@ -1,0 +1,48 @@
+package tompkins.ui.panel;
+
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+
+/** Finds places for the words of a drawing: inside it, off its lines, and off each other. */
+final class WordPlaces {
+
+    private final Rectangle2D room;
+    private final List<Line2D> lines;
+    private final List<Rectangle2D> taken = new ArrayList<>();
+
+    /** Places in a room with some lines. */
+    WordPlaces(Rectangle2D room, List<Line2D> lines) {
+        this.room = room;
+        this.lines = lines;
+    }
+
+    /** Takes the first of some places in whose way nothing is, if there is one. */
+    Optional<Rectangle2D> takeFree(List<Rectangle2D> places) {
+        Optional<Rectangle2D> free =
+                places.stream().filter(place -> inTheWay(place) == 0).findFirst();
+        free.ifPresent(taken::add);
+        return free;
+    }
+
+    /** As above; if there is none, the first with the least in its way. */
+    Rectangle2D take(List<Rectangle2D> places) {
+        return takeFree(places).orElseGet(() -> {
+            Rectangle2D best = places.stream()
+                    .min(Comparator.comparingLong(this::inTheWay))
+                    .orElseThrow();
+            taken.add(best);
+            return best;
+        });
+    }
+
+    private long inTheWay(Rectangle2D place) {
+        long outside = room.contains(place) ? 0 : 1 + lines.size();
+        return outside
+                + lines.stream().filter(line -> line.intersects(place)).count()
+                + taken.stream().filter(place::intersects).count();
+    }
+}
