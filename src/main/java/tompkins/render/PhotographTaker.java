@@ -7,7 +7,8 @@ import tompkins.trace.RenderPlan;
 /** Takes complete photographs for files, one after the other. */
 public final class PhotographTaker implements AutoCloseable {
 
-    private static final int POLL_MILLISECONDS = 20;
+    /** Seconds between looks at the progress. */
+    private static final double PATIENCE = 0.02;
 
     private final Renderer renderer = new Renderer();
     private RenderPlan plan;
@@ -30,7 +31,7 @@ public final class PhotographTaker implements AutoCloseable {
             }
             progress.requireWanted();
             progress.setProgress(done + share * job.progress());
-            Thread.sleep(POLL_MILLISECONDS);
+            job.await(PATIENCE);
         }
         job.await();
         return job;
