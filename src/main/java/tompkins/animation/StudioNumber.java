@@ -54,6 +54,11 @@ public record StudioNumber(StudioPath place) {
         return place.parent().equals(VELOCITY);
     }
 
+    /** Whether a studio has a decimal number there. */
+    public boolean isIn(Studio studio) {
+        return place.length(studio) == place.steps().size() && place.get(studio) instanceof Double;
+    }
+
     /** Its value in a studio that has it. */
     public double in(Studio studio) {
         return (Double) place.get(studio);

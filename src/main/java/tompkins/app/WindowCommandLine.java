@@ -6,6 +6,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.joml.Vector3dc;
+import tompkins.animation.Animation;
+import tompkins.animation.StudioNumber;
 import tompkins.math.Vectors;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
@@ -17,7 +19,10 @@ import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.ui.CommandLineWriter;
 
-/** Writes what the window shows as a call of {@code render}: the scene file, and options for what has changed since. */
+/**
+ * Writes what the window does as a call of {@code render} or {@code animate}: the scene file, and options for what has
+ * changed since.
+ */
 final class WindowCommandLine implements CommandLineWriter {
 
     /** Lorentz factors that differ by less than this share of them give pictures that nobody can tell apart. */
@@ -25,6 +30,9 @@ final class WindowCommandLine implements CommandLineWriter {
 
     /** A unit vector that was made a unit vector again may differ by this. */
     private static final double SAME_DIRECTION = 1e-15;
+
+    /** A time of an animation at which its value is neither the first nor the last. */
+    private static final double BETWEEN = 0.25;
 
     private final Path jar;
 
@@ -49,12 +57,50 @@ final class WindowCommandLine implements CommandLineWriter {
     }
 
     @Override
-    public Optional<String> of(Studio studio, Studio opened, Path file) {
+    public Optional<String> photograph(Studio studio, Studio opened, Path file) {
+        return line("render", studio, opened, file);
+    }
+
+    @Override
+    public Optional<String> animation(Studio studio, Animation animation, boolean captioned, Studio opened, Path file) {
+        Studio start = start(studio, animation, opened);
+        // the command has no option for it
+        boolean sameSeed = start.settings().seed() == opened.settings().seed();
+        boolean backwards = animation.course() == Animation.Course.BACKWARDS;
+        return line("animate", start, opened, file)
+                .filter(line -> sameSeed)
+                .map(line ->
+                        line + " --number=" + quoted(animation.number().place().toString())
+                                + " --from=" + NumberText.of(backwards ? animation.to() : animation.from())
+                                + " --to=" + NumberText.of(backwards ? animation.from() : animation.to())
+                                + " --duration=" + NumberText.of(animation.seconds())
+                                + (animation.course() == Animation.Course.THERE_AND_BACK ? " --back" : "")
+                                + (captioned ? " --caption" : "")
+                                + " -o animation.png");
+    }
+
+    /**
+     * The studio with a value of the animated number that needs no option; what it is at the moment does not matter.
+     * Where the speed is animated in another direction than before, a speed of the animation that tells that direction.
+     */
+    private static Studio start(Studio studio, Animation animation, Studio opened) {
+        StudioNumber number = animation.number();
+        if (number.isSpeed()) {
+            return hasDirectionOf(opened.velocity(), studio.velocity())
+                    ? FrontWindow.withVelocity(studio, opened.velocity())
+                    : number.with(studio, animation.value(BETWEEN));
+        }
+        return number.isIn(opened) ? number.with(studio, number.in(opened)) : studio;
+    }
+
+    private Optional<String> line(String command, Studio studio, Studio opened, Path file) {
         Optional<String> velocity = velocity(studio.velocity(), opened.velocity());
         if (file == null || velocity.isEmpty() || !isSayable(studio, opened)) {
             return Optional.empty();
         }
-        StringBuilder line = new StringBuilder("java -jar " + quoted(jar) + " render " + quoted(file));
+        StringBuilder line =
+                new StringBuilder("java -jar " + quoted(jar.toAbsolutePath().toString()) + " " + command + " "
+                        + quoted(file.toAbsolutePath().toString()));
         RenderSettings settings = studio.settings();
         RenderSettings before = opened.settings();
         if (settings.width() != before.width() || settings.height() != before.height()) {
@@ -85,9 +131,11 @@ final class WindowCommandLine implements CommandLineWriter {
             return Optional.of(" --beta=" + NumberText.of(beta.x()) + "," + NumberText.of(beta.y()) + ","
                     + NumberText.of(beta.z()));
         }
-        return now.direction().equals(Vectors.unit(before.givenDirection()), SAME_DIRECTION)
-                ? Optional.of(" --gamma=" + NumberText.of(now.gamma()))
-                : Optional.empty();
+        return hasDirectionOf(before, now) ? Optional.of(" --gamma=" + NumberText.of(now.gamma())) : Optional.empty();
+    }
+
+    private static boolean hasDirectionOf(Velocity before, Velocity now) {
+        return Vectors.unit(now.givenDirection()).equals(Vectors.unit(before.givenDirection()), SAME_DIRECTION);
     }
 
     private static void appendSamples(StringBuilder line, RenderSettings now, RenderSettings before) {
@@ -142,12 +190,11 @@ final class WindowCommandLine implements CommandLineWriter {
     }
 
     /**
-     * The whole path of a file, for any folder, as a shell takes it for one word; Windows has other shells, and other
-     * letters in names.
+     * A text as a shell takes it for one word; Windows has other shells, and other letters in the whole paths of files,
+     * which are used because the line has to work in any folder.
      */
-    private static String quoted(Path file) {
-        String name = file.toAbsolutePath().toString();
-        boolean windows = file.getFileSystem().getSeparator().equals("\\");
+    private String quoted(String name) {
+        boolean windows = jar.getFileSystem().getSeparator().equals("\\");
         if (name.matches(windows ? "[\\p{L}\\p{N}._\\\\:-]+" : "[\\p{L}\\p{N}._/:-]+")) {
             return name;
         }

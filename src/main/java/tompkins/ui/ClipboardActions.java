@@ -6,6 +6,7 @@ import java.awt.datatransfer.Transferable;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import javax.swing.JFrame;
+import tompkins.animation.Animation;
 import tompkins.image.PictureLabel;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.ImageSelection;
@@ -15,7 +16,7 @@ import tompkins.ui.picture.ScreenPicture;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
 
-/** Copies the photograph, or the command line that takes it, for other programs. */
+/** Copies the photograph, or the command lines that take it or an animation of it, for other programs. */
 final class ClipboardActions {
 
     private final JFrame frame;
@@ -63,7 +64,15 @@ final class ClipboardActions {
 
     /** Puts the command line that takes this photograph on the clipboard. */
     void copyCommandLine() {
-        Optional<String> command = commandLine.of(model.studio(), model.opened(), model.file());
+        copy(commandLine.photograph(model.studio(), model.opened(), model.file()));
+    }
+
+    /** Puts the command line that saves an animation on the clipboard. */
+    void copyCommandLine(Animation animation) {
+        copy(commandLine.animation(model.studio(), animation, captions.areShown(), model.opened(), model.file()));
+    }
+
+    private void copy(Optional<String> command) {
         if (command.isEmpty()) {
             // the clipboard may still hold the command of another photograph
             Messages.error(frame, Texts.get(model.file() == null ? "file.copyNeedsFile" : "file.saveFirst"));

@@ -2,18 +2,28 @@ package tompkins.ui;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import tompkins.animation.Animation;
 import tompkins.studio.Studio;
 
-/** Knows the command line that takes the same photograph as the window shows. */
-@FunctionalInterface
+/**
+ * Knows the command lines that do again what the window does. They are empty if none can say what has changed, so that
+ * the scene has to be saved first.
+ */
 public interface CommandLineWriter {
 
     /**
-     * The command line; empty if none can say what has changed, so that the scene has to be saved first.
+     * The command line that takes the same photograph as the window shows.
      *
      * @param studio what the window shows
      * @param opened the studio as it was read from the file or last saved
      * @param file where it was read from, or null
      */
-    Optional<String> of(Studio studio, Studio opened, Path file);
+    Optional<String> photograph(Studio studio, Studio opened, Path file);
+
+    /**
+     * The command line that saves an animation of what the window shows; the file has the usual name.
+     *
+     * @param captioned whether its pictures have captions
+     */
+    Optional<String> animation(Studio studio, Animation animation, boolean captioned, Studio opened, Path file);
 }

@@ -44,6 +44,8 @@ final class Menus {
 
         void togglePlayPanel();
 
+        void copyAnimation();
+
         void showDocument(String page);
 
         void showKeys();
@@ -211,6 +213,8 @@ final class Menus {
         menu.addSeparator();
         add(menu, "menu.playPause", "F9", commands::togglePlay);
         add(menu, "menu.playPanel", "ctrl L", commands::togglePlayPanel);
+        menu.addSeparator();
+        add(menu, "menu.copyAnimation", null, commands::copyAnimation);
         return menu;
     }
 

@@ -14,8 +14,6 @@ import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
-import javax.swing.JRootPane;
-import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
 import tompkins.io.SelfDescription;
@@ -30,7 +28,6 @@ import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.FocusFollower;
-import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Screens;
@@ -90,7 +87,7 @@ public final class TompkinsWindow {
         late = new LateParts(this::furnish, menus::setExamples, frame::setIconImages);
         menus.bindOtherRedo(frame.getRootPane());
         frame.getRootPane().setTransferHandler(files.drop());
-        bindPeekKey();
+        PeekKey.bind(frame, view.canvas());
         FocusFollower.install(frame);
         frame.setName("tompkins");
         frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
@@ -231,20 +228,6 @@ public final class TompkinsWindow {
         return new Dimension(Math.min(width, screen.width), Math.min(height, screen.height));
     }
 
-    private void bindPeekKey() {
-        JRootPane pane = frame.getRootPane();
-        Keys.bind(pane, KeyStroke.getKeyStroke("F8"), () -> view.canvas().setOtherAlone(true));
-        Keys.bind(
-                pane, KeyStroke.getKeyStroke("released F8"), () -> view.canvas().setOtherAlone(false));
-        frame.addWindowFocusListener(new WindowAdapter() {
-            @Override
-            public void windowLostFocus(WindowEvent event) {
-                // the key is let go of elsewhere
-                view.canvas().setOtherAlone(false);
-            }
-        });
-    }
-
     private void showTitle() {
         String file = model.file() == null ? "" : " \u2013 " + model.file().getFileName();
         frame.setTitle((model.isModified() ? "\u2022 " : "") + model.studio().title() + file + " \u2013 Tompkins");
@@ -368,6 +351,12 @@ public final class TompkinsWindow {
         @Override
         public void togglePlayPanel() {
             playPanel().setShown(!playPanel().isShown());
+        }
+
+        @Override
+        public void copyAnimation() {
+            takeEntries();
+            playPanel().wanted().ifPresent(clipboard::copyCommandLine);
         }
 
         @Override

@@ -18,8 +18,11 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.animation.Animation;
+import tompkins.animation.StudioNumber;
 import tompkins.image.ToneCurve;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
@@ -89,7 +92,7 @@ class WindowCommandLineTest {
     }
 
     private static Optional<String> line(Studio studio, Path from) {
-        return new WindowCommandLine(JAR).of(studio, OPENED, from);
+        return new WindowCommandLine(JAR).photograph(studio, OPENED, from);
     }
 
     @Test
@@ -97,17 +100,72 @@ class WindowCommandLineTest {
         Studio studio = OPENED.withSettings(OPENED.settings().withSamples(7).withTargetError(0.005));
         assertThat(line(studio, file)).contains(PROGRAM + "render " + file + " --error=0.005");
         WindowCommandLine writer = new WindowCommandLine(JAR);
-        assertThat(writer.of(studio, studio, file)).contains(PROGRAM + "render " + file);
+        assertThat(writer.photograph(studio, studio, file)).contains(PROGRAM + "render " + file);
         Studio even = studio.withSettings(studio.settings().withTargetError(0));
-        assertThat(writer.of(even, studio, file)).contains(PROGRAM + "render " + file + " --samples 7");
+        assertThat(writer.photograph(even, studio, file)).contains(PROGRAM + "render " + file + " --samples 7");
+    }
+
+    static Stream<Arguments> animations() {
+        Studio changed = OPENED.withSettings(OPENED.settings().withSize(10, 7).withSamples(3))
+                .withVelocity(Velocity.of(SpeedScale.BETA, 0.4, new Vector3d(0, 0, 1)));
+        Studio aside = OPENED.withVelocity(Velocity.of(SpeedScale.RAPIDITY, 0, new Vector3d(0.6, 0, -0.8)));
+        return Stream.of(
+                Arguments.of(changed, animation("velocity.beta", 0, 0.75, Animation.Course.FORWARDS)),
+                Arguments.of(aside, animation("velocity.rapidity", 2, 0, Animation.Course.BACKWARDS)),
+                Arguments.of(
+                        with(OPENED.camera().shutter().openedAt(2)),
+                        animation("camera.shutter.openingTime", -1, 3, Animation.Course.BACKWARDS)),
+                Arguments.of(
+                        StudioNumber.at("scene[0].radius", OPENED).with(changed, 0.7),
+                        animation("scene[0].radius", 1.25, 1e-3, Animation.Course.THERE_AND_BACK)));
+    }
+
+    private static Animation animation(String place, double from, double to, Animation.Course course) {
+        return new Animation(StudioNumber.at(place, OPENED), from, to, 0.2, course);
+    }
+
+    /** The program itself is asked, wherever the number of the window has got to. */
+    @ParameterizedTest
+    @MethodSource
+    void animations(Studio studio, Animation animation) {
+        Path frames = folder.resolve("frames");
+        String line = new WindowCommandLine(JAR)
+                .animation(studio, animation, false, OPENED, file)
+                .orElseThrow();
+        List<Object> words = words("animate", line.replace("'", ""));
+        words.set(words.size() - 1, frames);
+
+        ProgramRun run = ProgramRun.of(words.toArray());
+
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(animation.frames()).isEqualTo(5);
+        for (int frame = 0; frame < 5; frame++) {
+            Studio taken = StudioReader.read(frames.resolve("frame000" + (frame + 1) + ".png"));
+            Studio meant = animation.studio(studio, animation.timeOf(frame));
+            assertThat(taken.withVelocity(meant.velocity())).isEqualTo(meant);
+            assertThat(taken.velocity().proper().distance(meant.velocity().proper()))
+                    .isLessThan(1e-15);
+        }
+        assertThat(new WindowCommandLine(JAR).animation(studio, animation, true, OPENED, file))
+                .contains(line.replace(" -o ", " --caption -o "));
+    }
+
+    @Test
+    void noCommandAnimatesWithAnotherSeed() {
+        Animation animation = animation("velocity.beta", 0, 0.75, Animation.Course.FORWARDS);
+        Studio reseeded = OPENED.withSettings(OPENED.settings().withSeed(7));
+        WindowCommandLine writer = new WindowCommandLine(JAR);
+        assertThat(writer.animation(reseeded, animation, false, OPENED, file)).isEmpty();
+        assertThat(writer.animation(reseeded, animation, false, reseeded, file)).isPresent();
+        assertThat(writer.animation(OPENED, animation, false, OPENED, null)).isEmpty();
     }
 
     private List<Object> words(Studio studio) {
-        return words(line(studio, file).orElseThrow());
+        return words("render", line(studio, file).orElseThrow());
     }
 
-    private static List<Object> words(String line) {
-        assertThat(line).startsWith(PROGRAM + "render ");
+    private static List<Object> words(String command, String line) {
+        assertThat(line).startsWith(PROGRAM + command + " ");
         return new ArrayList<>(
                 Arrays.asList((Object[]) line.substring(PROGRAM.length()).split(" ")));
     }
@@ -142,8 +200,9 @@ class WindowCommandLineTest {
             Path scene = folder.resolve("slow.json");
             StudioWriter.save(slow, scene);
             Studio fast = slow.withVelocity(Velocity.of(SpeedScale.GAMMA, 12345678.9, direction));
-            String line = new WindowCommandLine(JAR).of(fast, slow, scene).orElseThrow();
-            List<Object> words = words(line);
+            String line =
+                    new WindowCommandLine(JAR).photograph(fast, slow, scene).orElseThrow();
+            List<Object> words = words("render", line);
             Path picture = folder.resolve("fast.png");
             words.addAll(List.of("--size", "4x3", "--force", "-o", picture));
 
@@ -202,7 +261,7 @@ class WindowCommandLineTest {
     }
 
     private String lineOf(WindowCommandLine writer) {
-        return writer.of(OPENED, OPENED, file).orElseThrow();
+        return writer.photograph(OPENED, OPENED, file).orElseThrow();
     }
 
     /** The shell itself is asked: what it makes of the copied line. */

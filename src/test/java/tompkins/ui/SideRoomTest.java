@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Rectangle;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JComponent;
 import javax.swing.JTextField;
@@ -43,8 +42,7 @@ class SideRoomTest {
     }
 
     private void open() {
-        window = TompkinsWindow.opened(
-                SCENE, null, List::of, (now, opened, from) -> Optional.of("tompkins render " + from));
+        window = TompkinsWindow.opened(SCENE, null, List::of, new NamedCommands());
     }
 
     @Test

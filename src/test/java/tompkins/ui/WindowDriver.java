@@ -66,8 +66,7 @@ public final class WindowDriver implements AutoCloseable {
         }
         robot.setAutoDelay(8);
         Toolkit.getDefaultToolkit().addAWTEventListener(listener, AWTEvent.KEY_EVENT_MASK | AWTEvent.MOUSE_EVENT_MASK);
-        window = onEventThread(() -> TompkinsWindow.opened(
-                studio, file, () -> examples, (now, opened, from) -> Optional.of("tompkins render " + from)));
+        window = onEventThread(() -> TompkinsWindow.opened(studio, file, () -> examples, new NamedCommands()));
         await("a picture on the screen", () -> picture() != null);
         await("the panel", () -> window.side().isFurnished());
         // which keys reach only then

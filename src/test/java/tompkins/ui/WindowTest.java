@@ -46,6 +46,7 @@ import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.RenderController;
 import tompkins.ui.picture.ScreenPicture;
+import tompkins.ui.widget.Texts;
 
 /** The real window, used with mouse and keys. */
 @Timeout(600)
@@ -405,6 +406,13 @@ class WindowTest {
         driver.key(KeyEvent.VK_L, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
         assertThat(Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor))
                 .isEqualTo("tompkins render " + folder.resolve("lattice.json"));
+
+        driver.menu("menu.copyAnimation");
+        WindowDriver.await("the command", () -> what.getText().startsWith("On the clipboard: tompkins animate"));
+        assertThat(Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor))
+                .isEqualTo("tompkins animate " + folder.resolve("lattice.json") + " velocity.beta to 0.99");
+        assertThat(driver.find(JButton.class, Texts.get("play.export")).isShowing())
+                .isTrue();
     }
 
     @Test

@@ -4,6 +4,7 @@ import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
@@ -102,12 +103,10 @@ public final class PlayPanel {
         Naming.name(loop, "play.loop");
         JButton exportButton = new JButton(Texts.get("play.export"));
         Naming.name(exportButton, "play.export");
-        exportButton.addActionListener(event -> {
-            if (EntryField.takeAll(panel)) {
-                setPlaying(false);
-                export.accept(model.studio(), animation());
-            }
-        });
+        exportButton.addActionListener(event -> wanted().ifPresent(animation -> {
+            setPlaying(false);
+            export.accept(model.studio(), animation);
+        }));
         panel.add(numberRow(), "span, growx, wrap, wmin 0");
         panel.add(valuesRow(), "span, growx, wrap, wmin 0");
         panel.add(play, "wmin pref");
@@ -312,6 +311,12 @@ public final class PlayPanel {
 
     private NumberProperty property() {
         return (NumberProperty) properties.getSelectedItem();
+    }
+
+    /** Shows the panel, and gives its animation; none if what is typed is refused. */
+    public Optional<Animation> wanted() {
+        setShown(true);
+        return EntryField.takeAll(panel) ? Optional.of(animation()) : Optional.empty();
     }
 
     private Animation animation() {
