@@ -76,7 +76,6 @@ public enum Look {
     private static final List<String> EDGES = List.of(
             "Component.borderColor",
             "Button.borderColor",
-            "ComboBox.buttonArrowColor",
             "CheckBox.icon.borderColor",
             "Slider.trackColor",
             "ScrollBar.thumb");
@@ -133,6 +132,8 @@ public enum Look {
     private Map<String, String> defaults() {
         Map<String, String> defaults = new HashMap<>(
                 Map.of("@accentColor", accent, "Component.focusWidth", "1", "Component.linkColor", NO_LINKS));
+        // so thin that a fainter colour could hardly be seen
+        defaults.put("ComboBox.buttonArrowColor", "@foreground");
         for (String part : EDGES) {
             defaults.put(part, edge);
         }
