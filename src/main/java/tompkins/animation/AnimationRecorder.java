@@ -17,12 +17,12 @@ public final class AnimationRecorder {
     private AnimationRecorder() {}
 
     /**
-     * Takes all photographs and adds them to a file; it is up to the caller to finish that.
+     * Takes all photographs, adds them to a file and completes that.
      *
      * @param caption what is written into the photograph of a studio; nothing if it is empty
      * @return what the user should know about the photographs
      * @throws CancellationException if it is cancelled
-     * @throws FileException if a photograph cannot be written
+     * @throws FileException if the file cannot be written
      */
     public static FrameWarnings record(
             Studio studio,
@@ -42,6 +42,7 @@ public final class AnimationRecorder {
                 warnings.add(i + 1, photograph.report().warnings());
             }
         }
+        writer.finish();
         return warnings;
     }
 }

@@ -35,6 +35,10 @@ public record StudioNumber(StudioPath place) {
     public static StudioNumber at(String place, Studio studio) {
         StudioPath path = StudioPath.parse(place)
                 .orElseThrow(() -> new InvalidPropertyException("place", "that of a number, " + EXAMPLES, place));
+        StudioNumber number = new StudioNumber(path);
+        if (number.isIn(studio)) {
+            return number;
+        }
         StudioPath known = new StudioPath(path.steps().subList(0, path.length(studio)));
         Object part = known.get(studio);
         List<String> further = StudioPath.stepsFrom(part);
@@ -42,11 +46,8 @@ public record StudioNumber(StudioPath place) {
             String start = known.equals(StudioPath.ROOT) ? "that begins" : "that goes on after " + known;
             throw new InvalidPropertyException("place", "one " + start + " with " + String.join(", ", further), place);
         }
-        if (!known.equals(path) || !(part instanceof Double)) {
-            String leaf = known + " is none that can be changed little by little";
-            throw new InvalidPropertyException("place", "that of a number, " + EXAMPLES + " (" + leaf + ")", place);
-        }
-        return new StudioNumber(path);
+        String leaf = known + " is none that can be changed little by little";
+        throw new InvalidPropertyException("place", "that of a number, " + EXAMPLES + " (" + leaf + ")", place);
     }
 
     /** Whether this is the speed of the camera, on whatever scale. */

@@ -30,8 +30,8 @@ import tompkins.property.InvalidPropertyException;
 import tompkins.property.Require;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
 import tompkins.ui.Captions;
-import tompkins.ui.panel.NumberProperty;
 
 /** Saves animations of a number of a scene. */
 @Command(
@@ -107,9 +107,9 @@ final class AnimateCommand implements Callable<Integer> {
         PrintWriter err = spec.commandLine().getErr();
         ProgressLine progress = new ProgressLine(err);
         try (AnimationWriter writer = open()) {
-            warnings.addAll(AnimationRecorder.record(studio, animation, writer, caption(studio, animation), progress)
+            Function<Studio, String> caption = Captions.ofPictures(studio, animation.number(), captioned);
+            warnings.addAll(AnimationRecorder.record(studio, animation, writer, caption, progress)
                     .sentences());
-            writer.finish();
         } finally {
             progress.clear();
         }
@@ -143,9 +143,8 @@ final class AnimateCommand implements Callable<Integer> {
         Studio first = with("--from", from, studio, animation.number());
         Studio last = with("--to", to, studio, animation.number());
         Photographer.info(first, scene);
-        List<String> warnings = Stream.of(first, last)
-                .flatMap(end -> ScenePlan.of(end, scene).warnings().stream())
-                .toList();
+        RenderPlan begin = ScenePlan.of(first, scene);
+        RenderPlan end = ScenePlan.of(last, begin, scene);
         for (int i = 0; i < animation.frames(); i++) {
             with("--number " + number, animation.value(animation.timeOf(i)), studio, animation.number());
         }
@@ -153,7 +152,7 @@ final class AnimateCommand implements Callable<Integer> {
         if (!force && Files.isRegularFile(output)) {
             throw new MistakeException(output + ": there is a file of this name already; --force replaces it");
         }
-        return warnings;
+        return Stream.concat(begin.warnings().stream(), end.warnings().stream()).toList();
     }
 
     /** The studio with another value, which an option has brought. */
@@ -172,13 +171,5 @@ final class AnimateCommand implements Callable<Integer> {
             // no disk has failed yet: the user named the place
             throw new MistakeException(wrongPlace.getMessage());
         }
-    }
-
-    private Function<Studio, String> caption(Studio studio, Animation animation) {
-        if (!captioned) {
-            return moment -> "";
-        }
-        NumberProperty property = NumberProperty.of(animation.number(), studio);
-        return moment -> Captions.of(moment, property);
     }
 }

@@ -12,8 +12,13 @@ final class ScenePlan {
 
     /** The plan of a picture; an object that cannot be worked with is a mistake in the scene file. */
     static RenderPlan of(Studio studio, Path scene) {
+        return of(studio, null, scene);
+    }
+
+    /** As above; takes over what it can from the plan of another picture, which may be null. */
+    static RenderPlan of(Studio studio, RenderPlan before, Path scene) {
         try {
-            return RenderPlan.of(studio);
+            return RenderPlan.of(studio, before);
         } catch (InvalidPropertyException object) {
             throw new MistakeException(scene + ": " + object.getMessage());
         }

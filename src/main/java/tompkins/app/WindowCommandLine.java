@@ -98,9 +98,7 @@ final class WindowCommandLine implements CommandLineWriter {
         if (file == null || velocity.isEmpty() || !isSayable(studio, opened)) {
             return Optional.empty();
         }
-        StringBuilder line =
-                new StringBuilder("java -jar " + quoted(jar.toAbsolutePath().toString()) + " " + command + " "
-                        + quoted(file.toAbsolutePath().toString()));
+        StringBuilder line = new StringBuilder("java -jar " + quoted(jar) + " " + command + " " + quoted(file));
         RenderSettings settings = studio.settings();
         RenderSettings before = opened.settings();
         if (settings.width() != before.width() || settings.height() != before.height()) {
@@ -189,10 +187,12 @@ final class WindowCommandLine implements CommandLineWriter {
         }
     }
 
-    /**
-     * A text as a shell takes it for one word; Windows has other shells, and other letters in the whole paths of files,
-     * which are used because the line has to work in any folder.
-     */
+    /** The whole path of a file, for any folder. */
+    private String quoted(Path file) {
+        return quoted(file.toAbsolutePath().toString());
+    }
+
+    /** A text as a shell takes it for one word; Windows has other shells, and other letters in paths. */
     private String quoted(String name) {
         boolean windows = jar.getFileSystem().getSeparator().equals("\\");
         if (name.matches(windows ? "[\\p{L}\\p{N}._\\\\:-]+" : "[\\p{L}\\p{N}._/:-]+")) {

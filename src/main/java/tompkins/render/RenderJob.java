@@ -267,14 +267,15 @@ public final class RenderJob {
      */
     public RenderReport report() {
         long until = end.getCount() == 0 ? endTime : System.nanoTime();
-        double error = Roughness.estimatedError(film, plan, this::isCancelled);
+        int sampledPixels = film.sampledPixels();
+        double error = Roughness.estimatedError(film, sampledPixels, plan, this::isCancelled);
         Clipping clipping = clipping();
         synchronized (counts) {
             return RenderReport.of(
                     counts,
                     complete && counts.sceneHits == 0 && plan.hasObjectsInScene(),
                     plan.studio().settings().pixels(),
-                    film.sampledPixels(),
+                    sampledPixels,
                     clipping,
                     error,
                     complete ? schedule.wantedError() : 0,

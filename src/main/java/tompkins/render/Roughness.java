@@ -42,11 +42,13 @@ final class Roughness {
     /**
      * The root mean square error that a picture still has in linear light; NaN if there is too little to tell, or if
      * nobody wants to know it any more.
+     *
+     * @param sampledPixels pixels of the film that have samples
      */
-    static double estimatedError(Film film, RenderPlan plan, BooleanSupplier stopped) {
+    static double estimatedError(Film film, int sampledPixels, RenderPlan plan, BooleanSupplier stopped) {
         boolean samplesMissing = film.samples(0) == 1 && needsSeveralSamples(plan);
         boolean varianceUnknown = film.samples(0) > 1 && !film.comparesHalves();
-        boolean pixelsMissing = film.sampledPixels() < film.width() * film.height();
+        boolean pixelsMissing = sampledPixels < film.width() * film.height();
         if (samplesMissing || varianceUnknown || pixelsMissing) {
             return Double.NaN;
         }

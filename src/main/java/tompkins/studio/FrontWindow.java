@@ -39,11 +39,9 @@ public final class FrontWindow {
     }
 
     private static Optional<Surface> window(SceneObject object) {
-        return Descriptions.components(object.getClass()).stream()
-                .filter(component -> component.getName().equals(SURFACE))
+        return Descriptions.find(object.getClass(), SURFACE)
                 .map(component -> (Surface) Descriptions.value(component, object))
-                .filter(surface -> surface instanceof LorentzWindow || surface instanceof GalileoWindow)
-                .findFirst();
+                .filter(surface -> surface instanceof LorentzWindow || surface instanceof GalileoWindow);
     }
 
     /** The studio with another surface of the window, a plane if there was none; without that object if null. */

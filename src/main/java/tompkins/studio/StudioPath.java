@@ -141,8 +141,8 @@ public record StudioPath(List<Object> steps) {
         return part instanceof List<?> list
                 ? step instanceof Integer && !list.isEmpty()
                 : part instanceof Record
-                        && Descriptions.components(part.getClass()).stream()
-                                .anyMatch(component -> component.getName().equals(step));
+                        && step instanceof String name
+                        && Descriptions.find(part.getClass(), name).isPresent();
     }
 
     private static int place(List<?> before, int place, List<?> now) {

@@ -16,7 +16,6 @@ import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.FormatFilter;
 import tompkins.ui.file.SaveDialog;
-import tompkins.ui.panel.NumberProperty;
 import tompkins.ui.widget.Texts;
 
 /** Saves an animation as a file, or as a folder of pictures. */
@@ -67,11 +66,8 @@ final class AnimationExport {
             Studio studio, Animation animation, Path file, AnimationFormat format, boolean captioned, Progress progress)
             throws Exception {
         try (AnimationWriter writer = format.open(file, Animation.FRAME_RATE)) {
-            NumberProperty number = NumberProperty.of(animation.number(), studio);
-            Function<Studio, String> caption = moment -> captioned ? Captions.of(moment, number) : "";
-            FrameWarnings warnings = AnimationRecorder.record(studio, animation, writer, caption, progress);
-            writer.finish();
-            return warnings;
+            Function<Studio, String> caption = Captions.ofPictures(studio, animation.number(), captioned);
+            return AnimationRecorder.record(studio, animation, writer, caption, progress);
         }
     }
 }

@@ -2,6 +2,8 @@ package tompkins.ui;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
+import tompkins.animation.StudioNumber;
 import tompkins.light.ColourLaw;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
@@ -56,8 +58,14 @@ public final class Captions {
         return of(studio, animated);
     }
 
+    /** Writes the captions of the pictures of an animation; empty ones, if none are wanted. */
+    public static Function<Studio, String> ofPictures(Studio studio, StudioNumber animated, boolean wanted) {
+        NumberProperty number = NumberProperty.of(animated, studio);
+        return moment -> wanted ? of(moment, number) : "";
+    }
+
     /** The caption of a picture with a number besides its speed, or with none if it is null. */
-    public static String of(Studio studio, NumberProperty number) {
+    static String of(Studio studio, NumberProperty number) {
         List<String> words = new ArrayList<>();
         words.add(motion(studio));
         if (number != null && !number.number().isSpeed()) {

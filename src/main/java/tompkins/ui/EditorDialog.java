@@ -54,9 +54,8 @@ final class EditorDialog {
         dialog.getRootPane().putClientProperty(FileContentEditor.CHOOSERS, choosers);
         keys.accept(dialog.getRootPane());
         Keys.bindEscape(dialog.getRootPane(), () -> dialog.setVisible(false));
-        // over the panel rather than over the photograph, which shows what it changes
-        dialog.setLocation(owner.getX() + owner.getWidth(), owner.getY());
         fitToLook();
+        Screens.moveBeside(dialog, owner);
     }
 
     /** As large as it needs to be, and not smaller than it was made. */

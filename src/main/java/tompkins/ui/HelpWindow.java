@@ -88,8 +88,7 @@ final class HelpWindow {
         Keys.bind(window.getRootPane(), KeyStroke.getKeyStroke("alt LEFT"), this::goBack);
         Keys.bind(window.getRootPane(), Keys.ofMenu("ctrl F"), find::begin);
         window.setSize(Look.pixels(WIDTH), Look.pixels(HEIGHT));
-        // at the right as far as the screen goes, where it covers least of the picture
-        window.setLocation(owner.getX() + owner.getWidth(), owner.getY());
+        Screens.moveBeside(window, owner);
     }
 
     /** Shows a page: the one that was read last where it was left, others from their top. */

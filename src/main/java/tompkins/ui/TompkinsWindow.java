@@ -356,6 +356,7 @@ public final class TompkinsWindow {
         @Override
         public void copyAnimation() {
             takeEntries();
+            playPanel().setShown(true);
             playPanel().wanted().ifPresent(clipboard::copyCommandLine);
         }
 

@@ -313,9 +313,8 @@ public final class PlayPanel {
         return (NumberProperty) properties.getSelectedItem();
     }
 
-    /** Shows the panel, and gives its animation; none if what is typed is refused. */
+    /** The animation that a shown panel describes; none if what is typed into it is refused. */
     public Optional<Animation> wanted() {
-        setShown(true);
         return EntryField.takeAll(panel) ? Optional.of(animation()) : Optional.empty();
     }
 

@@ -30,13 +30,10 @@ final class WordPlaces {
 
     /** As above; if there is none, the first with the least in its way. */
     Rectangle2D take(List<Rectangle2D> places) {
-        return takeFree(places).orElseGet(() -> {
-            Rectangle2D best = places.stream()
-                    .min(Comparator.comparingLong(this::inTheWay))
-                    .orElseThrow();
-            taken.add(best);
-            return best;
-        });
+        Rectangle2D best =
+                places.stream().min(Comparator.comparingLong(this::inTheWay)).orElseThrow();
+        taken.add(best);
+        return best;
     }
 
     private long inTheWay(Rectangle2D place) {

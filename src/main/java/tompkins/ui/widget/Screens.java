@@ -24,6 +24,12 @@ public final class Screens {
                 bounds.height - taken.top - taken.bottom);
     }
 
+    /** Moves a window to the right of another as far as the screen goes, where it covers least of its picture. */
+    public static void moveBeside(Window window, Window owner) {
+        window.setLocation(owner.getX() + owner.getWidth(), owner.getY());
+        keepOnScreen(window);
+    }
+
     /** Moves a window, and makes it smaller if need be, so that all of it is on its screen. */
     public static void keepOnScreen(Window window) {
         Rectangle screen = room(window);
