@@ -19,6 +19,7 @@ public final class Candidates {
     private final RayBundle bundle = new RayBundle();
     private final TreeNode[] waiting = new TreeNode[NearestHit.DEEPEST_TREE];
     private final Primitive[] found = new Primitive[MOST];
+    private final double[] leastDistances = new double[MOST];
     private int count;
 
     private final double[] margins = new double[RayBlock.MOST];
@@ -100,8 +101,22 @@ public final class Candidates {
         if (count == MOST) {
             return false;
         }
-        found[count++] = primitive;
+        insert(primitive, bundle.leastDistance(primitive));
         return true;
+    }
+
+    /** Nearer ones first: whoever has met one need not try what lies behind. */
+    private void insert(Primitive primitive, double leastDistance) {
+        // what may lie anywhere, like a plane, comes first
+        double least = leastDistance > 0 ? leastDistance : 0;
+        int place = count++;
+        while (place > 0 && leastDistances[place - 1] > least) {
+            found[place] = found[place - 1];
+            leastDistances[place] = leastDistances[place - 1];
+            place--;
+        }
+        found[place] = primitive;
+        leastDistances[place] = least;
     }
 
     /** Whether the ray at a place may meet a candidate; it meets nothing else. */
@@ -122,8 +137,12 @@ public final class Candidates {
         double distance = Primitive.NO_HIT;
         int tests = 0;
         for (long left = mayMeet[place]; left != 0; left &= left - 1) {
+            int next = Long.numberOfTrailingZeros(left);
+            if (leastDistances[next] > distance) {
+                break;
+            }
             tests++;
-            Primitive candidate = found[Long.numberOfTrailingZeros(left)];
+            Primitive candidate = found[next];
             double candidateDistance = candidate.distance(ray, distance);
             if (NearestHit.isNearer(candidate, candidateDistance, primitive, distance)) {
                 primitive = candidate;

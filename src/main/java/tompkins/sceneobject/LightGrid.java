@@ -217,7 +217,7 @@ public final class LightGrid {
         }
         Occluder[] seen = shadow ? NONE : cell(dx, dy, dz);
         for (int i = 0; i < seen.length && !shadow; i++) {
-            if (seen[i].isNear(dx, dy, dz)) {
+            if (seen[i].isNear(dx, dy, dz) && !seen[i].primitive().surelyMisses(from, dx, dy, dz)) {
                 ray = ray == null ? memory.setShadow(from, dx, dy, dz) : ray;
                 shadow = seen[i].primitive().shadows(ray, limit);
                 tests++;

@@ -95,9 +95,12 @@ public abstract class Primitive implements Boundary {
         return size > 1e-60 && size < 1e60;
     }
 
-    /** Whether a ray from a hit surely misses this primitive, if that is quickly told without a ray. */
+    /**
+     * Whether a ray from a hit surely misses this primitive, if that is quickly told without a ray. Here if the ray
+     * leaves this primitive outwards: all primitives are convex.
+     */
     boolean surelyMisses(Hit from, double dx, double dy, double dz) {
-        return false;
+        return from.boundary == this && dx * from.normalX + dy * from.normalY + dz * from.normalZ > 0;
     }
 
     /** The direction in which the primitive is much longer than in others, of any length, or null. */
@@ -124,7 +127,12 @@ public abstract class Primitive implements Boundary {
 
     /** Whether the primitive surely lies where n.x is above a bound, even allowing for rounding. */
     public final boolean isBeyond(double nx, double ny, double nz, double bound) {
-        return least(nx, ny, nz) - slack * (Math.abs(nx) + Math.abs(ny) + Math.abs(nz)) > bound;
+        return surelyLeast(nx, ny, nz) > bound;
+    }
+
+    /** As {@link #least}, even allowing for rounding. */
+    final double surelyLeast(double nx, double ny, double nz) {
+        return least(nx, ny, nz) - slack * (Math.abs(nx) + Math.abs(ny) + Math.abs(nz));
     }
 
     /**

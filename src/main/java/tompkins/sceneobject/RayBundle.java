@@ -168,6 +168,12 @@ final class RayBundle {
         return false;
     }
 
+    /** A distance that no ray of the bundle falls below before it reaches a primitive. */
+    double leastDistance(Primitive primitive) {
+        int at = 3 * AHEAD;
+        return primitive.surelyLeast(-normals[at], -normals[at + 1], -normals[at + 2]) - farthestStart;
+    }
+
     /** A distance that no ray of the bundle falls below before it reaches the box of a node. */
     double leastDistance(TreeNode node) {
         int at = 3 * AHEAD;

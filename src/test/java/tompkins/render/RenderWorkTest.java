@@ -59,10 +59,10 @@ class RenderWorkTest {
                 usual.surfaceAlongZ());
         Studio rods = PaperStudios.fig1b().withScene(List.of(large));
         return Stream.of(
-                arguments(PaperStudios.fig1a(), 307_200, 231_021, 0, 588_212),
-                arguments(PaperStudios.fig1b(), 307_200, 26_054, 0, 92_340),
-                arguments(samples(PaperStudios.fig3a(), 4), 1_228_800, 130_486, 0, 608_393),
-                arguments(rods, 307_200, 59_446, 6_388_515, 3_006_350));
+                arguments(PaperStudios.fig1a(), 307_200, 231_021, 0, 401_657),
+                arguments(PaperStudios.fig1b(), 307_200, 26_054, 0, 80_636),
+                arguments(samples(PaperStudios.fig3a(), 4), 1_228_800, 130_486, 0, 534_745),
+                arguments(rods, 307_200, 59_446, 6_388_515, 3_003_409));
     }
 
     /** Once compiled: about 20 bytes, more where the compiler has seen other scenes before. */

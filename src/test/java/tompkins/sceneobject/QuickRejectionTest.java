@@ -122,6 +122,40 @@ class QuickRejectionTest {
         }
     }
 
+    /** Half of all directions lead out of a surface, and from none of them does a convex shape get in the way. */
+    @Test
+    void rayThatLeavesAPrimitiveOutwardsSurelyMissesIt() {
+        int outwards = 0;
+        int inwards = 0;
+        for (Primitive primitive : primitives().toList()) {
+            for (int i = 0; i < RAYS; i++) {
+                Ray ray = aimed(primitive, aims.vector(30));
+                double distance = primitive.distance(ray, Primitive.NO_HIT);
+                if (distance == Primitive.NO_HIT) {
+                    continue;
+                }
+                Hit hit = primitive.hit(ray, distance);
+                Vector3d away = aims.vector(1).normalize();
+                double hitsItself =
+                        primitive.distance(Ray.blank().setShadow(hit, away.x, away.y, away.z), Primitive.NO_HIT);
+                if (away.dot(hit.normalX, hit.normalY, hit.normalZ) > 0) {
+                    outwards++;
+                    assertThat(primitive.surelyMisses(hit, away.x, away.y, away.z))
+                            .as(primitive.description())
+                            .isTrue();
+                    assertThat(hitsItself).as(primitive.description()).isEqualTo(Primitive.NO_HIT);
+                } else if (hitsItself < Primitive.NO_HIT) {
+                    inwards++;
+                    assertThat(primitive.surelyMisses(hit, away.x, away.y, away.z))
+                            .as(primitive.description())
+                            .isFalse();
+                }
+            }
+        }
+        assertThat(outwards).isGreaterThan(3000);
+        assertThat(inwards).isGreaterThan(1000);
+    }
+
     @Test
     void planeTellsRaysThatGoAwayFromIt() {
         Primitive floor = PrimitiveCollector.primitivesOf(
