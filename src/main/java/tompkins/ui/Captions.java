@@ -68,7 +68,8 @@ public final class Captions {
     static String of(Studio studio, NumberProperty number) {
         List<String> words = new ArrayList<>();
         words.add(motion(studio));
-        if (number != null && !number.number().isSpeed()) {
+        // another shutter may have no opening time
+        if (number != null && !number.number().isSpeed() && number.number().isIn(studio)) {
             words.add(Texts.get("caption.number", number.name(), number.text().apply(studio)));
         }
         return String.join(", ", words);

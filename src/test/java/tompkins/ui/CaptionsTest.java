@@ -7,6 +7,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.animation.StudioNumber;
 import tompkins.light.ColourLaw;
+import tompkins.shutter.FixedPointSurfaceShutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
@@ -40,6 +41,10 @@ class CaptionsTest {
                 .isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25, Opening time of the shutter = 1.5");
         assertThat(Captions.of(later, NumberProperty.speed(SpeedScale.RAPIDITY)))
                 .as("the speed is told already")
+                .isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25");
+        Studio without = later.withCamera(later.camera().withShutter(FixedPointSurfaceShutter.DEFAULT));
+        assertThat(Captions.of(without, NumberProperty.openingTime()))
+                .as("this shutter has none")
                 .isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25");
     }
 
