@@ -60,6 +60,7 @@ final class PhotographView implements AutoCloseable {
     private final PixelProbe hover = new PixelProbe(this::fail);
     private final PixelProbe pinned = new PixelProbe(this::fail);
     private final PixelProbe picked = new PixelProbe(this::fail);
+    private Studio rendered;
     private Compared compared = Compared.NOTHING;
     private Studio otherStudio;
     private Picture keptPicture;
@@ -80,7 +81,7 @@ final class PhotographView implements AutoCloseable {
         controller = new RenderController(
                 screen::setNow, error -> SwingUtilities.invokeLater(() -> listener.noPicture(Messages.of(error))));
         otherController = new RenderController(this::showOther, this::fail);
-        model.addListener(this::render);
+        model.addListener(this::renderChange);
     }
 
     PictureCanvas canvas() {
@@ -96,9 +97,17 @@ final class PhotographView implements AutoCloseable {
         SwingUtilities.invokeLater(() -> listener.failed(Messages.of(error)));
     }
 
+    /** A studio that was only saved keeps its picture. */
+    private void renderChange() {
+        if (!model.studio().equals(rendered)) {
+            render();
+        }
+    }
+
     /** Makes the picture of the current studio. */
     void render() {
-        controller.show(model.studio(), pace());
+        rendered = model.studio();
+        controller.show(rendered, pace());
         renderOther();
     }
 

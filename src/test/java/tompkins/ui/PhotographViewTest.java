@@ -8,6 +8,7 @@ import java.awt.Rectangle;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -72,6 +73,18 @@ class PhotographViewTest {
         BufferedImage difference = view.canvas().shown().difference();
         int[] levels = difference.getRGB(0, 0, 64, 48, null, 0, 64);
         assertThat(IntStream.of(levels).filter(level -> level != 0xff000000)).isEmpty();
+    }
+
+    @Test
+    void savingTakesNoOtherPicture() {
+        WindowDriver.onEventThread(() -> model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.3))));
+        WindowDriver.await("the picture", () -> !view.controller().isBusy());
+        WindowDriver.onEventThread(() -> {
+            model.saved(model.studio(), Path.of("saved.json"));
+            assertThat(view.controller().isBusy()).isFalse();
+            model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.4)));
+            assertThat(view.controller().isBusy()).isTrue();
+        });
     }
 
     @Test
