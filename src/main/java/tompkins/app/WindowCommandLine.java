@@ -64,11 +64,12 @@ final class WindowCommandLine implements CommandLineWriter {
     @Override
     public Optional<String> animation(Studio studio, Animation animation, boolean captioned, Studio opened, Path file) {
         Studio start = start(studio, animation, opened);
-        // the command has no option for it
-        boolean sameSeed = start.settings().seed() == opened.settings().seed();
+        // the command has no options for these
+        boolean sameSettings = start.settings().seed() == opened.settings().seed()
+                && start.settings().toneCurve() == opened.settings().toneCurve();
         boolean backwards = animation.course() == Animation.Course.BACKWARDS;
         return line("animate", start, opened, file)
-                .filter(line -> sameSeed)
+                .filter(line -> sameSettings)
                 .map(line ->
                         line + " --number=" + quoted(animation.number().place().toString())
                                 + " --from=" + NumberText.of(backwards ? animation.to() : animation.from())

@@ -151,12 +151,15 @@ class WindowCommandLineTest {
     }
 
     @Test
-    void noCommandAnimatesWithAnotherSeed() {
+    void noCommandAnimatesWithAnotherSeedOrToneCurve() {
         Animation animation = animation("velocity.beta", 0, 0.75, Animation.Course.FORWARDS);
         Studio reseeded = OPENED.withSettings(OPENED.settings().withSeed(7));
         WindowCommandLine writer = new WindowCommandLine(JAR);
         assertThat(writer.animation(reseeded, animation, false, OPENED, file)).isEmpty();
         assertThat(writer.animation(reseeded, animation, false, reseeded, file)).isPresent();
+        Studio bright = OPENED.withSettings(OPENED.settings().withToneCurve(ToneCurve.SRGB));
+        assertThat(writer.animation(bright, animation, false, OPENED, file)).isEmpty();
+        assertThat(writer.animation(bright, animation, false, bright, file)).isPresent();
         assertThat(writer.animation(OPENED, animation, false, OPENED, null)).isEmpty();
     }
 
