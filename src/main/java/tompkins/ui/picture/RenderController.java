@@ -191,8 +191,18 @@ public final class RenderController implements AutoCloseable {
             if (rendered.failure() != null) {
                 fail(request, rendered.failure());
             } else if (rendered.isComplete()) {
-                wanted.compareAndSet(request, null);
+                deliverLast(rendered, wanted.compareAndSet(request, null));
+            }
+        }
+
+        /** There may be no memory for the last image, which is the largest. */
+        private void deliverLast(RenderJob rendered, boolean wasWanted) {
+            try {
                 deliver(rendered, true);
+            } catch (RuntimeException | Error error) {
+                if (wasWanted) {
+                    failures.accept(error);
+                }
             }
         }
 

@@ -61,6 +61,22 @@ class RenderControllerTest {
         assertThat(controller.isBusy()).isFalse();
     }
 
+    /** The image of a large picture is made at its end. */
+    @Test
+    void memoryThatRunsOutAtTheEndIsTold() throws InterruptedException {
+        OutOfMemoryError full = new OutOfMemoryError("of this test");
+        try (RenderController throwing = new RenderController(
+                picture -> {
+                    throw full;
+                },
+                failures::add)) {
+            throwing.show(Studios.sphere(), Pace.HAND);
+            await(() -> !failures.isEmpty());
+            assertThat(failures).containsExactly(full);
+            assertThat(throwing.isBusy()).isFalse();
+        }
+    }
+
     @Test
     void theNewestChangeWins() throws InterruptedException {
         Studio studio = Studios.lattice();
