@@ -21,6 +21,12 @@ public record Animation(StudioNumber number, double from, double to, double seco
     /** The most seconds that an animation takes. */
     public static final double LONGEST = 600;
 
+    /** The digits in which a value differs from the ends. */
+    private static final int DIGITS = 9;
+
+    /** The most digits that a double has. */
+    private static final int MOST_DIGITS = 17;
+
     /** Frames a second in files. */
     public static final int FRAME_RATE = 25;
 
@@ -46,11 +52,17 @@ public record Animation(StudioNumber number, double from, double to, double seco
             case BACKWARDS -> 1 - time;
             case THERE_AND_BACK -> 1 - Math.abs(1 - 2 * time);
         };
-        double between = NumberText.rounded(from + share * (to - from), 9);
+        double between = NumberText.rounded(from + share * (to - from), digits());
         // rounding must not lead beyond the ends, which may be the last numbers that are allowed
         return share == 0
                 ? from
                 : share == 1 ? to : Math.max(Math.min(from, to), Math.min(Math.max(from, to), between));
+    }
+
+    /** More digits where the ends have the first ones in common. */
+    private int digits() {
+        double ratio = Math.max(Math.abs(from), Math.abs(to)) / Math.abs(to - from);
+        return ratio > 1 ? (int) Math.min(MOST_DIGITS, DIGITS + Math.floor(Math.log10(ratio))) : DIGITS;
     }
 
     /**

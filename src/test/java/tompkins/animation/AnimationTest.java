@@ -33,6 +33,18 @@ class AnimationTest {
         assertThat(animation.studio(Studio.DEFAULT, 1).velocity().value()).isEqualTo(last);
     }
 
+    /** A quarter of the way from 1e12 - 5 to 1e12 + 5; a twentieth from 0.9999999999 to 0.99999999995. */
+    @Test
+    void endsThatHaveManyDigitsInCommonAreFarEnoughApart() {
+        Animation far = new Animation(StudioNumber.OPENING_TIME, 1e12 - 5, 1e12 + 5, 1, Animation.Course.FORWARDS);
+        assertThat(far.value(0.25)).isEqualTo(999999999997.5);
+        Animation fast = new Animation(
+                StudioNumber.speed(SpeedScale.BETA), 0.9999999999, 0.99999999995, 1, Animation.Course.FORWARDS);
+        assertThat(fast.value(0.05)).isEqualTo(0.9999999999025);
+        Animation still = new Animation(StudioNumber.OPENING_TIME, 1.25, 1.25, 1, Animation.Course.FORWARDS);
+        assertThat(still.value(0.5)).isEqualTo(1.25);
+    }
+
     @Test
     void filesHaveAllFramesAndLoopsDoNotRepeatTheFirst() {
         assertThat(speed(Animation.Course.FORWARDS).frames()).isEqualTo(10);
