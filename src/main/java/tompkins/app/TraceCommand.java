@@ -143,8 +143,11 @@ final class TraceCommand implements Callable<Integer> {
                     hit.distance(),
                     NumberText.plain(hit.share(), 4)));
         }
-        if (life.hits().isEmpty() && life.reachesBackground()) {
-            out.println("hits nothing: the background");
+        if (life.hits().isEmpty()) {
+            out.println(
+                    life.reachesBackground()
+                            ? "hits nothing: the background"
+                            : "stands still in the scene: it comes from nowhere and brings no light");
         }
         out.println(format(
                 "colour (linear)  %.9g, %.9g, %.9g",

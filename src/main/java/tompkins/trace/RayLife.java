@@ -27,8 +27,8 @@ import tompkins.surface.Surface;
  * @param hits everything that was hit, in the order of tracing: where a ray splits, first all of its weaker branch
  * @param lastDirection unit direction in the scene frame in which the main branch goes on after all hits and meets
  *     nothing more, or null if it ends at its last hit
+ * @param lastSlowness slowness of light in the scene frame on that last way; 1 if there is none
  * @param colour the colour of the sample, before exposure
- * @param counts what went wrong on the way
  */
 public record RayLife(
         Event cameraStart,
@@ -38,8 +38,8 @@ public record RayLife(
         double frequencyRatio,
         List<Encounter> hits,
         Vector3dc lastDirection,
-        Colour colour,
-        RayCounts counts) {
+        double lastSlowness,
+        Colour colour) {
 
     /**
      * One hit.
@@ -93,9 +93,8 @@ public record RayLife(
      */
     public static RayLife of(RenderPlan plan, double x, double y, double lensX, double lensY) {
         Recorder recorder = new Recorder(plan.sceneOrigin());
-        RayCounts counts = new RayCounts();
-        Colour colour = plan.tracer(counts, recorder).sample(x, y, lensX, lensY);
-        return recorder.startDirection == null ? null : recorder.life(colour, counts);
+        Colour colour = plan.tracer(new RayCounts(), recorder).sample(x, y, lensX, lensY);
+        return recorder.startDirection == null ? null : recorder.life(colour);
     }
 
     private static final class Recorder implements RayWitness {
@@ -108,6 +107,7 @@ public record RayLife(
         private Vector3d crossingDirection;
         private double frequencyRatio = 1;
         private Vector3d lastDirection;
+        private double lastSlowness = 1;
         private int branch;
 
         Recorder(Vector3dc sceneOrigin) {
@@ -150,6 +150,7 @@ public record RayLife(
         public void leaves(Frame frame, Ray ray) {
             if (branch == 0 && frame == Frame.SCENE) {
                 lastDirection = new Vector3d(ray.dx, ray.dy, ray.dz);
+                lastSlowness = ray.slowness;
             }
         }
 
@@ -159,7 +160,7 @@ public record RayLife(
                     : new Event(x + sceneOrigin.x(), y + sceneOrigin.y(), z + sceneOrigin.z(), time);
         }
 
-        RayLife life(Colour colour, RayCounts counts) {
+        RayLife life(Colour colour) {
             return new RayLife(
                     start,
                     startDirection,
@@ -168,8 +169,8 @@ public record RayLife(
                     frequencyRatio,
                     List.copyOf(hits),
                     lastDirection,
-                    colour,
-                    counts);
+                    lastSlowness,
+                    colour);
         }
     }
 }

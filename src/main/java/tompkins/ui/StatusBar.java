@@ -128,18 +128,25 @@ final class StatusBar {
         showIdle();
     }
 
+    private static String end(PixelProbe.Reading reading) {
+        if (reading.life() == null) {
+            return Texts.get("probe.noShutter");
+        }
+        if (reading.object() != null) {
+            return reading.object();
+        }
+        return Texts.get(reading.life().reachesBackground() ? "probe.background" : "probe.standsStill");
+    }
+
     /** Shows what lies under the mouse, or a hint if that is nothing. */
     void show(PixelProbe.Reading reading) {
         if (reading == null || failure != null) {
             showIdle();
             return;
         }
-        String object = reading.life() == null
-                ? Texts.get("probe.noShutter")
-                : reading.object() == null ? Texts.get("probe.background") : reading.object();
         StringBuilder text = new StringBuilder(Texts.get("probe.pixel", reading.column(), reading.row()))
                 .append("  \u00b7  ")
-                .append(object);
+                .append(end(reading));
         if (Double.isFinite(reading.angleDegrees())) {
             text.append("  \u00b7  ").append(angle(reading));
         }

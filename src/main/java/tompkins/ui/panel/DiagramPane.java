@@ -28,7 +28,10 @@ import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Texts;
 
-/** Draws the space-time diagram of a ray: the event at the lens in the middle near the top, light at 45 degrees. */
+/**
+ * Draws the space-time diagram of a ray: the event at the lens in the middle near the top, a unit of x as long as one
+ * of time.
+ */
 @SuppressWarnings("serial") // never written to a stream
 final class DiagramPane extends JPanel {
 
@@ -115,7 +118,7 @@ final class DiagramPane extends JPanel {
     }
 
     private List<Line2D> light() {
-        return List.of(through(new Point2D.Double(1, 1)), through(new Point2D.Double(1, -1)));
+        return diagram.light().stream().map(this::through).toList();
     }
 
     private List<Line2D> otherAxes() {

@@ -58,7 +58,8 @@ public final class RayStory {
             steps.add(crossing(life));
         }
         if (life.end() == null) {
-            steps.add(new Step(Texts.get("ray.background"), 0, List.of()));
+            steps.add(
+                    new Step(Texts.get(life.reachesBackground() ? "ray.background" : "ray.standsStill"), 0, List.of()));
         }
         return steps;
     }

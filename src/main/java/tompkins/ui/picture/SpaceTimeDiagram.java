@@ -3,8 +3,10 @@ package tompkins.ui.picture;
 import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.math.Vectors;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.studio.Studio;
@@ -18,11 +20,12 @@ import tompkins.trace.RayLife;
  * @param frame the frame whose axes are upright
  * @param path the events of the main branch of the ray, from the lens on, backwards in time
  * @param onwards how x and y change along the ray after its last event, to the background; null if it ends there
+ * @param light how x and y change along light that runs with the camera's velocity, and along light against it
  * @param otherTime how x and y change along the time axis of the other frame: the way of what rests in it
  * @param otherSpace how x and y change along its axis of space: events that are simultaneous in it
  */
 public record SpaceTimeDiagram(
-        Frame frame, List<Point2D> path, Point2D onwards, Point2D otherTime, Point2D otherSpace) {
+        Frame frame, List<Point2D> path, Point2D onwards, List<Point2D> light, Point2D otherTime, Point2D otherSpace) {
 
     /** Where the origins of both frames meet, whatever the transformation. */
     private static final Event ZERO = new Event(0, 0, 0, 0);
@@ -32,7 +35,7 @@ public record SpaceTimeDiagram(
         boolean ofScene = frame == Frame.SCENE;
         SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
         SpaceTimeTransformation fromOther = ofScene ? sceneFromCamera : sceneFromCamera.inverse();
-        Vector3dc along = new Vector3d(studio.velocity().givenDirection()).normalize();
+        Vector3dc along = Vectors.unit(studio.velocity().givenDirection());
         Event origin = ofScene ? sceneFromCamera.transform(life.cameraStart()) : life.cameraStart();
         List<Point2D> path = new ArrayList<>(List.of(new Point2D.Double()));
         for (RayLife.Encounter hit : life.mainHits()) {
@@ -41,15 +44,21 @@ public record SpaceTimeDiagram(
         Point2D onwards = null;
         if (life.reachesBackground()) {
             Vector3dc direction = life.lastDirection();
-            Event step = new Event(direction.x(), direction.y(), direction.z(), -1);
+            Event step = new Event(direction.x(), direction.y(), direction.z(), -life.lastSlowness());
             onwards = place(ofScene ? step : fromOther.transform(step), ZERO, along);
         }
+        List<Point2D> light = Stream.of(along, along.negate(new Vector3d()))
+                .map(way -> new Event(way.x(), way.y(), way.z(), 1))
+                // it has the speed 1 in the camera frame by any law
+                .map(step -> place(ofScene ? sceneFromCamera.transform(step) : step, ZERO, along))
+                .toList();
         Event time = new Event(0, 0, 0, 1);
         Event space = new Event(along.x(), along.y(), along.z(), 0);
         return new SpaceTimeDiagram(
                 frame,
                 path,
                 onwards,
+                light,
                 place(fromOther.transform(time), ZERO, along),
                 place(fromOther.transform(space), ZERO, along));
     }

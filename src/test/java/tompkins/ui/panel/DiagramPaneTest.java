@@ -23,6 +23,7 @@ class DiagramPaneTest {
 
     private static final int SIZE = 200;
     private static final Point2D HERE = new Point2D.Double();
+    private static final List<Point2D> LIGHT = List.of(new Point2D.Double(1, 1), new Point2D.Double(-1, 1));
 
     @BeforeEach
     void install() {
@@ -36,7 +37,8 @@ class DiagramPaneTest {
     }
 
     private static SpaceTimeDiagram along(List<Point2D> path, Point2D onwards) {
-        return new SpaceTimeDiagram(Frame.SCENE, path, onwards, new Point2D.Double(0, 1), new Point2D.Double(1, 0));
+        return new SpaceTimeDiagram(
+                Frame.SCENE, path, onwards, LIGHT, new Point2D.Double(0, 1), new Point2D.Double(1, 0));
     }
 
     private static BufferedImage painted(DiagramPane pane) {
@@ -95,6 +97,7 @@ class DiagramPaneTest {
                 Frame.CAMERA,
                 List.of(HERE, new Point2D.Double(0, -9)),
                 null,
+                LIGHT,
                 new Point2D.Double(-0.3 * gamma, gamma),
                 new Point2D.Double(gamma, -0.3 * gamma))));
         int axisAtTheEdge = SIZE / 2 + (int) (0.3 * (SIZE - lens(image)));
@@ -115,6 +118,7 @@ class DiagramPaneTest {
                             frame,
                             List.of(HERE, new Point2D.Double(x, -9)),
                             null,
+                            LIGHT,
                             new Point2D.Double(sign * gamma * beta, gamma),
                             new Point2D.Double(gamma, sign * gamma * beta)));
                 }

@@ -9,6 +9,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Plane;
+import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
@@ -61,6 +62,23 @@ class RayStoryTest {
                         "Starts in the camera frame",
                         "Enters the scene frame",
                         "Meets nothing more: the background");
+    }
+
+    /** Light that a camera of the speed 0.5 sees coming from ahead in a medium of index 2 has the speed 0 there. */
+    @Test
+    void lightThatStandsStillInTheSceneIsNotTheBackground() {
+        Plane medium = new Plane("medium", new Vector3d(0, 0, -1), new Vector3d(0, 0, -1), new Refractive(2));
+        Studio studio = Studios.sphere()
+                .withScene(List.of())
+                .withVelocity(Velocity.of(0, 0, 0.5))
+                .withTransformation(TransformationLaw.GALILEAN)
+                .withCameraFrame(List.of(medium));
+        assertThat(headings(story(studio, 32, 24)))
+                .containsExactly(
+                        "Pixel 32, 24",
+                        "Starts in the camera frame",
+                        "Stands still in the scene: it comes from nowhere and brings no light");
+        assertThat(headings(story(studio, 33, 24))).endsWith("Meets nothing more: the background");
     }
 
     /** What the slab before the lens reflects is told as a weaker branch, and crosses into the scene by itself. */

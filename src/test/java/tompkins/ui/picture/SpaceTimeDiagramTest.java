@@ -67,6 +67,25 @@ class SpaceTimeDiagramTest {
         assertPlace(diagram.otherSpace(), 1, 0);
     }
 
+    /** Its light has the speed 1 in the camera frame: 1.8 and -0.2 in the scene, if it runs along the velocity. */
+    @Test
+    void lightOfAGalileanWorldRunsWithTheCamera() {
+        Studio galilean = Studios.sphere()
+                .withScene(List.of())
+                .withVelocity(FORWARDS)
+                .withTransformation(TransformationLaw.GALILEAN);
+        SpaceTimeDiagram scene = diagram(galilean);
+        assertPlaces(scene.light(), 1.8, 1, -0.2, 1);
+        // light that comes from ahead runs against the velocity: seen backwards, 1 forwards in a time of 5
+        assertPlace(scene.onwards(), 1, -5);
+        SpaceTimeDiagram camera = diagram(galilean, Frame.CAMERA);
+        assertPlaces(camera.light(), 1, 1, -1, 1);
+        assertPlace(camera.onwards(), 5, -5);
+        Studio lorentz = Studios.sphere().withVelocity(FORWARDS);
+        assertPlaces(diagram(lorentz).light(), 3, 3, -1 / 3.0, 1 / 3.0);
+        assertPlaces(diagram(lorentz, Frame.CAMERA).light(), 1, 1, -1, 1);
+    }
+
     /**
      * 9 = distance in the scene, which is sqrt((1 - beta) / (1 + beta)) = 1/3 of that in the camera frame, backwards.
      */
