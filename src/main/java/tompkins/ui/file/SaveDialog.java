@@ -55,8 +55,9 @@ public final class SaveDialog {
                 Path file = format.named(typed);
                 if (format.isFolder() || mayWrite(frame, file)) {
                     save.accept(file, format.format());
+                    return;
                 }
-                return;
+                continue;
             }
             String endings = formats.stream()
                     .flatMap(known -> known.endings().stream())

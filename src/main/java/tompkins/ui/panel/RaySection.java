@@ -133,8 +133,13 @@ public final class RaySection {
 
     private void edit() {
         Map<StudioPath, String> objects = objects();
+        // they may have been deleted since
+        edit.setEnabled(!objects.isEmpty());
         if (objects.size() == 1) {
             editor.accept(objects.keySet().iterator().next());
+            return;
+        }
+        if (objects.isEmpty()) {
             return;
         }
         JPopupMenu menu = new JPopupMenu();

@@ -63,7 +63,9 @@ public final class Messages {
     }
 
     private static JTextArea text(String message) {
-        JTextArea text = new JTextArea(message, (int) Math.min(MOST_ROWS, lines(message)), COLUMNS);
+        int longest = message.lines().mapToInt(String::length).max().orElse(1);
+        JTextArea text = new JTextArea(
+                message, (int) Math.min(MOST_ROWS, lines(message)), Math.max(1, Math.min(COLUMNS, longest)));
         text.setName("message");
         text.setEditable(false);
         text.setLineWrap(true);
@@ -84,7 +86,7 @@ public final class Messages {
 
     /** Asks a question; true if the answer is yes. */
     public static boolean confirm(Component parent, String title, String question) {
-        return JOptionPane.showConfirmDialog(parent, question, title, JOptionPane.OK_CANCEL_OPTION)
+        return JOptionPane.showConfirmDialog(parent, scroll(text(question)), title, JOptionPane.OK_CANCEL_OPTION)
                 == JOptionPane.OK_OPTION;
     }
 
@@ -109,7 +111,7 @@ public final class Messages {
 
     /** Asks which of some answers is meant: its number; Enter gives the first, closing the question the last one. */
     public static int choose(Component parent, String title, String question, String... answers) {
-        return ask(parent, title, question, JOptionPane.WARNING_MESSAGE, answers, answers[0]);
+        return ask(parent, title, scroll(text(question)), JOptionPane.WARNING_MESSAGE, answers, answers[0]);
     }
 
     private static int ask(

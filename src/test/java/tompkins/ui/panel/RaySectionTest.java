@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Container;
 import java.awt.geom.Point2D;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
+import javax.swing.JButton;
 import javax.swing.JToggleButton;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
@@ -19,6 +21,7 @@ import tompkins.ui.WindowDriver;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Texts;
 
 /** The section of the pinned ray, without a display. */
 class RaySectionTest {
@@ -28,7 +31,8 @@ class RaySectionTest {
     @AutoClose
     private final PixelProbe probe = new PixelProbe(error -> {});
 
-    private final RaySection section = new RaySection(new StudioModel(STUDIO, null), () -> {}, path -> {});
+    private final StudioModel model = new StudioModel(STUDIO, null);
+    private final RaySection section = new RaySection(model, () -> {}, path -> {});
     private final Container content = (Container) section.component();
     private final DiagramPane diagram = Components.find(content, DiagramPane.class, "Space-time diagram");
     private final JToggleButton camera = Components.find(content, JToggleButton.class, "Camera frame");
@@ -54,6 +58,19 @@ class RaySectionTest {
             assertThat(diagram.getToolTipText()).contains("in the camera frame");
             section.show(reading, null);
             assertThat(diagram.getToolTipText()).contains("in the camera frame");
+        });
+    }
+
+    @Test
+    void whatWasDeletedCannotBeEdited() {
+        JButton edit = Components.find(content, JButton.class, Texts.get("ray.edit"));
+        PixelProbe.Reading reading = reading();
+        WindowDriver.onEventThread(() -> {
+            section.show(reading, null);
+            assertThat(edit.isEnabled()).isTrue();
+            model.set(STUDIO.withScene(List.of()));
+            edit.doClick();
+            assertThat(edit.isEnabled()).isFalse();
         });
     }
 
