@@ -82,7 +82,7 @@ public final class RenderJob {
     }
 
     private void renderTiles(SampleTracer tracer, RayCounts mine) {
-        BlockSums sums = new BlockSums(film, () -> cancelled);
+        BlockSums sums = new BlockSums(film, this::isStopped);
         int index = nextTile.getAndIncrement();
         for (Pass pass = passOf(index); pass != null; pass = passOf(index)) {
             Tile tile = tiles.get(index % tiles.size());

@@ -48,7 +48,9 @@ final class Settings {
         }
         String windows = System.getenv("APPDATA");
         String linux = System.getenv("XDG_CONFIG_HOME");
-        String base = windows != null ? windows : linux != null ? linux : System.getProperty("user.home") + "/.config";
+        String home = System.getProperty("user.home") + "/.config";
+        // an empty one is as if it were not set, by the XDG Base Directory Specification
+        String base = windows != null ? windows : linux != null && !linux.isEmpty() ? linux : home;
         return Path.of(base).resolve("tompkins");
     }
 

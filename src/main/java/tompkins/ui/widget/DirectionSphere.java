@@ -25,6 +25,7 @@ import javax.swing.KeyStroke;
 import javax.swing.UIManager;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.math.Vectors;
 import tompkins.property.NumberText;
 
 /**
@@ -113,7 +114,7 @@ public final class DirectionSphere extends JPanel {
 
     /** Shows a direction of any length but 0. */
     public void show(Vector3dc other) {
-        direction = new Vector3d(other).div(other.length());
+        direction = Vectors.unit(other);
         repaint();
     }
 
