@@ -60,17 +60,25 @@ public final class PendingFile implements Closeable {
         if (Files.exists(target) && !Files.isWritable(target)) {
             throw new FileException(target + ": cannot be written: the file is write-protected");
         }
+        Path place = followed(target);
         if (Files.isSymbolicLink(target)) {
-            requireSameKind(target);
+            requireSameKind(target, place);
         }
-        return beside(Files.exists(target) ? target.toRealPath() : target, false);
+        return beside(place, false);
     }
 
-    private static void requireSameKind(Path link) throws IOException {
-        if (!Files.exists(link)) {
-            throw new FileException(link + ": cannot be written: it is a link to a file that does not exist");
+    /** What a link points to; what is no link stays as it is. */
+    private static Path followed(Path target) throws IOException {
+        if (!Files.isSymbolicLink(target)) {
+            return target;
         }
-        Path place = link.toRealPath();
+        if (!Files.exists(target)) {
+            throw new FileException(target + ": cannot be written: it is a link to nothing that exists");
+        }
+        return target.toRealPath();
+    }
+
+    private static void requireSameKind(Path link, Path place) throws IOException {
         if (!ending(place).equals(ending(link))) {
             throw new FileException(link + ": cannot be written: it is a link to " + place
                     + ", a file of another kind, which would be lost");
@@ -83,15 +91,17 @@ public final class PendingFile implements Closeable {
     }
 
     /**
-     * A pending folder that will have the name of {@code target}.
+     * A pending folder that will have the name of {@code target}. A link is followed: the empty folder that it points
+     * to is replaced.
      *
-     * @throws IOException if there is no such folder to put it in, or a file or a folder with content has the name
+     * @throws IOException if there is no such folder to put it in, a file or a folder with content has the name, or it
+     *     is a link to nothing
      */
     static PendingFile folder(Path target) throws IOException {
         if (Files.exists(target) && !isEmptyFolder(target)) {
             throw new FileException(target + ": cannot be written: it exists; name a new or an empty folder");
         }
-        return beside(target, true);
+        return beside(followed(target), true);
     }
 
     private static PendingFile beside(Path target, boolean isFolder) throws IOException {

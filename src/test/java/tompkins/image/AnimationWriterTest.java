@@ -204,6 +204,15 @@ class AnimationWriterTest {
     }
 
     @Test
+    void aLinkToAnEmptyFolderStaysAndTheFolderIsFilled() throws IOException {
+        Path real = Files.createDirectory(folder.resolve("real"));
+        Path link = Files.createSymbolicLink(target(AnimationFormat.NUMBERED_PNG), real);
+        film(AnimationFormat.NUMBERED_PNG, 25, 2);
+        assertThat(link).isSymbolicLink();
+        assertThat(Samples.names(real)).hasSize(2);
+    }
+
+    @Test
     void aFolderWithContentIsLeftAlone() throws IOException {
         Path film = Files.createDirectory(target(AnimationFormat.NUMBERED_PNG));
         Files.writeString(film.resolve("mine.txt"), "mine");

@@ -212,7 +212,7 @@ class PhotographFileTest {
         Files.createSymbolicLink(file, file);
         assertThatThrownBy(() -> PhotographFile.write(file, image, PictureFormat.PNG, ToneCurve.LINEAR, Samples.INFO))
                 .isInstanceOf(FileException.class)
-                .hasMessage(file + ": cannot be written: it is a link to a file that does not exist");
+                .hasMessage(file + ": cannot be written: it is a link to nothing that exists");
         assertThat(file).isSymbolicLink();
     }
 
