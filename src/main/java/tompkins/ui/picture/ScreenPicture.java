@@ -29,6 +29,15 @@ public record ScreenPicture(
 
     /** An image in another size. */
     static BufferedImage scaled(BufferedImage image, Dimension size) {
+        BufferedImage scaled = image;
+        // a step beyond a half would leave out pixels
+        while (scaled.getWidth() >= 2 * size.width && scaled.getHeight() >= 2 * size.height) {
+            scaled = drawn(scaled, new Dimension((scaled.getWidth() + 1) / 2, (scaled.getHeight() + 1) / 2));
+        }
+        return drawn(scaled, size);
+    }
+
+    private static BufferedImage drawn(BufferedImage image, Dimension size) {
         if (image.getWidth() == size.width && image.getHeight() == size.height) {
             return image;
         }

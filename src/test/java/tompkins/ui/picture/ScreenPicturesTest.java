@@ -3,6 +3,7 @@ package tompkins.ui.picture;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Dimension;
+import java.awt.image.BufferedImage;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
@@ -62,6 +63,21 @@ class ScreenPicturesTest {
             ScreenPicture shown = (ScreenPicture) nextEvent();
             assertThat(shown.nowImage().getWidth()).isEqualTo(32);
             assertThat(events).isEmpty();
+        }
+    }
+
+    /** One bright column in eight: between the columns that a single step looks at, it would be lost. */
+    @Test
+    void aLargePictureIsReducedWithAllItsPixels() {
+        BufferedImage stripes = new BufferedImage(128, 64, BufferedImage.TYPE_INT_RGB);
+        for (int row = 0; row < 64; row++) {
+            for (int column = 0; column < 128; column += 8) {
+                stripes.setRGB(column, row, 0xf0f0f0);
+            }
+        }
+        BufferedImage reduced = ScreenPicture.scaled(stripes, new Dimension(16, 8));
+        for (int column = 0; column < 16; column++) {
+            assertThat(reduced.getRGB(column, 4) & 0xff).isEqualTo(0xf0 / 8);
         }
     }
 
