@@ -1,5 +1,8 @@
 package tompkins.ui.picture;
 
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 
@@ -11,11 +14,9 @@ final class NewestFirst<T> implements AutoCloseable {
     /** As much as the threads of the renderer have: here, too, rays may be followed through deep recursions. */
     private static final long STACK_BYTES = 16 << 20;
 
-    private final Object lock = new Object();
+    private final ThreadPoolExecutor thread;
     private final Consumer<T> work;
     private final BiConsumer<T, Throwable> failed;
-    private T waiting;
-    private boolean closed;
 
     /**
      * A thread with a name that does the given work. It outlives work that throws, so that the next thing is done all
@@ -24,27 +25,23 @@ final class NewestFirst<T> implements AutoCloseable {
     NewestFirst(String name, Consumer<T> work, BiConsumer<T, Throwable> failed) {
         this.work = work;
         this.failed = failed;
-        Thread thread = new Thread(null, this::run, name, STACK_BYTES);
-        thread.setDaemon(true);
-        thread.start();
+        thread = new ThreadPoolExecutor(
+                1,
+                1,
+                0,
+                TimeUnit.SECONDS,
+                new ArrayBlockingQueue<>(1),
+                task -> {
+                    Thread made = new Thread(null, task, name, STACK_BYTES);
+                    made.setDaemon(true);
+                    return made;
+                },
+                new ThreadPoolExecutor.DiscardOldestPolicy());
     }
 
     /** Puts a thing in the place of the one that waits. */
     void submit(T thing) {
-        synchronized (lock) {
-            waiting = thing;
-            lock.notifyAll();
-        }
-    }
-
-    private void run() {
-        try {
-            for (T thing = take(); thing != null; thing = take()) {
-                work(thing);
-            }
-        } catch (InterruptedException closing) {
-            Thread.currentThread().interrupt();
-        }
+        thread.execute(() -> work(thing));
     }
 
     private void work(T thing) {
@@ -55,23 +52,10 @@ final class NewestFirst<T> implements AutoCloseable {
         }
     }
 
-    private T take() throws InterruptedException {
-        synchronized (lock) {
-            while (waiting == null && !closed) {
-                lock.wait();
-            }
-            T thing = closed ? null : waiting;
-            waiting = null;
-            return thing;
-        }
-    }
-
-    /** Ends the thread after the work at hand. */
+    /** Ends the thread after the work at hand; what waits is dropped. */
     @Override
     public void close() {
-        synchronized (lock) {
-            closed = true;
-            lock.notifyAll();
-        }
+        thread.shutdown();
+        thread.getQueue().clear();
     }
 }
