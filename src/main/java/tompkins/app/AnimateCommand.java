@@ -93,6 +93,9 @@ final class AnimateCommand implements Callable<Integer> {
     private QualityWish quality = new QualityWish();
 
     @Mixin
+    private PictureOptions picture;
+
+    @Mixin
     private StudioOptions options;
 
     @Spec
@@ -100,7 +103,7 @@ final class AnimateCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException, InterruptedException {
-        Studio studio = quality.applyTo(options.applyTo(StudioReader.read(scene)));
+        Studio studio = picture.applyTo(quality.applyTo(options.applyTo(StudioReader.read(scene))));
         Animation animation = animation(studio);
         Set<String> warnings = new LinkedHashSet<>(requirePossible(studio, animation));
         long start = System.nanoTime();

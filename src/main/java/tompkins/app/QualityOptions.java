@@ -5,7 +5,7 @@ import picocli.CommandLine.Option;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
 
-/** How good a picture has to be, as one wish, and where its samples lie. */
+/** How good a picture has to be, as one wish. */
 final class QualityOptions {
 
     /** The wishes for a single picture, of which one at most may be given. */
@@ -21,13 +21,9 @@ final class QualityOptions {
     @ArgGroup
     private PictureWish wish = new PictureWish();
 
-    @Option(names = "--seed", paramLabel = "N", description = "seed for the positions of the samples")
-    private Long seed;
-
-    /** The studio with the samples, the error and the seed that were given. */
+    /** The studio with the samples or the error that were given. */
     Studio applyTo(Studio studio) {
-        Studio wished = wish.applyTo(studio);
-        return seed == null ? wished : wished.withSettings(wished.settings().withSeed(seed));
+        return wish.applyTo(studio);
     }
 
     /** What the studio says, unless the time is limited. */

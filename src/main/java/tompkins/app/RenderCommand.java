@@ -14,7 +14,6 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import tompkins.image.PictureFormat;
-import tompkins.image.ToneCurve;
 import tompkins.io.StudioReader;
 import tompkins.property.Require;
 import tompkins.render.Quality;
@@ -52,15 +51,11 @@ final class RenderCommand implements Callable<Integer> {
                     + " usual one for the file's ending: png, tiff (16 bit) or hdr")
     private PictureFormat format;
 
-    @Option(
-            names = "--tone",
-            paramLabel = "CURVE",
-            completionCandidates = OptionWords.ToneCurves.class,
-            description = "tone curve of png and tiff: ${COMPLETION-CANDIDATES}")
-    private ToneCurve toneCurve;
-
     @Mixin
     private QualityOptions quality;
+
+    @Mixin
+    private PictureOptions picture;
 
     @Option(names = "--threads", paramLabel = "N", description = "number of threads; default: one per core")
     private Long threads;
@@ -132,9 +127,6 @@ final class RenderCommand implements Callable<Integer> {
     }
 
     private Studio studio(Path scene) {
-        Studio studio = quality.applyTo(options.applyTo(StudioReader.read(scene)));
-        return toneCurve == null
-                ? studio
-                : studio.withSettings(studio.settings().withToneCurve(toneCurve));
+        return picture.applyTo(quality.applyTo(options.applyTo(StudioReader.read(scene))));
     }
 }

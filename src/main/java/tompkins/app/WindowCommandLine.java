@@ -64,12 +64,8 @@ final class WindowCommandLine implements CommandLineWriter {
     @Override
     public Optional<String> animation(Studio studio, Animation animation, boolean captioned, Studio opened, Path file) {
         Studio start = start(studio, animation, opened);
-        // the command has no options for these
-        boolean sameSettings = start.settings().seed() == opened.settings().seed()
-                && start.settings().toneCurve() == opened.settings().toneCurve();
         boolean backwards = animation.course() == Animation.Course.BACKWARDS;
         return line("animate", start, opened, file)
-                .filter(line -> sameSettings)
                 .map(line ->
                         line + " --number=" + quoted(animation.number().place().toString())
                                 + " --from=" + NumberText.of(backwards ? animation.to() : animation.from())
