@@ -14,7 +14,6 @@ import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderListener;
 import tompkins.render.Renderer;
-import tompkins.render.Tile;
 import tompkins.studio.PaperStudios;
 import tompkins.trace.RenderPlan;
 
@@ -33,7 +32,7 @@ final class LargePicture {
         CountDownLatch begun = new CountDownLatch(1);
         RenderListener listener = new RenderListener() {
             @Override
-            public void tileDone(RenderJob job, Tile tile) {
+            public void tileDone(RenderJob job) {
                 begun.countDown();
             }
         };

@@ -6,7 +6,6 @@ import java.util.function.Supplier;
 import tompkins.render.Progress;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderListener;
-import tompkins.render.Tile;
 
 /** One line on a terminal that says how far a picture or an animation is, and how long it still takes. */
 final class ProgressLine implements RenderListener, Progress {
@@ -22,7 +21,7 @@ final class ProgressLine implements RenderListener, Progress {
     }
 
     @Override
-    public synchronized void tileDone(RenderJob job, Tile tile) {
+    public synchronized void tileDone(RenderJob job) {
         show(
                 job.progress(),
                 () -> String.format(Locale.ROOT, "%.2f million camera rays/s   ", job.samples() / seconds() / 1e6));

@@ -90,7 +90,7 @@ public final class RenderJob {
             renderTile(pass, tile, tracer, sums);
             samples.add(mine.samples - before);
             if (!isStopped()) {
-                tileDone(tile);
+                tileDone();
             }
             index = nextTile.getAndIncrement();
         }
@@ -139,8 +139,8 @@ public final class RenderJob {
         return false;
     }
 
-    private void tileDone(Tile tile) {
-        listener.tileDone(this, tile);
+    private void tileDone() {
+        listener.tileDone(this);
         if (tilesDone.incrementAndGet() % tiles.size() == 0) {
             // before the others go on, so that nobody adds to the film while the listener looks at it
             listener.passDone(this);

@@ -21,8 +21,8 @@ public interface RenderListener {
         };
     }
 
-    /** A tile of a pass is done; {@link RenderJob#progress()} has grown. */
-    default void tileDone(RenderJob job, Tile tile) {}
+    /** A part of a pass is done; {@link RenderJob#progress()} has grown. */
+    default void tileDone(RenderJob job) {}
 
     /** A pass over the whole picture is done; {@link RenderJob#image()} shows it. */
     default void passDone(RenderJob job) {}

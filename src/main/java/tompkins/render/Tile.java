@@ -12,7 +12,7 @@ import java.util.List;
  * @param width number of columns
  * @param height number of rows
  */
-public record Tile(int column, int row, int width, int height) {
+record Tile(int column, int row, int width, int height) {
 
     /** Width and height of a tile, away from the edges of the picture. */
     static final int SIZE = 32;

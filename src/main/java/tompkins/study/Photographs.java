@@ -7,7 +7,6 @@ import tompkins.render.Quality;
 import tompkins.render.RenderJob;
 import tompkins.render.RenderListener;
 import tompkins.render.Renderer;
-import tompkins.render.Tile;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
@@ -31,7 +30,7 @@ final class Photographs {
     static RenderJob taken(RenderPlan plan, Quality quality, BooleanSupplier cancelled) {
         RenderListener canceller = new RenderListener() {
             @Override
-            public void tileDone(RenderJob job, Tile tile) {
+            public void tileDone(RenderJob job) {
                 if (cancelled.getAsBoolean()) {
                     job.cancel();
                 }

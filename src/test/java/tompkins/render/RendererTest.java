@@ -106,7 +106,7 @@ class RendererTest {
             CountDownLatch firstTile = new CountDownLatch(1);
             RenderListener listener = new RenderListener() {
                 @Override
-                public void tileDone(RenderJob job, Tile tile) {
+                public void tileDone(RenderJob job) {
                     firstTile.countDown();
                 }
             };
@@ -282,7 +282,7 @@ class RendererTest {
         RenderPlan plan = RenderPlan.of(size(PaperStudios.fig1a(), 128, 96, 4));
         RenderListener broken = new RenderListener() {
             @Override
-            public void tileDone(RenderJob job, Tile tile) {
+            public void tileDone(RenderJob job) {
                 throw new IllegalStateException("broken");
             }
         };
