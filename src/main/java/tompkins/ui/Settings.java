@@ -92,7 +92,7 @@ final class Settings {
                 try {
                     files.add(Path.of(name));
                 } catch (InvalidPathException damaged) {
-                    values.remove("recent." + i);
+                    // as if it had not been set
                 }
             }
         }
