@@ -1,5 +1,6 @@
 package tompkins.ui;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
@@ -48,7 +49,7 @@ final class KeyTable {
 
     private void addHeading(String title) {
         JLabel heading = new JLabel(title);
-        heading.putClientProperty("FlatLaf.style", "font: bold");
+        heading.putClientProperty(FlatClientProperties.STYLE, "font: bold");
         panel.add(heading, panel.getComponentCount() == 0 ? "span 2" : "span 2, gaptop 9");
     }
 

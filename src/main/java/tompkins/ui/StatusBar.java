@@ -1,5 +1,6 @@
 package tompkins.ui;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JComponent;
@@ -58,7 +59,7 @@ final class StatusBar {
         fading.setRepeats(false);
         what.setName("status.what");
         where.setName("status.where");
-        where.putClientProperty("FlatLaf.styleClass", "small");
+        where.putClientProperty(FlatClientProperties.STYLE_CLASS, "small");
         picture.setName("status.picture");
         progress.setName("status.progress");
         progress.getAccessibleContext().setAccessibleName(Texts.get("status.progress"));

@@ -1,5 +1,6 @@
 package tompkins.ui;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -93,7 +94,7 @@ public final class Components {
 
     /** Whether a field is marked as wrong. */
     public static boolean isMarked(JTextField field) {
-        return "error".equals(field.getClientProperty("JComponent.outline"));
+        return FlatClientProperties.OUTLINE_ERROR.equals(field.getClientProperty(FlatClientProperties.OUTLINE));
     }
 
     /** The texts of the visible notes: explanations and messages. */

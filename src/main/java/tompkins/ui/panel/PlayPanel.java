@@ -1,5 +1,6 @@
 package tompkins.ui.panel;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.util.List;
@@ -129,7 +130,7 @@ public final class PlayPanel {
 
     private JButton closeButton() {
         JButton button = new JButton("\u00d7");
-        button.putClientProperty("JButton.buttonType", "toolBarButton");
+        button.putClientProperty(FlatClientProperties.BUTTON_TYPE, FlatClientProperties.BUTTON_TYPE_TOOLBAR_BUTTON);
         Naming.name(button, "play.close");
         button.addActionListener(event -> setShown(false));
         return button;

@@ -1,5 +1,6 @@
 package tompkins.ui.widget;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -33,7 +34,7 @@ public final class ChoiceRow {
             JToggleButton button = new JToggleButton(text.apply(value), group.getButtonCount() == 0);
             Naming.name(button, name.apply(value), tip.apply(value));
             button.putClientProperty(
-                    "FlatLaf.style",
+                    FlatClientProperties.STYLE,
                     "selectedBackground: $Component.accentColor; selectedForeground: $Tompkins.chosen;"
                             + " focusedBorderColor: $Tompkins.chosen");
             button.addActionListener(event -> chosen.accept(value));

@@ -1,5 +1,6 @@
 package tompkins.ui.widget;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.KeyboardFocusManager;
@@ -175,7 +176,7 @@ public final class EntryField {
     }
 
     private boolean isWrong() {
-        return field.getClientProperty("JComponent.outline") != null;
+        return field.getClientProperty(FlatClientProperties.OUTLINE) != null;
     }
 
     /** Takes what was typed, if it is not what was shown. */
@@ -190,7 +191,7 @@ public final class EntryField {
             // as it is shown, however it was typed
             revert();
         } catch (InvalidPropertyException wrong) {
-            field.putClientProperty("JComponent.outline", "error");
+            field.putClientProperty(FlatClientProperties.OUTLINE, FlatClientProperties.OUTLINE_ERROR);
             String message = Wording.message(wrong);
             field.getAccessibleContext().setAccessibleDescription(message);
             note.setErrorAfterPress(message);
@@ -218,7 +219,7 @@ public final class EntryField {
     private void clear() {
         overtaken = false;
         if (isWrong()) {
-            field.putClientProperty("JComponent.outline", null);
+            field.putClientProperty(FlatClientProperties.OUTLINE, null);
             field.getAccessibleContext().setAccessibleDescription(tip);
             note.clearAfterPress();
         }

@@ -1,5 +1,6 @@
 package tompkins.ui.widget;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -26,9 +27,9 @@ public final class Section {
     public Section(String title, JComponent content, boolean open) {
         heading = new JToggleButton(title, new Arrow(), open);
         heading.setHorizontalAlignment(SwingConstants.LEADING);
-        heading.putClientProperty("JButton.buttonType", "borderless");
+        heading.putClientProperty(FlatClientProperties.BUTTON_TYPE, FlatClientProperties.BUTTON_TYPE_BORDERLESS);
         heading.putClientProperty(
-                "FlatLaf.style",
+                FlatClientProperties.STYLE,
                 "font: bold; toolbar.selectedBackground: null; toolbar.hoverBackground: $Tompkins.hover;"
                         + " margin: 3,2,3,2");
         heading.setName(title);

@@ -69,7 +69,7 @@ public final class VectorFields {
     public void addInRow(JPanel panel) {
         for (int axis = 0; axis < fields.size(); axis++) {
             JLabel label = new JLabel(names.get(axis));
-            label.putClientProperty("FlatLaf.style", "font: $small.font; foreground: $Tompkins.note");
+            label.putClientProperty(FlatClientProperties.STYLE, "font: $small.font; foreground: $Tompkins.note");
             label.setBorder(BorderFactory.createEmptyBorder(0, 4, 0, 2));
             JTextComponent field = fields.get(axis).field();
             field.putClientProperty(FlatClientProperties.TEXT_FIELD_LEADING_COMPONENT, label);
