@@ -22,12 +22,12 @@ import tompkins.ui.widget.Texts;
 final class AnimationExport {
 
     private final JFrame frame;
-    private final FileActions files;
+    private final FileDialogs dialogs;
     private final Captions captions;
 
-    AnimationExport(JFrame frame, FileActions files, Captions captions) {
+    AnimationExport(JFrame frame, FileDialogs dialogs, Captions captions) {
         this.frame = frame;
-        this.files = files;
+        this.dialogs = dialogs;
         this.captions = captions;
     }
 
@@ -38,7 +38,7 @@ final class AnimationExport {
                 .toList();
         SaveDialog.ask(
                 frame,
-                files.chooser(),
+                dialogs.chooser(),
                 Texts.get(
                         "play.exportTitle",
                         animation.frames(),
@@ -57,8 +57,8 @@ final class AnimationExport {
                 frame,
                 Texts.get("file.saving", file),
                 progress -> warnings.set(write(studio, animation, file, format, captioned, progress)),
-                () -> files.exported(file, warnings.get().sentences()),
-                () -> files.sayNotSaved(file));
+                () -> dialogs.exported(file, warnings.get().sentences()),
+                () -> dialogs.sayNotSaved(file));
     }
 
     /** Takes all pictures and writes them; leaves nothing behind if the task is cancelled or fails. */

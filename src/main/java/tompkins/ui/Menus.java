@@ -25,8 +25,10 @@ import tompkins.ui.widget.Texts;
 /** The menus of the window. */
 final class Menus {
 
-    /** What the menus can do, besides files and history. */
+    /** What the menus can do, besides scene files and history. */
     interface Commands {
+
+        void savePhotograph();
 
         void setLook(Look look);
 
@@ -57,7 +59,8 @@ final class Menus {
 
     private final JMenuBar bar = new JMenuBar();
     private final JMenu examples = menu("menu.examples");
-    private final FileActions files;
+    private final SceneOpener opener;
+    private final SceneSaver saver;
     private final ClipboardActions clipboard;
     private final History history;
     private final Settings settings;
@@ -65,13 +68,15 @@ final class Menus {
     private final Commands commands;
 
     Menus(
-            FileActions files,
+            SceneOpener opener,
+            SceneSaver saver,
             ClipboardActions clipboard,
             History history,
             Settings settings,
             Captions captions,
             Commands commands) {
-        this.files = files;
+        this.opener = opener;
+        this.saver = saver;
         this.clipboard = clipboard;
         this.history = history;
         this.settings = settings;
@@ -138,17 +143,17 @@ final class Menus {
 
     private JMenu fileMenu() {
         JMenu menu = menu("menu.file");
-        add(menu, "menu.new", "ctrl N", () -> files.begin(commands::editScene));
-        add(menu, "menu.open", "ctrl O", files::open);
+        add(menu, "menu.new", "ctrl N", () -> opener.begin(commands::editScene));
+        add(menu, "menu.open", "ctrl O", opener::open);
         JMenu recent = new JMenu(Texts.get("menu.recent"));
         recent.setName("menu.recent");
         beforeShowing(menu, () -> fillRecent(recent));
         menu.add(recent);
-        add(menu, "menu.reload", "F5", files::reload);
+        add(menu, "menu.reload", "F5", opener::reload);
         menu.addSeparator();
-        add(menu, "menu.saveScene", "ctrl S", files::saveScene);
-        add(menu, "menu.saveSceneAs", "ctrl shift S", files::saveSceneAs);
-        add(menu, "menu.savePhotograph", "ctrl shift E", files::savePhotograph);
+        add(menu, "menu.saveScene", "ctrl S", saver::save);
+        add(menu, "menu.saveSceneAs", "ctrl shift S", saver::saveAs);
+        add(menu, "menu.savePhotograph", "ctrl shift E", commands::savePhotograph);
         menu.addSeparator();
         add(menu, "menu.copyPicture", "ctrl shift C", clipboard::copyPicture);
         add(menu, "menu.copyCommand", "ctrl shift L", clipboard::copyCommandLine);
@@ -163,7 +168,7 @@ final class Menus {
             JMenuItem item = PlainText.in(new JMenuItem());
             item.setText(file.getFileName().toString());
             item.setToolTipText(file.toString());
-            item.addActionListener(event -> files.open(file));
+            item.addActionListener(event -> opener.open(file));
             recent.add(item);
         }
         recent.setEnabled(recent.getItemCount() > 0);
@@ -174,7 +179,7 @@ final class Menus {
         Map<String, JMenu> topics = new LinkedHashMap<>();
         for (Studio scene : scenes) {
             JMenu topic = topics.computeIfAbsent(scene.topic(), name -> new JMenu(name));
-            add(topic, scene.title(), () -> files.open(scene));
+            add(topic, scene.title(), () -> opener.open(scene));
         }
         examples.removeAll();
         topics.values().forEach(examples::add);

@@ -50,7 +50,9 @@ public final class TompkinsWindow {
     private final PhotographView view;
     private final SideRoom side;
     private final StatusBar status;
-    private final FileActions files;
+    private final FileDialogs dialogs;
+    private final SceneSaver saver;
+    private final SceneOpener opener;
     private final Captions captions;
     private final ClipboardActions clipboard;
     private final Menus menus;
@@ -71,22 +73,25 @@ public final class TompkinsWindow {
         view.render();
         status = new StatusBar(view.controller());
         side = new SideRoom(() -> new SidePanel(model, view, status::report, this::edit));
-        files = new FileActions(frame, model, view, status, settings, this::pause);
+        dialogs = new FileDialogs(frame, model, status, settings);
+        saver = new SceneSaver(frame, model, status, dialogs);
+        opener = new SceneOpener(frame, model, view, status, settings, dialogs, saver, this::pause);
         captions = new Captions(view.canvas(), settings);
         frame.setContentPane(content());
         clipboard = new ClipboardActions(frame, model, view, captions, commandLine, status);
         menus = new Menus(
-                files,
+                opener,
+                saver,
                 clipboard,
                 new History(model, frame, this::pause, this::sayOtherScene),
                 settings,
                 captions,
                 new WindowCommands());
         frame.setJMenuBar(menus.bar());
-        editor = new EditorDialog(frame, model, files, menus::bindKeys);
+        editor = new EditorDialog(frame, model, dialogs, menus::bindKeys);
         late = new LateParts(this::furnish, menus::setExamples, frame::setIconImages);
         menus.bindOtherRedo(frame.getRootPane());
-        frame.getRootPane().setTransferHandler(files.drop());
+        frame.getRootPane().setTransferHandler(opener.drop());
         PeekKey.bind(frame, view.canvas());
         FocusFollower.install(frame);
         frame.setName("tompkins");
@@ -169,7 +174,7 @@ public final class TompkinsWindow {
 
     private PlayPanel playPanel() {
         if (play == null) {
-            play = new PlayPanel(model, new AnimationExport(frame, files, captions)::ask, captions::setAnimated);
+            play = new PlayPanel(model, new AnimationExport(frame, dialogs, captions)::ask, captions::setAnimated);
             middle.add(play.component(), BorderLayout.SOUTH);
         }
         return play;
@@ -201,8 +206,8 @@ public final class TompkinsWindow {
         return view;
     }
 
-    FileActions files() {
-        return files;
+    SceneSaver saver() {
+        return saver;
     }
 
     private JComponent content() {
@@ -238,7 +243,7 @@ public final class TompkinsWindow {
         @Override
         public void windowClosing(WindowEvent event) {
             if (!BackgroundTask.showRunning(frame)) {
-                files.leaveScene(this::close);
+                opener.leaveScene(this::close);
             }
         }
 
@@ -296,6 +301,11 @@ public final class TompkinsWindow {
     }
 
     private final class WindowCommands implements Menus.Commands {
+
+        @Override
+        public void savePhotograph() {
+            new PhotographExport(frame, model, view, status, dialogs).ask();
+        }
 
         @Override
         public void setLook(Look look) {
@@ -363,7 +373,7 @@ public final class TompkinsWindow {
         @Override
         public void showDocument(String page) {
             if (help == null) {
-                help = new HelpWindow(frame, files::open);
+                help = new HelpWindow(frame, opener::open);
             }
             help.show(HelpPage.of(page));
         }

@@ -23,8 +23,8 @@ class EventThreadTest {
 
     private static final long DRAG_NANOSECONDS = 10_000_000_000L;
 
-    /** Far above the 16 ms that are the aim: only a window that freezes fails, not a busy computer. */
-    private static final long FROZEN_MILLISECONDS = 1000;
+    /** Of the processor, so that a busy computer does not fail; 3 are usual. A longer wait would be felt. */
+    private static final long MOST_MILLISECONDS = 100;
 
     /** Notes the longest time, by the clock and of the processor, that one event took. */
     private static final class WatchedQueue extends EventQueue {
@@ -80,7 +80,7 @@ class EventThreadTest {
                 "longest event while dragging: %d ms by the clock, %d ms of the processor%n",
                 queue.longest.get() / 1_000_000,
                 queue.longestProcessor.get() / 1_000_000);
-        assertThat(queue.longestProcessor.get() / 1_000_000).isLessThan(FROZEN_MILLISECONDS);
+        assertThat(queue.longestProcessor.get() / 1_000_000).isLessThan(MOST_MILLISECONDS);
     }
 
     private static void drag(WindowDriver driver, JSlider slider) {

@@ -131,7 +131,7 @@ class SceneFilesTest {
         CountDownLatch written = new CountDownLatch(1);
         WindowDriver.onEventThread(() -> {
             driver.window()
-                    .files()
+                    .saver()
                     .awaitEnd(
                             file,
                             BackgroundTask.start(

@@ -1,0 +1,87 @@
+package tompkins.ui;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.JFrame;
+import tompkins.image.LinearImage;
+import tompkins.image.PhotographFile;
+import tompkins.image.PhotographInfo;
+import tompkins.image.PictureFormat;
+import tompkins.io.SelfDescription;
+import tompkins.io.StudioWriter;
+import tompkins.render.PhotographTaker;
+import tompkins.studio.Studio;
+import tompkins.ui.file.BackgroundTask;
+import tompkins.ui.file.FormatFilter;
+import tompkins.ui.file.SaveDialog;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.widget.EntryField;
+import tompkins.ui.widget.Texts;
+
+/** Saves photographs, with their scenes inside. Takes and writes them away from the event thread. */
+final class PhotographExport {
+
+    private final JFrame frame;
+    private final StudioModel model;
+    private final PhotographView view;
+    private final StatusBar status;
+    private final FileDialogs dialogs;
+
+    PhotographExport(JFrame frame, StudioModel model, PhotographView view, StatusBar status, FileDialogs dialogs) {
+        this.frame = frame;
+        this.model = model;
+        this.view = view;
+        this.status = status;
+        this.dialogs = dialogs;
+    }
+
+    /** Asks where to save the photograph. */
+    void ask() {
+        EntryField.takeAll(frame);
+        Studio studio = model.studio();
+        List<FormatFilter<PictureFormat>> formats = Stream.of(PictureFormat.values())
+                .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
+                .toList();
+        SaveDialog.ask(
+                frame,
+                dialogs.chooser(),
+                Texts.get(
+                        "file.savePhotograph",
+                        studio.settings().width(),
+                        studio.settings().height()),
+                dialogs.fileName(),
+                formats,
+                (file, format) -> save(studio, file, format));
+    }
+
+    /** Saves the complete photograph of a studio, with the scene inside. */
+    private void save(Studio studio, Path file, PictureFormat format) {
+        Picture onScreen = view.canvas().shown().now();
+        boolean ready =
+                onScreen != null && onScreen.complete() && onScreen.studio().equals(studio);
+        BackgroundTask.start(
+                frame,
+                Texts.get("file.saving", file),
+                task -> {
+                    PhotographInfo info = SelfDescription.of(studio);
+                    try (PhotographTaker taker = new PhotographTaker()) {
+                        LinearImage image = ready
+                                ? onScreen.image()
+                                : taker.take(studio, task, 0, 1).image();
+                        PhotographFile.write(
+                                file, image, format, studio.settings().toneCurve(), info);
+                    }
+                },
+                () -> {
+                    dialogs.saved(file);
+                    List<String> named = StudioWriter.filesOnlyNamed(studio);
+                    if (!named.isEmpty()) {
+                        // it asks for something
+                        status.say(Texts.get("file.savedNaming", file, String.join(", ", named)));
+                    }
+                },
+                () -> dialogs.sayNotSaved(file));
+    }
+}

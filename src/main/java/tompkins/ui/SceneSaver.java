@@ -1,0 +1,156 @@
+package tompkins.ui;
+
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import javax.swing.JFrame;
+import tompkins.io.StudioWriter;
+import tompkins.studio.Studio;
+import tompkins.ui.file.BackgroundTask;
+import tompkins.ui.file.FormatFilter;
+import tompkins.ui.file.Loss;
+import tompkins.ui.file.SaveDialog;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.EntryField;
+import tompkins.ui.widget.Messages;
+import tompkins.ui.widget.Texts;
+
+/** Saves scenes, without losing what others wrote in their files. Writes away from the event thread. */
+final class SceneSaver {
+
+    private final JFrame frame;
+    private final StudioModel model;
+    private final StatusBar status;
+    private final FileDialogs dialogs;
+
+    /** What the scene files held when they were opened or saved last. */
+    private final Map<Path, Studio> held = new HashMap<>();
+
+    /** What was done last to save a scene in a file; it may still go on. */
+    private final Map<Path, BackgroundTask> saves = new HashMap<>();
+
+    SceneSaver(JFrame frame, StudioModel model, StatusBar status, FileDialogs dialogs) {
+        this.frame = frame;
+        this.model = model;
+        this.status = status;
+        this.dialogs = dialogs;
+        hold(model.file(), model.studio());
+    }
+
+    /** Takes notice of what a file held when it was opened. */
+    void hold(Path file, Studio studio) {
+        held.put(file, studio);
+    }
+
+    /** Saves the scene where it came from; asks for a place if it has none. */
+    void save() {
+        save(() -> {});
+    }
+
+    /**
+     * Saves the scene where it came from; asks for a place if it has none.
+     *
+     * @param next is done when the scene is saved, and not if it is not
+     */
+    void save(Runnable next) {
+        EntryField.takeAll(frame);
+        Saving saving = new Saving(model.studio(), model.opened(), next);
+        if (model.file() == null) {
+            saveAs(saving);
+        } else {
+            saveOver(model.file(), saving);
+        }
+    }
+
+    /** A scene as it was when it was to be saved: it may play on behind the questions. */
+    private record Saving(Studio studio, Studio opened, Runnable next) {}
+
+    /** Saves over a scene file; asks first if that loses what somebody wrote. */
+    private void saveOver(Path file, Saving saving) {
+        if (isBeingSaved(file)) {
+            return;
+        }
+        Studio before = held.get(file);
+        BackgroundTask search =
+                BackgroundTask.find(frame, Texts.get("file.saving", file), () -> Loss.of(file, before), loss -> {
+                    switch (loss) {
+                        case NOTHING -> write(file, saving);
+                        case PHOTOGRAPH -> saveAs(saving);
+                        case HANDWRITING, OTHER_SCENE -> askAboutLoss(loss, file, saving);
+                    }
+                });
+        awaitEnd(file, search);
+    }
+
+    /** Does not save a scene in a file again until what was done last to save one there has ended. */
+    void awaitEnd(Path file, BackgroundTask save) {
+        saves.put(file, save);
+    }
+
+    /** Whether a file is being saved, which is said: its content is not known, and another writer might be faster. */
+    private boolean isBeingSaved(Path file) {
+        BackgroundTask last = saves.get(file);
+        boolean saving = last != null && last.isRunning();
+        if (saving) {
+            status.report(Texts.get("file.stillSaving", file));
+        }
+        return saving;
+    }
+
+    private void askAboutLoss(Loss loss, Path file, Saving saving) {
+        int answer = Messages.choose(
+                frame,
+                Texts.get("file.overwriteTitle"),
+                Texts.get("loss." + loss, file.getFileName()),
+                Texts.get("menu.saveSceneAs"),
+                Texts.get("file.saveAnyway"),
+                Texts.get("task.cancel"));
+        switch (answer) {
+            case 0 -> saveAs(saving);
+            case 1 -> write(file, saving);
+            default -> {}
+        }
+    }
+
+    /** Asks where to save the scene. */
+    void saveAs() {
+        EntryField.takeAll(frame);
+        saveAs(new Saving(model.studio(), model.opened(), () -> {}));
+    }
+
+    private void saveAs(Saving saving) {
+        FormatFilter<String> json = new FormatFilter<>("json", Texts.get("file.sceneFiles"), List.of(".json"));
+        SaveDialog.ask(
+                frame,
+                dialogs.chooser(),
+                Texts.get("file.saveScene"),
+                dialogs.fileName(),
+                List.of(json),
+                (file, format) -> write(file, saving));
+    }
+
+    private void write(Path file, Saving saving) {
+        if (isBeingSaved(file)) {
+            return;
+        }
+        Studio studio = saving.studio;
+        Runnable done = () -> {
+            // another scene may have been opened meanwhile
+            if (model.opened() == saving.opened) {
+                model.saved(studio, file);
+            }
+            held.put(file, studio);
+            dialogs.saved(file);
+            saving.next.run();
+        };
+        awaitEnd(
+                file,
+                BackgroundTask.start(
+                        frame,
+                        Texts.get("file.saving", file),
+                        task -> StudioWriter.save(studio, file),
+                        done,
+                        () -> dialogs.sayNotSaved(file)));
+    }
+}
