@@ -13,11 +13,16 @@ public final class Candidates {
     /** With more candidates than this the tree is faster. */
     private static final int MOST = 48;
 
-    /** Where the way through the tree is longer than this, it is not worth while either. */
-    private static final int MOST_STEPS = 400;
+    /** Where the rays meet more parts of the tree than this at once, they meet too many primitives in them, too. */
+    private static final int MOST_WAITING = 64;
 
     private final RayBundle bundle = new RayBundle();
-    private final TreeNode[] waiting = new TreeNode[NearestHit.DEEPEST_TREE];
+
+    /**
+     * The parts of the tree that wait to be opened: a ring, in which each node leaves at most one more than it found.
+     */
+    private final TreeNode[] waiting = new TreeNode[2 * MOST_WAITING];
+
     private final Primitive[] found = new Primitive[MOST];
     private final double[] leastDistances = new double[MOST];
     private int count;
@@ -68,21 +73,22 @@ public final class Candidates {
         }
     }
 
+    /** Level by level, so that many parts are told from few before one of them is searched to its end. */
     private boolean searchTree(TreeNode root) {
-        int open = 0;
-        int steps = 0;
-        waiting[open++] = root;
-        while (open > 0) {
-            TreeNode node = waiting[--open];
-            if (++steps > MOST_STEPS) {
-                return false;
-            }
-            if (bundle.misses(node)) {
-                continue;
-            }
+        int first = 0;
+        int end = 0;
+        if (!bundle.misses(root)) {
+            waiting[end++] = root;
+        }
+        while (first < end && end - first <= MOST_WAITING) {
+            TreeNode node = waiting[first++ % waiting.length];
             if (node.primitives == null) {
-                waiting[open++] = node.low;
-                waiting[open++] = node.high;
+                if (!bundle.misses(node.low)) {
+                    waiting[end++ % waiting.length] = node.low;
+                }
+                if (!bundle.misses(node.high)) {
+                    waiting[end++ % waiting.length] = node.high;
+                }
                 continue;
             }
             for (Primitive primitive : node.primitives) {
@@ -91,7 +97,7 @@ public final class Candidates {
                 }
             }
         }
-        return true;
+        return first == end;
     }
 
     private boolean add(Primitive primitive) {
