@@ -1,5 +1,6 @@
 package tompkins.sceneobject;
 
+import java.util.ArrayDeque;
 import java.util.Arrays;
 import tompkins.ray.Ray;
 import tompkins.ray.RayBlock;
@@ -18,10 +19,8 @@ public final class Candidates {
 
     private final RayBundle bundle = new RayBundle();
 
-    /**
-     * The parts of the tree that wait to be opened: a ring, in which each node leaves at most one more than it found.
-     */
-    private final TreeNode[] waiting = new TreeNode[2 * MOST_WAITING];
+    /** The parts of the tree that wait to be opened; one that is opened leaves two in its place at most. */
+    private final ArrayDeque<TreeNode> waiting = new ArrayDeque<>(MOST_WAITING + 2);
 
     private final Primitive[] found = new Primitive[MOST];
     private final double[] leastDistances = new double[MOST];
@@ -75,20 +74,13 @@ public final class Candidates {
 
     /** Level by level, so that many parts are told from few before one of them is searched to its end. */
     private boolean searchTree(TreeNode root) {
-        int first = 0;
-        int end = 0;
-        if (!bundle.misses(root)) {
-            waiting[end++] = root;
-        }
-        while (first < end && end - first <= MOST_WAITING) {
-            TreeNode node = waiting[first++ % waiting.length];
+        waiting.clear();
+        putOff(root);
+        while (!waiting.isEmpty() && waiting.size() <= MOST_WAITING) {
+            TreeNode node = waiting.poll();
             if (node.primitives == null) {
-                if (!bundle.misses(node.low)) {
-                    waiting[end++ % waiting.length] = node.low;
-                }
-                if (!bundle.misses(node.high)) {
-                    waiting[end++ % waiting.length] = node.high;
-                }
+                putOff(node.low);
+                putOff(node.high);
                 continue;
             }
             for (Primitive primitive : node.primitives) {
@@ -97,7 +89,13 @@ public final class Candidates {
                 }
             }
         }
-        return first == end;
+        return waiting.isEmpty();
+    }
+
+    private void putOff(TreeNode node) {
+        if (!bundle.misses(node)) {
+            waiting.add(node);
+        }
     }
 
     private boolean add(Primitive primitive) {
