@@ -83,11 +83,12 @@ final class CylinderPrimitive extends Primitive {
 
     /**
      * By the distance between the ray's line and the axis, as in {@link #distance} but without the ends. Several short
-     * loops: the compiler makes no vector instructions of a long one.
+     * loops: the compiler makes no vector instructions of a long one; from a single start one is enough.
      */
     @Override
-    boolean margins(RayBlock rays, double farthest, double[] margins) {
-        if (!hasSquare(radius) || !hasSquare(length)) {
+    boolean margins(RayBlock rays, RayStarts starts, double[] margins) {
+        double farthest = starts.farthest() + Math.abs(startX) + Math.abs(startY) + Math.abs(startZ);
+        if (!hasSquare(radius) || !hasSquare(length) || !hasSquare(farthest)) {
             return false;
         }
         int count = rays.count();
@@ -97,6 +98,23 @@ final class CylinderPrimitive extends Primitive {
         double[] dx = rays.dx;
         double[] dy = rays.dy;
         double[] dz = rays.dz;
+        double reach = WIDER * radius * radius;
+        double rounding = ROUNDING * farthest;
+        double most = (reach * WIDER + rounding * rounding) * squaredLength;
+        if (starts.areOne()) {
+            double wx = x[0] - startX;
+            double wy = y[0] - startY;
+            double wz = z[0] - startZ;
+            double crossX = wy * axisZ - wz * axisY;
+            double crossY = wz * axisX - wx * axisZ;
+            double crossZ = wx * axisY - wy * axisX;
+            for (int i = 0; i < count; i++) {
+                double along = axisX * dx[i] + axisY * dy[i] + axisZ * dz[i];
+                double offset = crossX * dx[i] + crossY * dy[i] + crossZ * dz[i];
+                margins[i] = most - reach * along * along - offset * offset;
+            }
+            return true;
+        }
         for (int i = 0; i < count; i++) {
             margins[i] = dx[i] * ((y[i] - startY) * axisZ - (z[i] - startZ) * axisY);
         }
@@ -106,9 +124,6 @@ final class CylinderPrimitive extends Primitive {
         for (int i = 0; i < count; i++) {
             margins[i] += dz[i] * ((x[i] - startX) * axisY - (y[i] - startY) * axisX);
         }
-        double reach = WIDER * radius * radius;
-        double rounding = ROUNDING * (farthest + Math.abs(startX) + Math.abs(startY) + Math.abs(startZ));
-        double most = (reach * WIDER + rounding * rounding) * squaredLength;
         for (int i = 0; i < count; i++) {
             double along = axisX * dx[i] + axisY * dy[i] + axisZ * dz[i];
             margins[i] = most - reach * along * along - margins[i] * margins[i];

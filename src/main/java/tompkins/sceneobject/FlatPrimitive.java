@@ -5,6 +5,7 @@ import org.joml.Vector3dc;
 import tompkins.math.Vectors;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
+import tompkins.ray.RayBlock;
 import tompkins.ray.SurfaceCoordinates;
 import tompkins.surface.Surface;
 
@@ -114,6 +115,25 @@ final class FlatPrimitive extends Primitive {
             case TRIANGLE -> u >= 0 && v >= 0 && u + v <= 1;
             case ELLIPSE -> (u - 0.5) * (u - 0.5) + (v - 0.5) * (v - 0.5) <= 0.25;
         };
+    }
+
+    /** By the smallest ball around the middle of the parallelogram. */
+    @Override
+    boolean margins(RayBlock rays, RayStarts starts, double[] margins) {
+        double plus = squared(spanUX + spanVX, spanUY + spanVY, spanUZ + spanVZ);
+        double minus = squared(spanUX - spanVX, spanUY - spanVY, spanUZ - spanVZ);
+        return ballMargins(
+                cornerX + 0.5 * (spanUX + spanVX),
+                cornerY + 0.5 * (spanUY + spanVY),
+                cornerZ + 0.5 * (spanUZ + spanVZ),
+                0.5 * Math.sqrt(Math.max(plus, minus)),
+                rays,
+                starts,
+                margins);
+    }
+
+    private static double squared(double x, double y, double z) {
+        return x * x + y * y + z * z;
     }
 
     @Override

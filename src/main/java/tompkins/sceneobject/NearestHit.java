@@ -34,26 +34,28 @@ public final class NearestHit {
         distance = limit;
     }
 
-    /** Ends a search that was made elsewhere. */
-    void end(Primitive found, double foundDistance) {
+    /** Takes up what a search has found before. */
+    void resume(Primitive found, double foundDistance) {
         primitive = found;
         distance = foundDistance;
     }
 
-    /** Tests one primitive. */
-    void test(Primitive candidate, Ray ray) {
+    /** Tests one primitive; whether it is nearer than all before. */
+    boolean test(Primitive candidate, Ray ray) {
         double candidateDistance = candidate.distance(ray, distance);
-        if (isNearer(candidate, candidateDistance, primitive, distance)) {
+        boolean nearer = isNearer(candidate, candidateDistance, primitive, distance);
+        if (nearer) {
             primitive = candidate;
             distance = candidateDistance;
         }
+        return nearer;
     }
 
     /**
      * Whether a candidate takes the place of what was found before: of equally near ones the one that is listed first
      * stays.
      */
-    static boolean isNearer(Primitive candidate, double candidateDistance, Primitive found, double distance) {
+    private static boolean isNearer(Primitive candidate, double candidateDistance, Primitive found, double distance) {
         return candidateDistance < distance
                 || (candidateDistance == distance
                         && candidateDistance < Primitive.NO_HIT
@@ -65,7 +67,7 @@ public final class NearestHit {
         counts.tests += tests;
     }
 
-    /** Notes the leaf in which the nearest primitive so far was found. */
+    /** Notes the leaf in which the nearest primitive so far was found; null if none holds it. */
     void foundIn(TreeNode node) {
         leaf = node;
     }

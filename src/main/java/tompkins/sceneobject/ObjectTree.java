@@ -21,6 +21,7 @@ public final class ObjectTree {
     private final List<Primitive> all;
     private final List<Primitive> bounded;
     private final List<Primitive> unbounded;
+    private final boolean mostlyLong;
 
     /** Orders primitives that were numbered by a {@link PrimitiveCollector}. */
     public ObjectTree(List<Primitive> primitives) {
@@ -38,6 +39,10 @@ public final class ObjectTree {
         listed = (tree ? unbounded : primitives).toArray(Primitive[]::new);
         root = tree ? TreeBuilder.build(bounded) : null;
         all = List.copyOf(primitives);
+        mostlyLong = bounded.stream()
+                        .filter(primitive -> primitive.longAxis() != null)
+                        .count()
+                > bounded.size() / 2;
     }
 
     /** Number of primitives. */
@@ -53,6 +58,11 @@ public final class ObjectTree {
     /** Whether a tree was built. */
     public boolean hasTree() {
         return root != null;
+    }
+
+    /** Whether most primitives that have an end are much longer than wide, as rods. */
+    boolean isMostlyLong() {
+        return mostlyLong;
     }
 
     /** The primitives that have an end. */
@@ -105,7 +115,8 @@ public final class ObjectTree {
         nearest.count(0, listed.length);
     }
 
-    private static void searchTree(TreeNode root, Ray ray, NearestHit nearest) {
+    /** Searches below a node what is nearer than what was found before. */
+    static void searchTree(TreeNode root, Ray ray, NearestHit nearest) {
         double x = ray.x;
         double y = ray.y;
         double z = ray.z;

@@ -56,7 +56,10 @@ final class PlanePrimitive extends Primitive {
 
     /** By the same signs as {@link #distance}. */
     @Override
-    boolean margins(RayBlock rays, double farthest, double[] margins) {
+    boolean margins(RayBlock rays, RayStarts starts, double[] margins) {
+        if (!hasSquare(starts.farthest() + Math.abs(pointX) + Math.abs(pointY) + Math.abs(pointZ))) {
+            return false;
+        }
         int count = rays.count();
         for (int i = 0; i < count; i++) {
             margins[i] = slope(rays.dx[i], rays.dy[i], rays.dz[i]);

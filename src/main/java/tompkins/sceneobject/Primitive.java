@@ -20,6 +20,9 @@ public abstract class Primitive implements Boundary {
     /** Widening of squared sizes in margins. */
     static final double WIDER = 1.001;
 
+    /** No margin is as large as this, with or without its sign. */
+    static final double LARGEST_MARGIN = 1e250;
+
     /** More than rounding leaves of a length in margins, relative to the coordinates. */
     static final double ROUNDING = 1e-6;
 
@@ -50,37 +53,50 @@ public abstract class Primitive implements Boundary {
      * The others may hit or miss. It saves most calls of {@link #distance}. Here by a ball around the primitive; by
      * something narrower where a shape knows it.
      *
-     * @param farthest a number that no |x| + |y| + |z| of a start exceeds
-     * @param margins receives a number for each ray of the block
+     * @param starts where the rays of the block start
+     * @param margins receives a number for each ray of the block, smaller than {@link #LARGEST_MARGIN}
      * @return false if this primitive has no such margins; nothing is written then
      */
-    boolean margins(RayBlock rays, double farthest, double[] margins) {
+    boolean margins(RayBlock rays, RayStarts starts, double[] margins) {
         Bounds bounds = bounds();
         if (bounds == null) {
             return false;
         }
         Vector3d centre = bounds.centre();
-        return ballMargins(centre.x, centre.y, centre.z, bounds.halfDiagonal(), rays, farthest, margins);
+        return ballMargins(centre.x, centre.y, centre.z, bounds.halfDiagonal(), rays, starts, margins);
     }
 
     /**
-     * The margins of a ball, by the distance of its centre from the line. Several short loops: the compiler makes no
-     * instructions for several rays at once of a long one.
+     * The margins of a ball, by the distance of its centre from the line. From a single start it is a circular cone,
+     * which takes a third of the time. Several short loops: the compiler makes no instructions for several rays at once
+     * of a long one.
      */
     static boolean ballMargins(
-            double x, double y, double z, double radius, RayBlock rays, double farthest, double[] margins) {
-        if (!hasSquare(radius)) {
+            double x, double y, double z, double radius, RayBlock rays, RayStarts starts, double[] margins) {
+        double farthest = starts.farthest() + Math.abs(x) + Math.abs(y) + Math.abs(z);
+        if (!hasSquare(radius) || !hasSquare(farthest)) {
             return false;
         }
         int count = rays.count();
         double[] startX = rays.x;
         double[] startY = rays.y;
         double[] startZ = rays.z;
+        double rounding = ROUNDING * farthest;
+        double most = WIDER * radius * radius + rounding * rounding;
+        if (starts.areOne()) {
+            double fx = x - startX[0];
+            double fy = y - startY[0];
+            double fz = z - startZ[0];
+            double constant = most - (fx * fx + fy * fy + fz * fz);
+            for (int i = 0; i < count; i++) {
+                double along = fx * rays.dx[i] + fy * rays.dy[i] + fz * rays.dz[i];
+                margins[i] = constant + along * along;
+            }
+            return true;
+        }
         for (int i = 0; i < count; i++) {
             margins[i] = (x - startX[i]) * rays.dx[i] + (y - startY[i]) * rays.dy[i] + (z - startZ[i]) * rays.dz[i];
         }
-        double rounding = ROUNDING * (farthest + Math.abs(x) + Math.abs(y) + Math.abs(z));
-        double most = WIDER * radius * radius + rounding * rounding;
         for (int i = 0; i < count; i++) {
             double fx = x - startX[i];
             double fy = y - startY[i];

@@ -33,7 +33,7 @@ final class RayBundle {
     private final double[] slopesE = new double[RayBlock.MOST];
     private final double[] slopesF = new double[RayBlock.MOST];
 
-    private double farthest;
+    private final RayStarts starts = new RayStarts();
     private double farthestStart;
 
     /**
@@ -112,34 +112,29 @@ final class RayBundle {
         double firstX = rays.x[from];
         double firstY = rays.y[from];
         double firstZ = rays.z[from];
-        farthest = Math.abs(firstX) + Math.abs(firstY) + Math.abs(firstZ);
+        starts.measure(rays, from, to);
         for (int plane = 0; plane < PLANES; plane++) {
             bounds[plane] = height(plane, firstX, firstY, firstZ);
         }
         farthestStart = -bounds[AHEAD];
-        for (int i = from + 1; i < to; i++) {
+        for (int i = starts.areOne() ? to : from + 1; i < to; i++) {
             double x = rays.x[i];
             double y = rays.y[i];
             double z = rays.z[i];
-            // all rays of a pinhole start at one point, usually
-            if (x == firstX && y == firstY && z == firstZ) {
-                continue;
-            }
-            farthest = Math.max(farthest, Math.abs(x) + Math.abs(y) + Math.abs(z));
             for (int plane = 0; plane < PLANES; plane++) {
                 bounds[plane] = Math.max(bounds[plane], height(plane, x, y, z));
             }
             farthestStart = Math.max(farthestStart, -height(AHEAD, x, y, z));
         }
         for (int plane = 0; plane < PLANES; plane++) {
-            bounds[plane] += MARGIN * farthest;
+            bounds[plane] += MARGIN * starts.farthest();
         }
-        farthestStart += MARGIN * farthest;
+        farthestStart += MARGIN * starts.farthest();
     }
 
-    /** The largest |x| + |y| + |z| of a start. */
-    double farthest() {
-        return farthest;
+    /** Where the rays start. */
+    RayStarts starts() {
+        return starts;
     }
 
     private double height(int plane, double x, double y, double z) {

@@ -64,8 +64,8 @@ final class SpherePrimitive extends Primitive {
     }
 
     @Override
-    boolean margins(RayBlock rays, double farthest, double[] margins) {
-        return ballMargins(x, y, z, radius, rays, farthest, margins);
+    boolean margins(RayBlock rays, RayStarts starts, double[] margins) {
+        return ballMargins(x, y, z, radius, rays, starts, margins);
     }
 
     @Override

@@ -9,7 +9,7 @@ import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
-import tompkins.sceneobject.Candidates;
+import tompkins.sceneobject.BlockSearch;
 import tompkins.sceneobject.EntryNodes;
 import tompkins.sceneobject.LightGrid;
 import tompkins.sceneobject.NearestHit;
@@ -113,14 +113,14 @@ final class RayTracer implements Tracer, Visibility {
         return factor;
     }
 
-    /** As {@link #colourOf(Ray)}, for the ray at a place of the block for which candidates were found. */
-    Colour colour(RayBlock rays, int place, Candidates candidates) {
+    /** As {@link #colourOf(Ray)}, for the ray at a place of the block for which the search was made. */
+    Colour colour(RayBlock rays, int place, BlockSearch search) {
         counts.rays++;
-        if (!candidates.mayMeet(place)) {
+        if (!search.mayMeet(place)) {
             return beyond.colour(rays, place);
         }
         Ray start = rays.copy(place, startMemory);
-        return colour(start, candidates.nearest(start, place, nearest), hitMemory);
+        return colour(start, search.nearest(start, place, nearest), hitMemory);
     }
 
     /** As {@link #colourOf(Ray)}, for one of the rays for which the nodes were found. */
@@ -141,8 +141,8 @@ final class RayTracer implements Tracer, Visibility {
     }
 
     /** Looks for the primitives that the rays of a block can meet; false if all must be searched. */
-    boolean find(Candidates candidates, RayBlock rays) {
-        return candidates.find(objects, rays);
+    boolean find(BlockSearch search, RayBlock rays) {
+        return search.find(objects, rays, nearest);
     }
 
     private Colour colour(Ray start, boolean hits, Hit memory) {

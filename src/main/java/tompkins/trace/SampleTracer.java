@@ -9,7 +9,7 @@ import tompkins.ray.Colour;
 import tompkins.ray.Ray;
 import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
-import tompkins.sceneobject.Candidates;
+import tompkins.sceneobject.BlockSearch;
 import tompkins.sceneobject.EntryNodes;
 
 /** Takes samples of a picture. One for each thread. */
@@ -35,7 +35,7 @@ public final class SampleTracer {
     private final Colour[] colours = new Colour[RayBlock.MOST];
     private final Colour[] sums = new Colour[RayBlock.MOST];
     private final Colour[] factors = new Colour[RayBlock.MOST];
-    private final Candidates candidates = new Candidates();
+    private final BlockSearch search = new BlockSearch();
     private final EntryNodes entries = new EntryNodes();
     private double narrowing = 1;
     private int column;
@@ -184,9 +184,9 @@ public final class SampleTracer {
     private void followInScene(SampleTaker taker) {
         RayTracer tracer = sceneEntry.sceneTracer();
         int count = rays.count();
-        if (tracer.find(candidates, rays)) {
+        if (tracer.find(search, rays)) {
             for (int i = 0; i < count && goesTo(i, taker); i++) {
-                takeFromScene(i, tracer.colour(rays, i, candidates));
+                takeFromScene(i, tracer.colour(rays, i, search));
             }
             return;
         }

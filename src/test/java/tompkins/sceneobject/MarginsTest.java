@@ -104,7 +104,7 @@ class MarginsTest {
         assertThat(bundle.leastDistance(node)).as(name).isLessThanOrEqualTo(distance);
 
         double[] margin = new double[1];
-        if (primitive.margins(block, bundle.farthest(), margin)) {
+        if (primitive.margins(block, bundle.starts(), margin)) {
             assertThat(margin[0]).as(name).isGreaterThanOrEqualTo(0);
         }
         return 1;

@@ -2,13 +2,16 @@ package tompkins.sceneobject;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.fuzz.RandomStudio;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -33,11 +36,12 @@ class QuickRejectionTest {
                                         .limit(3)));
     }
 
-    @Test
-    void noRayThatHitsHasAMarginBelowZero() {
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void noRayThatHitsHasAMarginBelowZero(boolean oneStart) {
         int hits = 0;
         for (Primitive primitive : primitives().toList()) {
-            hits += hitsThatKeepTheirMargin(primitive, 30);
+            hits += hitsThatKeepTheirMargin(primitive, 30, oneStart);
         }
         assertThat(hits).isGreaterThan(5000);
     }
@@ -47,7 +51,8 @@ class QuickRejectionTest {
     @MethodSource("thinOnes")
     void rayThatStartsFarAwayAndHitsHasNoMarginBelowZero(Primitive primitive) {
         for (double distance : new double[] {1e2, 1e4, 1e6, 1e8}) {
-            assertThat(hitsThatKeepTheirMargin(primitive, distance)).isPositive();
+            assertThat(hitsThatKeepTheirMargin(primitive, distance, false)).isPositive();
+            assertThat(hitsThatKeepTheirMargin(primitive, distance, true)).isPositive();
         }
     }
 
@@ -64,17 +69,18 @@ class QuickRejectionTest {
                 .map(object -> PrimitiveCollector.primitivesOf(object).get(0));
     }
 
-    private int hitsThatKeepTheirMargin(Primitive primitive, double reach) {
+    private int hitsThatKeepTheirMargin(Primitive primitive, double reach, boolean oneStart) {
         RayBlock rays = new RayBlock(RAYS);
         rays.begin(RAYS);
-        double farthest = 0;
+        Vector3d start = aims.vector(reach);
         for (int i = 0; i < RAYS; i++) {
-            Ray ray = aimed(primitive, aims.vector(reach));
-            rays.set(i, ray);
-            farthest = Math.max(farthest, Math.abs(ray.x) + Math.abs(ray.y) + Math.abs(ray.z));
+            rays.set(i, aimed(primitive, oneStart ? start : aims.vector(reach)));
         }
+        RayStarts starts = new RayStarts();
+        starts.measure(rays, 0, RAYS);
+        assertThat(starts.areOne()).isEqualTo(oneStart);
         double[] margins = new double[RAYS];
-        if (!primitive.margins(rays, farthest, margins)) {
+        if (!primitive.margins(rays, starts, margins)) {
             return 0;
         }
         int hits = 0;
@@ -93,21 +99,33 @@ class QuickRejectionTest {
     @ParameterizedTest
     @MethodSource("thinOnes")
     void rayThatPassesHalfARadiusBesideIsTold(Primitive primitive) {
-        assertThat(marginOfRayThatPasses(primitive, 0.99)).isPositive();
-        assertThat(marginOfRayThatPasses(primitive, 1.5)).isNegative();
+        assertThat(marginsOfRaysThatPass(primitive, 0.99)).allMatch(margin -> margin > 0);
+        assertThat(marginsOfRaysThatPass(primitive, 1.5)).allMatch(margin -> margin < 0);
     }
 
-    private static double marginOfRayThatPasses(Primitive primitive, double radii) {
+    /** Two rays from one start, and two from different ones. */
+    private static List<Double> marginsOfRaysThatPass(Primitive primitive, double radii) {
         Vector3d middle = primitive.bounds().centre();
         Vector3d axis = new Vector3d(7, 1, 1);
         Vector3d direction = axis.cross(0, 0, 1, new Vector3d()).normalize();
         Vector3d beside = axis.cross(direction, new Vector3d()).normalize(radii * RADIUS);
-        RayBlock rays = new RayBlock(1);
-        rays.begin(1);
-        rays.set(0, ray(new Vector3d(direction).mul(-10).add(middle).add(beside), direction));
-        double[] margins = new double[1];
-        assertThat(primitive.margins(rays, 30, margins)).isTrue();
-        return margins[0];
+        RayBlock rays = new RayBlock(2);
+        rays.begin(2);
+        RayStarts starts = new RayStarts();
+        List<Double> all = new ArrayList<>();
+        for (double apart : new double[] {0, 1}) {
+            for (int i = 0; i < 2; i++) {
+                Vector3d start =
+                        new Vector3d(direction).mul(-10 - i * apart).add(middle).add(beside);
+                rays.set(i, ray(start, direction));
+            }
+            starts.measure(rays, 0, 2);
+            double[] margins = new double[2];
+            assertThat(primitive.margins(rays, starts, margins)).isTrue();
+            all.add(margins[0]);
+            all.add(margins[1]);
+        }
+        return all;
     }
 
     @Test
