@@ -65,7 +65,7 @@ public final class BlockSearch {
             waiting.add(objects.root());
         }
         boolean batches = !objects.isMostlyLong() && batchesPay(rays);
-        if (!(batches ? gather(Candidates.MOST, Primitive.NO_HIT) : gatherAll())) {
+        if (!(batches ? gather(Candidates.MOST) : gatherAll())) {
             return false;
         }
         candidates.sift(rays);
@@ -78,7 +78,7 @@ public final class BlockSearch {
 
     /** Whether the nearest primitives are so large that each is in the way of a number of rays. */
     private boolean batchesPay(RayBlock rays) {
-        if (!gather(PROBES, Primitive.NO_HIT)) {
+        if (!gather(PROBES)) {
             return false;
         }
         candidates.sift(rays);
@@ -113,12 +113,12 @@ public final class BlockSearch {
     }
 
     /**
-     * Gathers what lies nearest, as far as it is not farther away than a limit.
+     * Gathers what lies nearest.
      *
      * @param enough number of candidates
      * @return false if the way is too long
      */
-    private boolean gather(int enough, double limit) {
+    private boolean gather(int enough) {
         for (int steps = 0; steps < MOST_STEPS; steps++) {
             TreeNode node = waiting.peekLast();
             if (node == null || candidates.count() >= enough) {
@@ -128,9 +128,6 @@ public final class BlockSearch {
                 return true;
             }
             waiting.removeLast();
-            if (bundle.leastDistance(node) > limit) {
-                continue;
-            }
             if (node.primitives == null) {
                 open(node);
             } else {
@@ -166,7 +163,7 @@ public final class BlockSearch {
                 break;
             }
             candidates.clear();
-            more = gather(Candidates.MOST, farthestHit());
+            more = gather(Candidates.MOST);
             candidates.sift(rays);
         }
         if (!more) {
@@ -199,15 +196,6 @@ public final class BlockSearch {
             }
         }
         openCount = left;
-    }
-
-    /** No open ray meets anything nearer than what is farther away than this. */
-    private double farthestHit() {
-        double farthest = 0;
-        for (int i = 0; i < openCount; i++) {
-            farthest = Math.max(farthest, distances[open[i]]);
-        }
-        return farthest;
     }
 
     /** Lets each ray that is still open search what waits by itself. */

@@ -1,7 +1,9 @@
 package tompkins.sceneobject;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import tompkins.ray.Ray;
 
 /**
@@ -18,7 +20,6 @@ public final class ObjectTree {
 
     private final Primitive[] listed;
     private final TreeNode root;
-    private final List<Primitive> all;
     private final List<Primitive> bounded;
     private final List<Primitive> unbounded;
     private final boolean mostlyLong;
@@ -30,15 +31,14 @@ public final class ObjectTree {
 
     /** As above, with a tree from {@code smallestTree} bounded primitives upwards. */
     public ObjectTree(List<Primitive> primitives, int smallestTree) {
-        unbounded = new ArrayList<>();
-        bounded = new ArrayList<>();
-        for (Primitive primitive : primitives) {
-            (primitive.bounds() == null ? unbounded : bounded).add(primitive);
-        }
-        boolean tree = !bounded.isEmpty() && bounded.size() >= smallestTree;
+        Map<Boolean, List<Primitive>> byBounds =
+                primitives.stream().collect(Collectors.partitioningBy(primitive -> primitive.bounds() != null));
+        Primitive[] ordered = byBounds.get(true).toArray(Primitive[]::new);
+        boolean tree = ordered.length > 0 && ordered.length >= smallestTree;
+        root = tree ? TreeBuilder.build(ordered) : null;
+        bounded = List.of(ordered);
+        unbounded = byBounds.get(false);
         listed = (tree ? unbounded : primitives).toArray(Primitive[]::new);
-        root = tree ? TreeBuilder.build(bounded) : null;
-        all = List.copyOf(primitives);
         mostlyLong = bounded.stream()
                         .filter(primitive -> primitive.longAxis() != null)
                         .count()
@@ -47,12 +47,12 @@ public final class ObjectTree {
 
     /** Number of primitives. */
     public int size() {
-        return all.size();
+        return bounded.size() + unbounded.size();
     }
 
-    /** The primitives, in the order in which they are listed. */
+    /** The primitives, in any order. */
     public List<Primitive> primitives() {
-        return all;
+        return Stream.of(bounded, unbounded).flatMap(List::stream).toList();
     }
 
     /** Whether a tree was built. */

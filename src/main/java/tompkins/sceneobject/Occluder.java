@@ -4,69 +4,88 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * A primitive as a lamp sees it. A long one is seen as a narrow band of directions, which tells most shadow rays that
- * pass it with a single product. Starts of shadow rays that are 1e10 times as far away as the primitive may miss it by
- * rounding.
+ * A primitive as a lamp sees it: a long one as a narrow band of directions, another as a circle of them, which tells
+ * most shadow rays that pass it with a few products. Starts of shadow rays that are 1e9 times as far away as the
+ * primitive may miss it by rounding.
  */
 final class Occluder {
 
-    /** Widening of the band against rounding of directions. */
-    private static final double MARGIN = 1e-9;
+    /** Widening of the band or circle against rounding of directions. */
+    private static final double MARGIN = 1e-7;
 
     /**
      * Least sine of the angle under which the lamp sees the axis, for the plane through both to be known well enough.
      */
     private static final double LEAST_SINE = 1e-3;
 
-    /** Where no band is known the primitive is near every direction. */
-    private static final Vector3dc NO_BAND = new Vector3d();
-
     private final Primitive primitive;
-    private final double normalX;
-    private final double normalY;
-    private final double normalZ;
+    private final float leastDistance;
+
+    /** Whether (x, y, z) is the normal of a band, not the middle of a circle. */
+    private final boolean band;
+
+    private final double x;
+    private final double y;
+    private final double z;
     private final double reach;
 
     Occluder(Primitive primitive, Vector3dc lamp) {
         this.primitive = primitive;
-        Vector3dc normal = acrossBand(primitive, lamp);
-        normalX = normal.x();
-        normalY = normal.y();
-        normalZ = normal.z();
-        reach = normal == NO_BAND ? 1 : halfWidth(primitive, lamp, normal);
+        Bounds bounds = primitive.bounds();
+        double rounding = Primitive.SLACK * (bounds.farthest() + lamp.length());
+        double distance = bounds.distance(lamp);
+        leastDistance = Math.max(0, Math.nextDown((float) (distance - rounding)));
+        Vector3d toCentre = bounds.centre().sub(lamp);
+        Vector3d normal = distance > 0 ? acrossBand(primitive, toCentre) : null;
+        band = normal != null;
+        if (band) {
+            reach = (halfWidth(primitive, lamp, normal) + rounding) / distance + MARGIN;
+        } else {
+            double sine = (primitive.boundingRadius() + rounding) / toCentre.length() + MARGIN;
+            // from inside it is near every direction
+            normal = sine < 1 ? toCentre.normalize() : new Vector3d();
+            reach = sine * sine;
+        }
+        x = normal.x;
+        y = normal.y;
+        z = normal.z;
     }
 
-    /** The unit normal of the plane through the lamp and the axis of the primitive. */
-    private static Vector3dc acrossBand(Primitive primitive, Vector3dc lamp) {
+    /** The unit normal of the plane through the lamp and the axis of the primitive; null if that is not known. */
+    private static Vector3d acrossBand(Primitive primitive, Vector3dc toCentre) {
         Vector3d axis = primitive.longAxis();
-        if (axis == null || !(primitive.bounds().distance(lamp) > 0)) {
-            return NO_BAND;
+        if (axis == null) {
+            return null;
         }
-        Vector3d toCentre = primitive.bounds().centre().sub(lamp);
         Vector3d normal = toCentre.cross(axis, new Vector3d());
         boolean known = normal.length() > LEAST_SINE * axis.length() * toCentre.length();
-        return known ? normal.normalize() : NO_BAND;
+        return known ? normal.normalize() : null;
     }
 
-    /**
-     * The largest sine of the angle between that plane and a direction from the lamp to the primitive, or something
-     * more.
-     */
+    /** The largest distance of a point of the primitive from that plane. */
     private static double halfWidth(Primitive primitive, Vector3dc lamp, Vector3dc normal) {
         double least = primitive.least(normal.x(), normal.y(), normal.z()) - normal.dot(lamp);
         double most = -primitive.least(-normal.x(), -normal.y(), -normal.z()) - normal.dot(lamp);
-        double rounding = Primitive.SLACK * (primitive.bounds().farthest() + lamp.length());
-        return (Math.max(Math.abs(least), Math.abs(most)) + rounding)
-                        / primitive.bounds().distance(lamp)
-                + MARGIN;
+        return Math.max(Math.abs(least), Math.abs(most));
     }
 
     Primitive primitive() {
         return primitive;
     }
 
+    /** A distance from the lamp that no point of the primitive falls below; 0 or more. */
+    float leastDistance() {
+        return leastDistance;
+    }
+
     /** Whether the primitive may lie on a line through the lamp with the given unit direction. */
     boolean isNear(double dx, double dy, double dz) {
-        return Math.abs(dx * normalX + dy * normalY + dz * normalZ) <= reach;
+        if (band) {
+            return Math.abs(dx * x + dy * y + dz * z) <= reach;
+        }
+        double crossX = dy * z - dz * y;
+        double crossY = dz * x - dx * z;
+        double crossZ = dx * y - dy * x;
+        return crossX * crossX + crossY * crossY + crossZ * crossZ <= reach;
     }
 }

@@ -9,7 +9,7 @@ import tompkins.surface.Shadow;
 import tompkins.surface.Surface;
 
 /** One simple shape, placed and ready to be met by rays. Immutable once it is collected; shared by all threads. */
-public abstract class Primitive implements Boundary {
+public abstract class Primitive implements Boundary, Cloneable {
 
     /** What {@link #distance} returns where there is no hit. */
     public static final double NO_HIT = Double.POSITIVE_INFINITY;
@@ -135,6 +135,11 @@ public abstract class Primitive implements Boundary {
     /** A box that holds the primitive, or null if none does. */
     public abstract Bounds bounds();
 
+    /** Radius of a ball around the centre of {@link #bounds} that holds the primitive. */
+    double boundingRadius() {
+        return bounds().halfDiagonal();
+    }
+
     /**
      * The least value of n.x over the primitive, or something less: it tells whether the primitive lies beyond a plane
      * with the normal n (of any length).
@@ -186,6 +191,15 @@ public abstract class Primitive implements Boundary {
             distance = distance(rest, left);
         }
         return false;
+    }
+
+    /** The same primitive at another place in memory. */
+    final Primitive copy() {
+        try {
+            return (Primitive) clone();
+        } catch (CloneNotSupportedException impossible) {
+            throw new AssertionError(impossible);
+        }
     }
 
     /** What the user calls the object. */

@@ -64,6 +64,11 @@ final class SpherePrimitive extends Primitive {
     }
 
     @Override
+    double boundingRadius() {
+        return radius;
+    }
+
+    @Override
     boolean margins(RayBlock rays, RayStarts starts, double[] margins) {
         return ballMargins(x, y, z, radius, rays, starts, margins);
     }

@@ -1,6 +1,5 @@
 package tompkins.sceneobject;
 
-import java.util.List;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.RecursiveTask;
 
@@ -20,15 +19,21 @@ final class TreeBuilder {
     private final Primitive[] primitives;
     private final Boxes boxes;
 
-    private TreeBuilder(List<Primitive> all) {
-        primitives = all.toArray(Primitive[]::new);
+    private TreeBuilder(Primitive[] primitives) {
+        this.primitives = primitives;
         boxes = new Boxes(primitives);
     }
 
-    /** The tree of primitives that all have bounds; at least one. */
-    static TreeNode build(List<Primitive> primitives) {
+    /**
+     * Builds a tree.
+     *
+     * @param primitives what it holds, all with bounds; at least one. Afterwards they stand in the order of the leaves,
+     *     and the tree holds copies, which lie in memory in this order, too: what is close together is searched
+     *     together. The copies have taken the place of the primitives
+     */
+    static TreeNode build(Primitive[] primitives) {
         TreeBuilder builder = new TreeBuilder(primitives);
-        int count = primitives.size();
+        int count = primitives.length;
         if (count < SMALLEST_PARALLEL_NODE) {
             return builder.node(0, count, 0, new Cuts());
         }
@@ -84,7 +89,10 @@ final class TreeBuilder {
 
     private TreeNode leaf(Bounds all, int from, int to) {
         Primitive[] held = new Primitive[to - from];
-        System.arraycopy(primitives, from, held, 0, held.length);
+        for (int i = 0; i < held.length; i++) {
+            held[i] = primitives[from + i].copy();
+            primitives[from + i] = held[i];
+        }
         return new TreeNode(all, held);
     }
 

@@ -6,6 +6,8 @@ import static org.junit.jupiter.params.provider.Arguments.arguments;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.List;
+import java.util.Random;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3i;
@@ -17,8 +19,11 @@ import tompkins.ray.Colour;
 import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.CylinderLattice;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
 import tompkins.studio.PaperStudios;
 import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleTaker;
 import tompkins.trace.SampleTracer;
@@ -59,10 +64,23 @@ class RenderWorkTest {
                 usual.surfaceAlongZ());
         Studio rods = PaperStudios.fig1b().withScene(List.of(large));
         return Stream.of(
-                arguments(PaperStudios.fig1a(), 307_200, 231_021, 0, 401_657),
-                arguments(PaperStudios.fig1b(), 307_200, 26_054, 0, 80_636),
-                arguments(samples(PaperStudios.fig3a(), 4), 1_228_800, 130_486, 0, 534_745),
-                arguments(rods, 307_200, 59_446, 6_388_515, 3_003_409));
+                arguments(PaperStudios.fig1a(), 307_200, 231_021, 0, 386_759),
+                arguments(PaperStudios.fig1b(), 307_200, 26_054, 0, 79_367),
+                arguments(samples(PaperStudios.fig3a(), 4), 1_228_800, 130_486, 0, 521_155),
+                arguments(rods, 307_200, 59_446, 6_388_515, 3_003_409),
+                arguments(PaperStudios.fig1a().withScene(spheres()), 307_200, 270_501, 718, 423_855));
+    }
+
+    /** A field of so many spheres that a block of rays meets more than a few, and so many that a lamp does. */
+    private static List<SceneObject> spheres() {
+        Random random = new Random(30_000);
+        return IntStream.range(0, 30_000)
+                .<SceneObject>mapToObj(i -> new Sphere(
+                        "sphere",
+                        new Vector3d(random.nextDouble(-2, 2), random.nextDouble(-1.5, 1.5), random.nextDouble(8, 12)),
+                        0.02,
+                        ColouredSurface.DEFAULT))
+                .toList();
     }
 
     /** Once compiled: about 20 bytes, more where the compiler has seen other scenes before. */

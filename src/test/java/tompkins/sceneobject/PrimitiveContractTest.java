@@ -310,7 +310,8 @@ class PrimitiveContractTest {
             assertThat(found).isEqualTo(list.nearest(ray, fromList));
             if (found) {
                 hits++;
-                assertThat(fromTree.primitive()).isSameAs(fromList.primitive());
+                assertThat(fromTree.primitive().order())
+                        .isEqualTo(fromList.primitive().order());
                 assertThat(fromTree.distance()).isEqualTo(fromList.distance());
             }
         }

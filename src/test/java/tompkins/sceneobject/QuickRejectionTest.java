@@ -202,6 +202,9 @@ class QuickRejectionTest {
                     assertThat(occluder.isNear(-ray.dx, -ray.dy, -ray.dz))
                             .as(primitive.description())
                             .isTrue();
+                    assertThat((double) occluder.leastDistance())
+                            .as(primitive.description())
+                            .isLessThanOrEqualTo(primitive.distance(ray, Primitive.NO_HIT));
                 }
             }
         }
@@ -220,6 +223,21 @@ class QuickRejectionTest {
         assertThat(occluder.isNear(0.3, 0.0019, 0.95)).isTrue();
         assertThat(occluder.isNear(0, 0.0021, 1)).isFalse();
         assertThat(occluder.isNear(0, -0.0021, 1)).isFalse();
+    }
+
+    /** A ball of radius 0.02, seen from a distance of 10, is a circle of 1/500 of a radian around its middle. */
+    @Test
+    void ballIsASmallCircleForALamp() {
+        Primitive ball = PrimitiveCollector.primitivesOf(
+                        new Sphere("ball", new Vector3d(0, 0, 0), RADIUS, ColouredSurface.DEFAULT))
+                .get(0);
+        Occluder occluder = new Occluder(ball, new Vector3d(0, 0, 10));
+
+        assertThat(occluder.isNear(0, 0.0019, 1)).isTrue();
+        assertThat(occluder.isNear(0.0015, -0.0015, 1)).isFalse();
+        assertThat(occluder.isNear(0.0013, -0.0013, 1)).isTrue();
+        assertThat(occluder.isNear(0, 0.0021, 1)).isFalse();
+        assertThat(occluder.leastDistance()).isBetween(9.979f, 9.98f);
     }
 
     private static Hit startOf(Ray ray) {
