@@ -17,6 +17,12 @@ final class LightCells {
 
     private static final int CELLS_OF_SMALL_GRID = 128 * 128;
 
+    /**
+     * In a large grid, fewer cells than this for a primitive gain nothing: each ray finds others in its cell than its
+     * neighbour did, and the tree is as fast.
+     */
+    private static final int LEAST_IN_MEAN = 3;
+
     /** A rectangle of so few cells is taken as it is; a larger one may be empty but for a diagonal. */
     private static final int SMALL_RECTANGLE = 16;
 
@@ -46,13 +52,19 @@ final class LightCells {
     /**
      * For each cell of a view what is seen there, the nearest first, or null if nothing is.
      *
-     * @return null if the primitives are seen in too many cells
+     * @return null if the primitives are seen in too many cells, or many primitives in too few
      */
     static Occluder[][] of(Vector3dc lamp, LampView view, List<Primitive> primitives) {
         long most = (long) MOST_IN_MEAN * Math.max(CELLS_OF_SMALL_GRID, primitives.size());
         Cells[] rectangles = primitives.parallelStream()
                 .map(primitive -> view.cells(primitive.bounds()))
                 .toArray(Cells[]::new);
+        long area = Arrays.stream(rectangles)
+                .mapToLong(rectangle -> (long) rectangle.width() * rectangle.height())
+                .sum();
+        if (view.side() * view.side() > CELLS_OF_SMALL_GRID && area < (long) LEAST_IN_MEAN * rectangles.length) {
+            return null;
+        }
         // what crosses a rectangle is seen in each column or in each row of it
         long least = Arrays.stream(rectangles)
                 .mapToLong(rectangle -> Math.max(rectangle.width(), rectangle.height()))

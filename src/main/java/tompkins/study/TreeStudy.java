@@ -131,11 +131,15 @@ final class TreeStudy implements Study {
         int different = 0;
         for (Ray ray : rays) {
             boolean hit = list.nearest(ray, inList);
-            boolean same = tree.nearest(ray, inTree) == hit
-                    && (!hit || (inList.primitive() == inTree.primitive() && inList.distance() == inTree.distance()));
+            boolean same = tree.nearest(ray, inTree) == hit && (!hit || isSame(inList, inTree));
             different += same ? 0 : 1;
         }
         return different;
+    }
+
+    /** The tree holds copies: the same primitive is the one with the same number. */
+    private static boolean isSame(NearestHit one, NearestHit other) {
+        return one.primitive().order() == other.primitive().order() && one.distance() == other.distance();
     }
 
     private List<Primitive> spheres(int count) {
