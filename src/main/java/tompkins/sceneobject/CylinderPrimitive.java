@@ -109,9 +109,12 @@ final class CylinderPrimitive extends Primitive {
             double crossY = wz * axisX - wx * axisZ;
             double crossZ = wx * axisY - wy * axisX;
             for (int i = 0; i < count; i++) {
-                double along = axisX * dx[i] + axisY * dy[i] + axisZ * dz[i];
                 double offset = crossX * dx[i] + crossY * dy[i] + crossZ * dz[i];
-                margins[i] = most - reach * along * along - offset * offset;
+                margins[i] = most - offset * offset;
+            }
+            for (int i = 0; i < count; i++) {
+                double along = axisX * dx[i] + axisY * dy[i] + axisZ * dz[i];
+                margins[i] -= reach * along * along;
             }
             return true;
         }

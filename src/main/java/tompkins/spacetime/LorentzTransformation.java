@@ -1,5 +1,6 @@
 package tompkins.spacetime;
 
+import java.util.Arrays;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
@@ -102,31 +103,77 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
                 length);
     }
 
-    /** The formulas of {@link #transform(Ray)} again, so that no ray is made that lives for a moment only. */
+    /**
+     * The formulas of {@link #transform(Ray)} again, so that no ray is made that lives for a moment only. Several short
+     * loops without branches: the compiler makes instructions for several rays at once of them.
+     */
     @Override
     public void transform(RayBlock rays) {
-        for (int i = 0; i < rays.count(); i++) {
-            double side = alongDirection(rays.dx[i], rays.dy[i], rays.dz[i]) > 0 ? 1 : -1;
-            double wx = rays.dx[i] - side * nx;
-            double wy = rays.dy[i] - side * ny;
-            double wz = rays.dz[i] - side * nz;
-            double half = (wx * wx + wy * wy + wz * wz) / 2;
-            double along = along(side, half) - alongDirection(wx, wy, wz);
-            double length = length(side, half);
-            double scale = 1 / length;
+        int count = rays.count();
+        transformStarts(rays, count);
+        int ahead = 0;
+        for (int i = 0; i < count; i++) {
+            ahead += isAhead(rays, i) ? 1 : 0;
+        }
+        if (ahead == 0 || ahead == count) {
+            transformDirections(rays, 0, count, ahead > 0);
+        } else {
+            for (int i = 0; i < count; i++) {
+                transformDirections(rays, i, i + 1, isAhead(rays, i));
+            }
+        }
+    }
+
+    private void transformStarts(RayBlock rays, int count) {
+        for (int i = 0; i < count; i++) {
             double event = alongProper(rays.x[i], rays.y[i], rays.z[i]);
             double factor = event * shrink + rays.time[i];
+            rays.time[i] = gamma * rays.time[i] + event;
             rays.x[i] += ux * factor;
             rays.y[i] += uy * factor;
             rays.z[i] += uz * factor;
+        }
+    }
+
+    private boolean isAhead(RayBlock rays, int place) {
+        return alongDirection(rays.dx[place], rays.dy[place], rays.dz[place]) > 0;
+    }
+
+    /** Transforms directions that all lie ahead, or all behind. */
+    private void transformDirections(RayBlock rays, int from, int to, boolean ahead) {
+        double side = ahead ? 1 : -1;
+        double sideX = side * nx;
+        double sideY = side * ny;
+        double sideZ = side * nz;
+        // the slowness is not known yet
+        double[] halves = rays.slowness;
+        for (int i = from; i < to; i++) {
+            double wx = rays.dx[i] - sideX;
+            double wy = rays.dy[i] - sideY;
+            double wz = rays.dz[i] - sideZ;
+            halves[i] = (wx * wx + wy * wy + wz * wz) / 2;
+        }
+        double alongMiddle = ahead ? forward : -backward;
+        double lengthMiddle = ahead ? forward : backward;
+        double alongSlope = -side * gamma;
+        double lengthSlope = side * properSpeed;
+        for (int i = from; i < to; i++) {
+            double wx = rays.dx[i] - sideX;
+            double wy = rays.dy[i] - sideY;
+            double wz = rays.dz[i] - sideZ;
+            double along = alongMiddle + alongSlope * halves[i] - alongDirection(wx, wy, wz);
+            double scale = 1 / (lengthMiddle + lengthSlope * halves[i]);
             rays.dx[i] = (wx + nx * along) * scale;
             rays.dy[i] = (wy + ny * along) * scale;
             rays.dz[i] = (wz + nz * along) * scale;
-            rays.time[i] = gamma * rays.time[i] + event;
-            rays.slowness[i] = 1;
-            rays.frequency[i] *= length;
-            rays.spread[i] /= length;
         }
+        for (int i = from; i < to; i++) {
+            rays.frequency[i] *= lengthMiddle + lengthSlope * halves[i];
+        }
+        for (int i = from; i < to; i++) {
+            rays.spread[i] /= lengthMiddle + lengthSlope * halves[i];
+        }
+        Arrays.fill(rays.slowness, from, to, 1);
     }
 
     private double along(double side, double half) {
