@@ -33,6 +33,10 @@ public final class SampleTracer {
     private final SamplePlaces places = new SamplePlaces(RayBlock.MOST);
     private final RayBlock rays = new RayBlock(RayBlock.MOST);
     private final Colour[] colours = new Colour[RayBlock.MOST];
+
+    /** The samples whose colours are known: clearing references instead would cost the collector time. */
+    private final boolean[] known = new boolean[RayBlock.MOST];
+
     private final Colour[] sums = new Colour[RayBlock.MOST];
     private final Colour[] factors = new Colour[RayBlock.MOST];
     private final BlockSearch search = new BlockSearch();
@@ -144,9 +148,13 @@ public final class SampleTracer {
         }
         choosePlaces(left, top, width, height, stride, sample, taker);
         start();
-        Arrays.fill(colours, 0, places.count(), Colour.BLACK);
-        for (int i = 0; i < rays.count(); i++) {
-            colours[rays.sample(i)] = null;
+        boolean raysMissing = rays.count() < places.count();
+        Arrays.fill(known, 0, places.count(), raysMissing);
+        if (raysMissing) {
+            Arrays.fill(colours, 0, places.count(), Colour.BLACK);
+            for (int i = 0; i < rays.count(); i++) {
+                known[rays.sample(i)] = false;
+            }
         }
         if (cameraTracer != null) {
             followInCameraFrame(taker);
@@ -156,7 +164,7 @@ public final class SampleTracer {
         int taken = 0;
         // all together, so that the pixels' memory is fetched at once
         for (int i = 0; i < places.count(); i++) {
-            if (colours[i] != null) {
+            if (known[i]) {
                 taker.take(places.column(i), places.row(i), colours[i]);
                 taken++;
             }
@@ -234,7 +242,9 @@ public final class SampleTracer {
     }
 
     private void take(int index, Colour colour) {
-        colours[rays.sample(index)] = finite(colour);
+        int sample = rays.sample(index);
+        colours[sample] = finite(colour);
+        known[sample] = true;
     }
 
     private Colour finite(Colour colour) {
