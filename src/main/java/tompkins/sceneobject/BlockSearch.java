@@ -64,7 +64,7 @@ public final class BlockSearch {
         if (objects.root() != null && !bundle.misses(objects.root())) {
             waiting.add(objects.root());
         }
-        boolean batches = !objects.isMostlyLong() && batchesPay(rays);
+        boolean batches = !objects.isMostlyLong() && gather(PROBES) && (waiting.isEmpty() || batchesPay(rays));
         if (!(batches ? gather(Candidates.MOST) : gatherAll())) {
             return false;
         }
@@ -76,11 +76,8 @@ public final class BlockSearch {
         return true;
     }
 
-    /** Whether the nearest primitives are so large that each is in the way of a number of rays. */
+    /** Whether the candidates are so large that each is in the way of a number of rays: then batches pay. */
     private boolean batchesPay(RayBlock rays) {
-        if (!gather(PROBES)) {
-            return false;
-        }
         candidates.sift(rays);
         int pairs = 0;
         for (int place = 0; place < rays.count(); place++) {
