@@ -24,6 +24,9 @@ final class PreparedScene {
     /** The lamps that get a grid, which takes milliseconds to make; with more of them the tree does for the rest. */
     private static final int MOST_GRIDS = 16;
 
+    /** Primitives that all lamps with grids see: a million take 75 MB and half a second for each lamp. */
+    private static final int MOST_SEEN = 2_000_000;
+
     private final List<SceneObject> described;
     private final List<LightSource> describedLights;
     private final Vector3dc origin;
@@ -61,7 +64,7 @@ final class PreparedScene {
         try {
             return lights.stream()
                     .filter(light -> light.position() != null)
-                    .limit(MOST_GRIDS)
+                    .limit(Math.min(MOST_GRIDS, MOST_SEEN / Math.max(1, objects.size())))
                     .map(light -> LightGrid.of(light.position(), objects))
                     .filter(Objects::nonNull)
                     .toArray(LightGrid[]::new);
