@@ -83,7 +83,8 @@ final class CylinderPrimitive extends Primitive {
 
     /**
      * By the distance between the ray's line and the axis, as in {@link #distance} but without the ends. Several short
-     * loops: the compiler makes no vector instructions of a long one; from a single start one is enough.
+     * loops: the compiler makes no vector instructions of a long one. From a single start the products are of
+     * directions alone.
      */
     @Override
     boolean margins(RayBlock rays, RayStarts starts, double[] margins) {
