@@ -5,147 +5,117 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import org.joml.Vector3dc;
-import tompkins.sceneobject.LampView.Cells;
 
-/** Puts the primitives of a scene into the cells of the view of a lamp. */
+/** What stands in the cells of a lamp's view, the nearest first. All cells lie one behind the other in arrays. */
 final class LightCells {
 
-    /**
-     * With more primitives than this in the mean cell of a small grid, or cells for a primitive, the tree is faster.
-     */
-    private static final int MOST_IN_MEAN = 24;
+    /** With more primitives than this in the mean cell, or cells for a primitive, the tree is faster. */
+    private static final int MOST_IN_MEAN = 48;
 
-    private static final int CELLS_OF_SMALL_GRID = 128 * 128;
+    /** So many primitives in the cell of the mean primitive are too many, wherever the others are. */
+    private static final int MOST_IN_CROWD = 1000;
 
-    /**
-     * In a large grid, fewer cells than this for a primitive gain nothing: each ray finds others in its cell than its
-     * neighbour did, and the tree is as fast.
-     */
-    private static final int LEAST_IN_MEAN = 3;
+    /** Number of primitives that are noted at once, while another thread notes others. */
+    private static final int CHUNK = 4096;
 
-    /** A rectangle of so few cells is taken as it is; a larger one may be empty but for a diagonal. */
-    private static final int SMALL_RECTANGLE = 16;
+    private static final int CELLS = LampView.SIDE * LampView.SIDE;
 
-    /** Rows that are filled together, while another thread fills others. */
-    private static final int ROWS = 16;
+    /** Where each cell begins; the last one ends at the last number. */
+    private final int[] starts;
 
-    private final LampView view;
+    private final long[] entries;
+    private final Primitive[] primitives;
 
-    /** The nearest first, with the rectangles of cells in which they are seen. */
-    private final Occluder[] occluders;
-
-    private final Cells[] rectangles;
-    private final long most;
-    private final AtomicLong entries = new AtomicLong();
-    private final Occluder[][] cells;
-    private final int[] counts;
-
-    private LightCells(LampView view, Occluder[] occluders, Cells[] rectangles, long most) {
-        this.view = view;
-        this.occluders = occluders;
-        this.rectangles = rectangles;
-        this.most = most;
-        cells = new Occluder[view.side() * view.side()][];
-        counts = new int[cells.length];
+    /** Moves each entry to its cell; there they stay in their order. */
+    private LightCells(int[] starts, List<CellNotes> notes, Sight[] sights) {
+        this.starts = starts;
+        entries = new long[starts[CELLS]];
+        primitives = new Primitive[starts[CELLS]];
+        int[] next = starts.clone();
+        for (CellNotes part : notes) {
+            for (int i = 0; i < part.count(); i++) {
+                int place = next[part.cell(i)]++;
+                entries[place] = part.entry(i);
+                primitives[place] = sights[part.number(i)].primitive();
+            }
+        }
     }
 
-    /**
-     * For each cell of a view what is seen there, the nearest first, or null if nothing is.
-     *
-     * @return null if the primitives are seen in too many cells, or many primitives in too few
-     */
-    static Occluder[][] of(Vector3dc lamp, LampView view, List<Primitive> primitives) {
-        long most = (long) MOST_IN_MEAN * Math.max(CELLS_OF_SMALL_GRID, primitives.size());
-        Cells[] rectangles = primitives.parallelStream()
-                .map(primitive -> view.cells(primitive.bounds()))
-                .toArray(Cells[]::new);
-        long area = Arrays.stream(rectangles)
-                .mapToLong(rectangle -> (long) rectangle.width() * rectangle.height())
-                .sum();
-        if (view.side() * view.side() > CELLS_OF_SMALL_GRID && area < (long) LEAST_IN_MEAN * rectangles.length) {
-            return null;
-        }
+    /** The cells of a view, or null if the primitives are seen in too many of them, or too many in one. */
+    static LightCells of(Vector3dc lamp, LampView view, List<Primitive> primitives) {
+        long most = Math.max((long) MOST_IN_MEAN * CELLS, 8L * primitives.size());
+        Sight[] sights = primitives.parallelStream()
+                .map(primitive -> Sight.of(primitive, lamp, view))
+                .toArray(Sight[]::new);
         // what crosses a rectangle is seen in each column or in each row of it
-        long least = Arrays.stream(rectangles)
+        long least = Arrays.stream(sights)
+                .map(Sight::rectangle)
                 .mapToLong(rectangle -> Math.max(rectangle.width(), rectangle.height()))
                 .sum();
         if (least > most) {
             return null;
         }
-        Occluder[] occluders = primitives.parallelStream()
-                .map(primitive -> new Occluder(primitive, lamp))
-                .toArray(Occluder[]::new);
-        int[] order = nearestFirst(occluders);
-        LightCells filled = new LightCells(
-                view,
-                Arrays.stream(order).mapToObj(i -> occluders[i]).toArray(Occluder[]::new),
-                Arrays.stream(order).mapToObj(i -> rectangles[i]).toArray(Cells[]::new),
-                most);
-        IntStream.range(0, view.side() / ROWS).parallel().forEach(band -> filled.fillRows(band * ROWS));
-        return filled.entries.get() <= most ? filled.cells : null;
+        Sight[] nearestFirst = nearestFirst(sights);
+        AtomicLong left = new AtomicLong(most);
+        List<CellNotes> notes = IntStream.range(0, (nearestFirst.length + CHUNK - 1) / CHUNK)
+                .parallel()
+                .mapToObj(chunk -> notes(view, nearestFirst, chunk * CHUNK, left))
+                .toList();
+        int[] starts = starts(notes);
+        return left.get() < 0 || isCrowded(starts) ? null : new LightCells(starts, notes, nearestFirst);
     }
 
-    /** Places in the order of distance; numbers are sorted many times as fast as objects. */
-    private static int[] nearestFirst(Occluder[] occluders) {
-        long[] keys = new long[occluders.length];
-        Arrays.setAll(keys, i -> (long) Float.floatToIntBits(occluders[i].leastDistance()) << Integer.SIZE | i);
+    private static CellNotes notes(LampView view, Sight[] sights, int from, AtomicLong left) {
+        CellNotes notes = new CellNotes(view, sights);
+        notes.note(from, Math.min(from + CHUNK, sights.length), left);
+        return notes;
+    }
+
+    /** Numbers are sorted many times as fast as objects. */
+    private static Sight[] nearestFirst(Sight[] sights) {
+        long[] keys = new long[sights.length];
+        Arrays.setAll(keys, i -> (long) Float.floatToIntBits(sights[i].leastDistance()) << Integer.SIZE | i);
         Arrays.parallelSort(keys);
-        return Arrays.stream(keys).mapToInt(key -> (int) key).toArray();
+        return Arrays.stream(keys).mapToObj(key -> sights[(int) key]).toArray(Sight[]::new);
     }
 
-    private void fillRows(int from) {
-        for (int i = 0; i < occluders.length && entries.get() <= most; i++) {
-            Cells rectangle = rectangles[i];
-            int first = Math.max(from, rectangle.firstRow());
-            int last = Math.min(from + ROWS - 1, rectangle.lastRow());
-            if (first > last) {
-                continue;
-            }
-            if (rectangle.width() * rectangle.height() <= SMALL_RECTANGLE) {
-                for (int row = first; row <= last; row++) {
-                    for (int column = rectangle.firstColumn(); column <= rectangle.lastColumn(); column++) {
-                        add(i, column, row);
-                    }
-                }
-                entries.addAndGet((long) rectangle.width() * (last - first + 1));
-            } else {
-                for (int column = 0; column < view.side(); column += ROWS) {
-                    entries.addAndGet(fillSquare(i, column, from, ROWS));
-                }
+    private static int[] starts(List<CellNotes> notes) {
+        int[] starts = new int[CELLS + 1];
+        for (CellNotes part : notes) {
+            for (int i = 0; i < part.count(); i++) {
+                starts[part.cell(i) + 1]++;
             }
         }
-        for (int cell = from * view.side(); cell < (from + ROWS) * view.side(); cell++) {
-            if (cells[cell] != null) {
-                cells[cell] = Arrays.copyOf(cells[cell], counts[cell]);
-            }
-        }
+        Arrays.parallelPrefix(starts, Integer::sum);
+        return starts;
     }
 
-    /** Hands a primitive down to the quarters of a square of cells that it can be seen in; to how many cells. */
-    private int fillSquare(int occluder, int column, int row, int size) {
-        if (!rectangles[occluder].overlaps(column, row, size)
-                || !view.isSeen(occluders[occluder].primitive(), column, row, size)) {
-            return 0;
+    private static boolean isCrowded(int[] starts) {
+        double squares = 0;
+        for (int cell = 0; cell < CELLS; cell++) {
+            double count = starts[cell + 1] - starts[cell];
+            squares += count * count;
         }
-        if (size == 1) {
-            add(occluder, column, row);
-            return 1;
-        }
-        int half = size / 2;
-        return fillSquare(occluder, column, row, half)
-                + fillSquare(occluder, column + half, row, half)
-                + fillSquare(occluder, column, row + half, half)
-                + fillSquare(occluder, column + half, row + half, half);
+        return squares > (double) MOST_IN_CROWD * starts[CELLS];
     }
 
-    private void add(int occluder, int column, int row) {
-        int cell = row * view.side() + column;
-        int count = counts[cell]++;
-        if (count == 0) {
-            cells[cell] = new Occluder[4];
-        } else if (count == cells[cell].length) {
-            cells[cell] = Arrays.copyOf(cells[cell], 2 * count);
-        }
-        cells[cell][count] = occluders[occluder];
+    /** Place of the first entry of a cell. */
+    int first(int cell) {
+        return starts[cell];
+    }
+
+    /** Place behind the last entry of a cell. */
+    int end(int cell) {
+        return starts[cell + 1];
+    }
+
+    /** The entry at a place. */
+    long entry(int place) {
+        return entries[place];
+    }
+
+    /** The primitive of the entry at a place. */
+    Primitive primitive(int place) {
+        return primitives[place];
     }
 }

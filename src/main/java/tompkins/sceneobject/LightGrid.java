@@ -13,19 +13,11 @@ import tompkins.ray.RayCounts;
  */
 public final class LightGrid {
 
-    /** Cells along each side of the grid of this number of primitives at most, and of more. */
-    private static final int FEW_PRIMITIVES = 20_000;
-
-    private static final int SIDE_FOR_FEW = 128;
-    private static final int SIDE_FOR_MANY = 256;
-
-    private static final Occluder[] NONE = {};
-
     private final LampView view;
     private final Primitive[] everywhere;
-    private final Occluder[][] cells;
+    private final LightCells cells;
 
-    private LightGrid(LampView view, Primitive[] everywhere, Occluder[][] cells) {
+    private LightGrid(LampView view, Primitive[] everywhere, LightCells cells) {
         this.view = view;
         this.everywhere = everywhere;
         this.cells = cells;
@@ -44,8 +36,8 @@ public final class LightGrid {
         for (Primitive primitive : bounded) {
             all = all.with(primitive.bounds());
         }
-        LampView view = LampView.of(position, all, bounded.size() <= FEW_PRIMITIVES ? SIDE_FOR_FEW : SIDE_FOR_MANY);
-        Occluder[][] cells = view == null ? null : LightCells.of(position, view, bounded);
+        LampView view = LampView.of(position, all);
+        LightCells cells = view == null ? null : LightCells.of(position, view, bounded);
         return cells == null ? null : new LightGrid(view, objects.unbounded().toArray(Primitive[]::new), cells);
     }
 
@@ -65,37 +57,37 @@ public final class LightGrid {
      * @param counts takes note of the work
      */
     public boolean shadows(Hit from, double dx, double dy, double dz, double limit, Ray memory, RayCounts counts) {
-        Ray ray = null;
-        int tests = 0;
-        boolean shadow = false;
-        for (int i = 0; i < everywhere.length && !shadow; i++) {
-            if (!everywhere[i].surelyMisses(from, dx, dy, dz)) {
-                ray = ray == null ? memory.setShadow(from, dx, dy, dz) : ray;
-                shadow = everywhere[i].shadows(ray, limit);
-                tests++;
+        Ray ray = memory.setShadow(from, dx, dy, dz);
+        for (Primitive primitive : everywhere) {
+            if (shadows(primitive, from, ray, limit, counts)) {
+                return true;
             }
         }
-        Occluder[] seen = shadow ? NONE : cell(dx, dy, dz);
-        for (int i = 0; i < seen.length && !shadow; i++) {
-            if (!seen[i].isNear(dx, dy, dz)) {
-                continue;
+        int part = view.part(dx, dy, dz);
+        if (part == LampView.OUTSIDE) {
+            return false;
+        }
+        int cell = LampView.cell(part);
+        int end = cells.end(cell);
+        int place = CellEntry.place(part);
+        int distance = CellEntry.distance(limit);
+        for (int i = cells.first(cell); i < end; i++) {
+            long entry = cells.entry(i);
+            if (CellEntry.isFarther(entry, distance)) {
+                return false;
             }
-            if (seen[i].leastDistance() > limit) {
-                break;
-            }
-            if (!seen[i].primitive().surelyMisses(from, dx, dy, dz)) {
-                ray = ray == null ? memory.setShadow(from, dx, dy, dz) : ray;
-                shadow = seen[i].primitive().shadows(ray, limit);
-                tests++;
+            if (CellEntry.isSeen(entry, place) && shadows(cells.primitive(i), from, ray, limit, counts)) {
+                return true;
             }
         }
-        counts.tests += tests;
-        return shadow;
+        return false;
     }
 
-    private Occluder[] cell(double dx, double dy, double dz) {
-        int cell = view.cell(dx, dy, dz);
-        Occluder[] seen = cell < 0 ? null : cells[cell];
-        return seen == null ? NONE : seen;
+    private static boolean shadows(Primitive primitive, Hit from, Ray ray, double limit, RayCounts counts) {
+        if (primitive.surelyMisses(from, ray.dx, ray.dy, ray.dz)) {
+            return false;
+        }
+        counts.tests++;
+        return primitive.shadows(ray, limit);
     }
 }

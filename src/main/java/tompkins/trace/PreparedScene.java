@@ -24,7 +24,7 @@ final class PreparedScene {
     /** The lamps that get a grid, which takes milliseconds to make; with more of them the tree does for the rest. */
     private static final int MOST_GRIDS = 16;
 
-    /** Primitives that all lamps with grids see: a million take 75 MB and half a second for each lamp. */
+    /** Primitives that all lamps with grids see: a million take 30 MB and half a second for each lamp. */
     private static final int MOST_SEEN = 2_000_000;
 
     private final List<SceneObject> described;

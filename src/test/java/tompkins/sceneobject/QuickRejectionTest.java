@@ -185,61 +185,6 @@ class QuickRejectionTest {
         assertThat(floor.surelyMisses(above, 0.6, -0.8, 0)).isFalse();
     }
 
-    /** A lamp anywhere: what can throw a shadow towards it lies in the occluder's band. */
-    @Test
-    void occluderIsNearEveryLineFromTheLampThatMeetsIt() {
-        int hits = 0;
-        for (Primitive primitive : primitives().toList()) {
-            if (primitive.bounds() == null) {
-                continue;
-            }
-            Vector3d lamp = aims.vector(60);
-            Occluder occluder = new Occluder(primitive, lamp);
-            for (int i = 0; i < RAYS; i++) {
-                Ray ray = aimed(primitive, lamp);
-                if (primitive.distance(ray, Primitive.NO_HIT) < Primitive.NO_HIT) {
-                    hits++;
-                    assertThat(occluder.isNear(-ray.dx, -ray.dy, -ray.dz))
-                            .as(primitive.description())
-                            .isTrue();
-                    assertThat((double) occluder.leastDistance())
-                            .as(primitive.description())
-                            .isLessThanOrEqualTo(primitive.distance(ray, Primitive.NO_HIT));
-                }
-            }
-        }
-        assertThat(hits).isGreaterThan(3000);
-    }
-
-    /** A rod of radius 0.02, seen across from a distance of 10, is a band of 1/500 of a radian to each side. */
-    @Test
-    void rodIsANarrowBandForALamp() {
-        Primitive rod = PrimitiveCollector.primitivesOf(new Cylinder(
-                        "rod", new Vector3d(-3, 0, 0), new Vector3d(3, 0, 0), RADIUS, false, ColouredSurface.DEFAULT))
-                .get(0);
-        Occluder occluder = new Occluder(rod, new Vector3d(0, 0, 10));
-
-        assertThat(occluder.isNear(0, 0.0019, 1)).isTrue();
-        assertThat(occluder.isNear(0.3, 0.0019, 0.95)).isTrue();
-        assertThat(occluder.isNear(0, 0.0021, 1)).isFalse();
-        assertThat(occluder.isNear(0, -0.0021, 1)).isFalse();
-    }
-
-    /** A ball of radius 0.02, seen from a distance of 10, is a circle of 1/500 of a radian around its middle. */
-    @Test
-    void ballIsASmallCircleForALamp() {
-        Primitive ball = PrimitiveCollector.primitivesOf(
-                        new Sphere("ball", new Vector3d(0, 0, 0), RADIUS, ColouredSurface.DEFAULT))
-                .get(0);
-        Occluder occluder = new Occluder(ball, new Vector3d(0, 0, 10));
-
-        assertThat(occluder.isNear(0, 0.0019, 1)).isTrue();
-        assertThat(occluder.isNear(0.0015, -0.0015, 1)).isFalse();
-        assertThat(occluder.isNear(0.0013, -0.0013, 1)).isTrue();
-        assertThat(occluder.isNear(0, 0.0021, 1)).isFalse();
-        assertThat(occluder.leastDistance()).isBetween(9.979f, 9.98f);
-    }
-
     private static Hit startOf(Ray ray) {
         return Hit.blank().set(ray, 0, 0, 0, 1, null, 0, null);
     }

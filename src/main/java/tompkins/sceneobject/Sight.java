@@ -1,0 +1,22 @@
+package tompkins.sceneobject;
+
+import org.joml.Vector3dc;
+
+/**
+ * A primitive as a lamp sees it.
+ *
+ * @param leastDistance a distance from the lamp that no point of it falls below; 0 or more
+ * @param rectangle where it is seen
+ * @param strip the same, if it is long; otherwise null
+ */
+record Sight(Primitive primitive, float leastDistance, LampView.Rectangle rectangle, LampView.Strip strip) {
+
+    /** How a lamp with a view of it sees a primitive. */
+    static Sight of(Primitive primitive, Vector3dc lamp, LampView view) {
+        Bounds box = primitive.bounds().widened();
+        double rounding = Primitive.SLACK * (box.farthest() + lamp.length());
+        float leastDistance = Math.nextDown((float) (box.distance(lamp) - rounding));
+        return new Sight(
+                primitive, Math.max(0, leastDistance), view.rectangle(primitive, box), view.strip(primitive, box));
+    }
+}
