@@ -58,7 +58,7 @@ public final class BlockSearch {
         inBatches = false;
         candidates.clear();
         waiting.clear();
-        if (rays.count() == 0 || !bundle.enclose(rays, 0, rays.count()) || !candidates.add(objects.listed(), null)) {
+        if (rays.count() == 0 || !bundle.enclose(rays, 0, rays.count()) || !candidates.addAll(objects.listed())) {
             return false;
         }
         if (objects.root() != null && !bundle.misses(objects.root())) {
@@ -96,7 +96,7 @@ public final class BlockSearch {
             if (node.primitives == null) {
                 putOff(node.low);
                 putOff(node.high);
-            } else if (!candidates.add(node.primitives, node)) {
+            } else if (!candidates.addAll(node)) {
                 return false;
             }
         }
@@ -121,14 +121,14 @@ public final class BlockSearch {
             if (node == null || candidates.count() >= enough) {
                 return true;
             }
-            if (node.primitives != null && !candidates.hasRoomFor(node.primitives.length)) {
+            if (node.primitives != null && !candidates.hasRoomFor(node.to - node.from)) {
                 return true;
             }
             waiting.removeLast();
             if (node.primitives == null) {
                 open(node);
             } else {
-                candidates.add(node.primitives, node);
+                candidates.addAll(node);
             }
         }
         return false;

@@ -43,22 +43,40 @@ final class Candidates {
         return count + more <= MOST;
     }
 
-    /**
-     * Adds those primitives that some ray of the bundle can meet.
-     *
-     * @param leaf the leaf that holds them, or null if none does
-     * @return false if there is no room for one of them
-     */
-    boolean add(Primitive[] primitives, TreeNode leaf) {
+    /** As {@link #add(Primitive, TreeNode)}, for several that no leaf holds. */
+    boolean addAll(Primitive[] primitives) {
         for (Primitive primitive : primitives) {
-            if (bundle.misses(primitive)) {
-                continue;
-            }
-            if (count == MOST) {
+            if (!add(primitive, null)) {
                 return false;
             }
-            insert(primitive, leaf, bundle.leastDistance(primitive));
         }
+        return true;
+    }
+
+    /** As {@link #add(Primitive, TreeNode)}, for all that a leaf holds. */
+    boolean addAll(TreeNode leaf) {
+        for (int i = leaf.from; i < leaf.to; i++) {
+            if (!add(leaf.primitives[i], leaf)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /**
+     * Adds a primitive if some ray of the bundle can meet it.
+     *
+     * @param leaf the leaf that holds it, or null if none does
+     * @return false if there is no room for it
+     */
+    private boolean add(Primitive primitive, TreeNode leaf) {
+        if (bundle.misses(primitive)) {
+            return true;
+        }
+        if (count == MOST) {
+            return false;
+        }
+        insert(primitive, leaf, bundle.leastDistance(primitive));
         return true;
     }
 

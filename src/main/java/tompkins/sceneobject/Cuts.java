@@ -10,10 +10,7 @@ final class Cuts {
 
     private static final int SLICES = 16;
 
-    /**
-     * Cost of visiting a node, in tests of a primitive: two boxes against a ray, and the memory that they come from.
-     */
-    private static final double COST_OF_NODE = 2;
+    private final double costOfNode;
 
     private final int[] counts = new int[SLICES];
     private final double[] slices = new double[SLICES * Boxes.NUMBERS];
@@ -28,6 +25,16 @@ final class Cuts {
     private double bestLeast;
     private double bestScale;
     private int bestSlice;
+
+    /**
+     * Cuts of boxes that hold primitives.
+     *
+     * @param costOfNode cost of visiting a node, in tests of a primitive: two boxes against a ray, and the memory that
+     *     they come from
+     */
+    Cuts(double costOfNode) {
+        this.costOfNode = costOfNode;
+    }
 
     /**
      * Chooses the cheapest cut.
@@ -46,7 +53,7 @@ final class Cuts {
             sweep(0, 1);
             sweep(SLICES - 1, -1);
             for (int slice = 1; slice < SLICES; slice++) {
-                double cost = COST_OF_NODE + costs[slice] / area;
+                double cost = costOfNode + costs[slice] / area;
                 if (cost < bestCost) {
                     bestCost = cost;
                     bestAxis = axis;

@@ -9,8 +9,11 @@ import org.joml.Vector3dc;
 /** What stands in the cells of a lamp's view, the nearest first. All cells lie one behind the other in arrays. */
 final class LightCells {
 
-    /** With more primitives than this in the mean cell, or cells for a primitive, the tree is faster. */
+    /** With more primitives than this in the mean cell the tree takes less memory, and less time to make. */
     private static final int MOST_IN_MEAN = 48;
+
+    /** Many primitives may be seen in so many cells each. */
+    private static final int MOST_CELLS_OF_MANY = 8;
 
     /** So many primitives in the cell of the mean primitive are too many, wherever the others are. */
     private static final int MOST_IN_CROWD = 1000;
@@ -43,7 +46,7 @@ final class LightCells {
 
     /** The cells of a view, or null if the primitives are seen in too many of them, or too many in one. */
     static LightCells of(Vector3dc lamp, LampView view, List<Primitive> primitives) {
-        long most = Math.max((long) MOST_IN_MEAN * CELLS, 8L * primitives.size());
+        long most = Math.max((long) MOST_IN_MEAN * CELLS, (long) MOST_CELLS_OF_MANY * primitives.size());
         Sight[] sights = primitives.parallelStream()
                 .map(primitive -> Sight.of(primitive, lamp, view))
                 .toArray(Sight[]::new);

@@ -17,10 +17,12 @@ final class TreeBuilder {
     private static final int SMALLEST_PARALLEL_NODE = 4096;
 
     private final Primitive[] primitives;
+    private final double costOfNode;
     private final Boxes boxes;
 
-    private TreeBuilder(Primitive[] primitives) {
+    private TreeBuilder(Primitive[] primitives, double costOfNode) {
         this.primitives = primitives;
+        this.costOfNode = costOfNode;
         boxes = new Boxes(primitives);
     }
 
@@ -30,12 +32,13 @@ final class TreeBuilder {
      * @param primitives what it holds, all with bounds; at least one. Afterwards they stand in the order of the leaves,
      *     and the tree holds copies, which lie in memory in this order, too: what is close together is searched
      *     together. The copies have taken the place of the primitives
+     * @param costOfNode cost of visiting a node, in tests of a primitive: leaves hold more where it is high
      */
-    static TreeNode build(Primitive[] primitives) {
-        TreeBuilder builder = new TreeBuilder(primitives);
+    static TreeNode build(Primitive[] primitives, double costOfNode) {
+        TreeBuilder builder = new TreeBuilder(primitives, costOfNode);
         int count = primitives.length;
         if (count < SMALLEST_PARALLEL_NODE) {
-            return builder.node(0, count, 0, new Cuts());
+            return builder.node(0, count, 0, new Cuts(builder.costOfNode));
         }
         // not the common pool: on two cores that has a single thread
         ForkJoinPool pool = new ForkJoinPool(Runtime.getRuntime().availableProcessors());
@@ -63,7 +66,7 @@ final class TreeBuilder {
 
         @Override
         protected TreeNode compute() {
-            Cuts cuts = new Cuts();
+            Cuts cuts = new Cuts(costOfNode);
             if (to - from < SMALLEST_PARALLEL_NODE) {
                 return node(from, to, depth, cuts);
             }
@@ -88,12 +91,10 @@ final class TreeBuilder {
     }
 
     private TreeNode leaf(Bounds all, int from, int to) {
-        Primitive[] held = new Primitive[to - from];
-        for (int i = 0; i < held.length; i++) {
-            held[i] = primitives[from + i].copy();
-            primitives[from + i] = held[i];
+        for (int i = from; i < to; i++) {
+            primitives[i] = primitives[i].copy();
         }
-        return new TreeNode(all, held);
+        return new TreeNode(all, primitives, from, to);
     }
 
     /** Parts the primitives; where the second part begins, or -1 if they are better left together. */

@@ -24,22 +24,28 @@ final class TreeNode {
 
     final TreeNode high;
 
-    /** What a leaf holds, null in an inner node. */
+    /** The primitives of the whole tree, of which a leaf holds some; null in an inner node. */
     final Primitive[] primitives;
+
+    /** Place of the first one that a leaf holds. */
+    final int from;
+
+    /** Place behind the last one. */
+    final int to;
 
     private TreeNode parent;
 
     TreeNode(Bounds bounds, TreeNode low, TreeNode high) {
-        this(bounds, low, high, null);
+        this(bounds, low, high, null, 0, 0);
         low.parent = this;
         high.parent = this;
     }
 
-    TreeNode(Bounds bounds, Primitive[] primitives) {
-        this(bounds, null, null, primitives);
+    TreeNode(Bounds bounds, Primitive[] primitives, int from, int to) {
+        this(bounds, null, null, primitives, from, to);
     }
 
-    private TreeNode(Bounds bounds, TreeNode low, TreeNode high, Primitive[] primitives) {
+    private TreeNode(Bounds bounds, TreeNode low, TreeNode high, Primitive[] primitives, int from, int to) {
         Bounds wide = bounds.widened();
         minX = wide.minX();
         minY = wide.minY();
@@ -50,6 +56,8 @@ final class TreeNode {
         this.low = low;
         this.high = high;
         this.primitives = primitives;
+        this.from = from;
+        this.to = to;
     }
 
     /** The node that this one is a half of, null for the root. */

@@ -68,7 +68,7 @@ class RenderWorkTest {
                 arguments(PaperStudios.fig1b(), 307_200, 26_054, 0, 79_697),
                 arguments(samples(PaperStudios.fig3a(), 4), 1_228_800, 130_486, 0, 524_233),
                 arguments(rods, 307_200, 59_446, 6_388_515, 3_003_409),
-                arguments(PaperStudios.fig1a().withScene(spheres()), 307_200, 270_501, 718, 461_804));
+                arguments(PaperStudios.fig1a().withScene(spheres()), 307_200, 270_501, 2_051, 465_413));
     }
 
     /** A field of so many spheres that a block of rays meets more than a few, and so many that a lamp does. */

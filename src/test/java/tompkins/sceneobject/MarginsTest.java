@@ -231,7 +231,7 @@ class MarginsTest {
     }
 
     private static TreeNode node(Primitive primitive) {
-        return new TreeNode(primitive.bounds(), new Primitive[] {primitive});
+        return new TreeNode(primitive.bounds(), new Primitive[] {primitive}, 0, 1);
     }
 
     private static double entry(TreeNode node, Ray ray, double limit) {

@@ -152,7 +152,7 @@ class ObjectTreeTest {
     }
 
     private static TreeNode tree(List<Primitive> primitives) {
-        return TreeBuilder.build(primitives.toArray(Primitive[]::new));
+        return TreeBuilder.build(primitives.toArray(Primitive[]::new), 2);
     }
 
     /** Numbers of primitives in the order of the leaves, with brackets for the nodes. */
@@ -168,8 +168,8 @@ class ObjectTreeTest {
             append(text, node.low);
             append(text, node.high);
         } else {
-            for (Primitive primitive : node.primitives) {
-                text.append(primitive.order()).append(' ');
+            for (int i = node.from; i < node.to; i++) {
+                text.append(node.primitives[i].order()).append(' ');
             }
         }
         text.append(')');
