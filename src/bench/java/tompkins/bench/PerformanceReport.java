@@ -151,8 +151,8 @@ final class PerformanceReport {
         growth.measure(measures);
         details.append(
                 "\n## Growth\n\nTime of a whole 640 x 480 picture with shadows on two threads, per ray; spheres and rods get thinner"
-                        + " where there are more. The heap begins\nwith 3 GB: one that just holds a million objects would be marked by the"
-                        + " collector for every few pictures.\n\n");
+                        + " where there are more. Each in a\nprocess of its own, whose heap begins with 3 GB: one that just holds a million objects would be marked by the"
+                        + " collector beside\nevery few pictures.\n\n");
         details.append(growth.table());
     }
 

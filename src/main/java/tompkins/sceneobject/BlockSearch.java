@@ -16,6 +16,13 @@ public final class BlockSearch {
     /** Where the rays meet more parts of the tree than this at once, they meet too many primitives in them, too. */
     private static final int MOST_WAITING = 64;
 
+    /**
+     * So many parts that hold {@link #MANY} primitives each on average become too many: the rest need not be opened.
+     */
+    private static final int MOST_LARGE_WAITING = 12;
+
+    private static final int MANY = 1000;
+
     /** So many candidates tell whether batches pay. */
     private static final int PROBES = 8;
 
@@ -91,11 +98,16 @@ public final class BlockSearch {
      * searched to its end. What is long is in the way of many rays at many distances: it does not end in batches.
      */
     private boolean gatherAll() {
-        while (!waiting.isEmpty() && waiting.size() <= MOST_WAITING) {
+        int held = 0;
+        for (TreeNode node : waiting) {
+            held += node.size();
+        }
+        while (!waiting.isEmpty() && !areTooMany(waiting.size(), held)) {
             TreeNode node = waiting.poll();
+            held -= node.size();
             if (node.primitives == null) {
-                putOff(node.low);
-                putOff(node.high);
+                held += putOff(node.low) ? node.low.size() : 0;
+                held += putOff(node.high) ? node.high.size() : 0;
             } else if (!candidates.addAll(node)) {
                 return false;
             }
@@ -103,10 +115,13 @@ public final class BlockSearch {
         return waiting.isEmpty();
     }
 
-    private void putOff(TreeNode node) {
-        if (!bundle.misses(node)) {
-            waiting.add(node);
-        }
+    private static boolean areTooMany(int parts, int held) {
+        return parts > MOST_WAITING || (parts > MOST_LARGE_WAITING && held > MANY * parts);
+    }
+
+    /** Lets a node wait, unless all rays miss it; whether it waits. */
+    private boolean putOff(TreeNode node) {
+        return !bundle.misses(node) && waiting.add(node);
     }
 
     /**
@@ -121,7 +136,7 @@ public final class BlockSearch {
             if (node == null || candidates.count() >= enough) {
                 return true;
             }
-            if (node.primitives != null && !candidates.hasRoomFor(node.to - node.from)) {
+            if (node.primitives != null && !candidates.hasRoomFor(node.size())) {
                 return true;
             }
             waiting.removeLast();

@@ -27,7 +27,7 @@ final class TreeNode {
     /** The primitives of the whole tree, of which a leaf holds some; null in an inner node. */
     final Primitive[] primitives;
 
-    /** Place of the first one that a leaf holds. */
+    /** Place of the first one that the node holds, itself or in its halves. */
     final int from;
 
     /** Place behind the last one. */
@@ -36,7 +36,7 @@ final class TreeNode {
     private TreeNode parent;
 
     TreeNode(Bounds bounds, TreeNode low, TreeNode high) {
-        this(bounds, low, high, null, 0, 0);
+        this(bounds, low, high, null, low.from, high.to);
         low.parent = this;
         high.parent = this;
     }
@@ -63,6 +63,11 @@ final class TreeNode {
     /** The node that this one is a half of, null for the root. */
     TreeNode parent() {
         return parent;
+    }
+
+    /** Number of primitives that the node holds, itself or in its halves. */
+    int size() {
+        return to - from;
     }
 
     /** The other half of a half. */
