@@ -5,7 +5,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
@@ -31,11 +33,19 @@ final class Growth {
 
     private static final int[] SIZES = {100, 1_000, 10_000, 100_000, 1_000_000};
 
+    private static final List<String> NAMES = List.of("spheres", "rods", "triangles");
+    private static final int FEWEST_FOR_MEMORY = 10_000;
     private static final int FEWEST_PICTURES = 10;
     private static final long SHORTEST_NANOSECONDS = 3_000_000_000L;
 
+    private final int rounds;
     private final StringBuilder table = new StringBuilder(
             "| scene | objects | ns per ray | plan and tree, ms | bytes per object |\n| --- | --- | --- | --- | --- |\n");
+
+    /** Growth, the median of a number of rounds. */
+    Growth(int rounds) {
+        this.rounds = rounds;
+    }
 
     /** Measures one scene in this process, and prints three numbers. */
     public static void main(String[] arguments) throws InterruptedException {
@@ -65,29 +75,44 @@ final class Growth {
         };
     }
 
-    /** Measures all, and adds what has a target. */
+    /** Measures all in turns, and adds what has a target. */
     void measure(List<Measure> measures) throws IOException, InterruptedException {
-        for (String name : List.of("spheres", "rods", "triangles")) {
-            measure(name, measures);
+        Map<String, List<double[]>> turns = new HashMap<>();
+        for (int round = 0; round < rounds; round++) {
+            for (String name : NAMES) {
+                for (int size : SIZES) {
+                    turns.computeIfAbsent(name + size, any -> new ArrayList<>()).add(inItsOwnProcess(name, size));
+                }
+            }
+        }
+        for (String name : NAMES) {
+            for (int size : SIZES) {
+                addRow(name, size, turns.get(name + size));
+            }
+            addTargets(name, turns, measures);
         }
         int rings = rings(1_000_000);
         table.append('\n').append(ObjFile.measure(coordinates(rings), corners(rings)));
     }
 
-    private void measure(String name, List<Measure> measures) throws IOException, InterruptedException {
-        double first = 0;
-        for (int size : SIZES) {
-            double[] numbers = inItsOwnProcess(name, size);
-            table.append("| " + name + " | " + size + " | " + Measure.number(numbers[0]) + " | "
-                    + Measure.number(numbers[1]) + " | " + Measure.number(numbers[2]) + " |\n");
-            if (size == SIZES[0]) {
-                first = numbers[0];
-            } else if (size == SIZES[SIZES.length - 1]) {
-                measures.add(Measure.atMost(name + ": time per ray at 1e6 to that at 1e2", 4, "x", numbers[0] / first));
-                measures.add(Measure.atMost(name + ": tree for 1e6", 3000, "ms", numbers[1]));
-                measures.add(Measure.atMost(name + ": memory at 1e6", 500, "bytes an object", numbers[2]));
-            }
-        }
+    private void addRow(String name, int size, List<double[]> turns) {
+        // with fewer objects it is other things that Java keeps or forgets
+        String bytes = size < FEWEST_FOR_MEMORY ? "" : Measure.number(median(turns, 2));
+        table.append("| " + name + " | " + size + " | " + Measure.number(median(turns, 0)) + " | "
+                + Measure.number(median(turns, 1)) + " | " + bytes + " |\n");
+    }
+
+    private static void addTargets(String name, Map<String, List<double[]>> turns, List<Measure> measures) {
+        double first = median(turns.get(name + SIZES[0]), 0);
+        List<double[]> last = turns.get(name + SIZES[SIZES.length - 1]);
+        measures.add(Measure.atMost(name + ": time per ray at 1e6 to that at 1e2", 4, "x", median(last, 0) / first));
+        measures.add(Measure.atMost(name + ": tree for 1e6", 3000, "ms", median(last, 1)));
+        measures.add(Measure.atMost(name + ": memory at 1e6", 500, "bytes an object", median(last, 2)));
+    }
+
+    private static double median(List<double[]> turns, int number) {
+        return Measure.median(
+                turns.stream().mapToDouble(numbers -> numbers[number]).toArray());
     }
 
     private static double[] inItsOwnProcess(String name, int size) throws IOException, InterruptedException {

@@ -147,7 +147,7 @@ final class PerformanceReport {
     }
 
     private void growth() throws IOException, InterruptedException {
-        Growth growth = new Growth();
+        Growth growth = new Growth(quick ? 1 : 3);
         growth.measure(measures);
         details.append(
                 "\n## Growth\n\nTime of a whole 640 x 480 picture with shadows on two threads, per ray; spheres and rods get thinner"
