@@ -89,7 +89,7 @@ class LightCellsTest {
                                     : 0;
                 }
             }
-            // a cell is 1/200 wide: at an angle it may show the strip in a corner
+            // three cells away
             assertThat(besideSeen).as("at angle %s", angle).isZero();
         }
     }
@@ -137,7 +137,7 @@ class LightCellsTest {
         }
     }
 
-    /** A hundred thousand balls behind each other: a ray would ask them one by one. */
+    /** Three thousand balls behind each other: a ray would ask them one by one. */
     @Test
     void crowdInOneCellIsLeftToTheTree() {
         Random random = new Random(2);
