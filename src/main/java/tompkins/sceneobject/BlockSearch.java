@@ -2,6 +2,7 @@ package tompkins.sceneobject;
 
 import java.util.ArrayDeque;
 import java.util.Iterator;
+import java.util.function.Consumer;
 import tompkins.ray.Ray;
 import tompkins.ray.RayBlock;
 
@@ -41,6 +42,9 @@ public final class BlockSearch {
     /** The parts of the tree that wait to be opened; one that is opened leaves two in its place at most. */
     private final ArrayDeque<TreeNode> waiting = new ArrayDeque<>(NearestHit.DEEPEST_TREE);
 
+    /** The leaves in which candidates were found. */
+    private final ArrayDeque<TreeNode> candidateLeaves = new ArrayDeque<>(Candidates.MOST + 1);
+
     // what each ray has met, if there is more than one batch
     private boolean inBatches;
     private final Primitive[] hits = new Primitive[RayBlock.MOST];
@@ -65,6 +69,7 @@ public final class BlockSearch {
         inBatches = false;
         candidates.clear();
         waiting.clear();
+        candidateLeaves.clear();
         if (rays.count() == 0 || !bundle.enclose(rays, 0, rays.count()) || !candidates.addAll(objects.listed())) {
             return false;
         }
@@ -108,11 +113,20 @@ public final class BlockSearch {
             if (node.primitives == null) {
                 held += putOff(node.low) ? node.low.size() : 0;
                 held += putOff(node.high) ? node.high.size() : 0;
-            } else if (!candidates.addAll(node)) {
+            } else if (!addCandidates(node)) {
                 return false;
             }
         }
         return waiting.isEmpty();
+    }
+
+    private boolean addCandidates(TreeNode leaf) {
+        int before = candidates.count();
+        boolean added = candidates.addAll(leaf);
+        if (!added || candidates.count() > before) {
+            candidateLeaves.add(leaf);
+        }
+        return added;
     }
 
     private static boolean areTooMany(int parts, int held) {
@@ -143,7 +157,7 @@ public final class BlockSearch {
             if (node.primitives == null) {
                 open(node);
             } else {
-                candidates.addAll(node);
+                addCandidates(node);
             }
         }
         return false;
@@ -153,6 +167,20 @@ public final class BlockSearch {
         boolean lowFirst = bundle.leastDistance(node.low) <= bundle.leastDistance(node.high);
         putOff(lowFirst ? node.high : node.low);
         putOff(lowFirst ? node.low : node.high);
+    }
+
+    /** Number of {@link #forEachPart parts}. */
+    int partCount() {
+        return candidateLeaves.size() + waiting.size();
+    }
+
+    /**
+     * Where {@link #find} has returned false: parts of the tree that hold all of it that the rays can meet; none if
+     * that is not known.
+     */
+    void forEachPart(Consumer<TreeNode> taker) {
+        candidateLeaves.forEach(taker);
+        waiting.forEach(taker);
     }
 
     private void openAll(int rayCount) {

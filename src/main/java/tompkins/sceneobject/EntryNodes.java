@@ -1,5 +1,6 @@
 package tompkins.sceneobject;
 
+import java.util.function.Consumer;
 import tompkins.ray.RayBlock;
 
 /**
@@ -12,16 +13,31 @@ public final class EntryNodes {
     /** The number of rays that pays best; any other is right. */
     public static final int RAYS = 16;
 
-    /** Most nodes; more would cost each ray more than they save. */
+    /** From this number of nodes on none is opened; more would cost each ray more than they save. */
     private static final int MOST = 12;
+
+    /** Most parts of the tree that the way down begins with; otherwise it begins at the root. */
+    private static final int MOST_PARTS = 128;
 
     /** Most steps down the tree. */
     private static final int MOST_STEPS = 32;
 
     private final RayBundle bundle = new RayBundle();
-    private final TreeNode[] nodes = new TreeNode[MOST];
-    private final double[] distances = new double[MOST];
+    private final BlockSearch block;
+    private final Consumer<TreeNode> adder = this::add;
+    private final TreeNode[] nodes = new TreeNode[MOST_PARTS];
+    private final double[] distances = new double[MOST_PARTS];
     private int count;
+
+    /**
+     * Entry nodes of rays of blocks.
+     *
+     * @param block has searched in vain for all rays of the block, before these are looked for; what it has found out
+     *     on its way is used
+     */
+    public EntryNodes(BlockSearch block) {
+        this.block = block;
+    }
 
     /**
      * Looks for the nodes through which some rays enter the tree.
@@ -36,7 +52,11 @@ public final class EntryNodes {
         if (objects.root() == null || !bundle.enclose(rays, from, to)) {
             return false;
         }
-        add(objects.root());
+        if (block.partCount() == 0 || block.partCount() > MOST_PARTS) {
+            add(objects.root());
+        } else {
+            block.forEachPart(adder);
+        }
         int steps = 0;
         int leaves = 0;
         // the nearest are opened first, since most rays end there

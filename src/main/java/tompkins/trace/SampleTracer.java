@@ -40,7 +40,7 @@ public final class SampleTracer {
     private final Colour[] sums = new Colour[RayBlock.MOST];
     private final Colour[] factors = new Colour[RayBlock.MOST];
     private final BlockSearch search = new BlockSearch();
-    private final EntryNodes entries = new EntryNodes();
+    private final EntryNodes entries = new EntryNodes(search);
     private double narrowing = 1;
     private int column;
     private int row;

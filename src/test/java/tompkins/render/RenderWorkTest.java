@@ -67,7 +67,7 @@ class RenderWorkTest {
                 arguments(PaperStudios.fig1a(), 307_200, 231_021, 0, 397_525),
                 arguments(PaperStudios.fig1b(), 307_200, 26_054, 0, 79_697),
                 arguments(samples(PaperStudios.fig3a(), 4), 1_228_800, 130_486, 0, 524_233),
-                arguments(rods, 307_200, 59_446, 6_388_515, 3_003_409),
+                arguments(rods, 307_200, 59_446, 1_021_756, 3_003_409),
                 arguments(PaperStudios.fig1a().withScene(spheres()), 307_200, 270_501, 2_051, 465_413));
     }
 

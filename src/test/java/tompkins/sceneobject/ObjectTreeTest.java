@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.Stream;
 import org.joml.Vector3d;
+import org.joml.Vector3i;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -48,7 +50,7 @@ class ObjectTreeTest {
         List<Primitive> primitives = spheres(count, new Random(count));
         ObjectTree tree = new ObjectTree(primitives, 1);
         ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
-        EntryNodes entries = new EntryNodes();
+        EntryNodes entries = new EntryNodes(new BlockSearch());
         NearestHit inTree = new NearestHit(new RayCounts());
         NearestHit inList = new NearestHit(new RayCounts());
         Random random = new Random(11);
@@ -67,6 +69,57 @@ class ObjectTreeTest {
             }
         }
         assertThat(hits).isBetween(1, 1599);
+    }
+
+    /** A block that meets too many rods leaves to its rays what it has found out on its way. */
+    @Test
+    void raysOfABlockThatGaveUpFindWhatTheListFinds() {
+        CylinderLattice usual = CylinderLattice.DEFAULT;
+        List<Primitive> rods = PrimitiveCollector.primitivesOf(new CylinderLattice(
+                "rods",
+                usual.from(),
+                usual.to(),
+                new Vector3i(30),
+                0.003,
+                usual.surfaceAlongX(),
+                usual.surfaceAlongY(),
+                usual.surfaceAlongZ()));
+        ObjectTree tree = new ObjectTree(rods, 1);
+        ObjectTree list = new ObjectTree(rods, Integer.MAX_VALUE);
+        BlockSearch search = new BlockSearch();
+        EntryNodes entries = new EntryNodes(search);
+        NearestHit inTree = new NearestHit(new RayCounts());
+        NearestHit inList = new NearestHit(new RayCounts());
+        Random random = new Random(12);
+
+        int hits = 0;
+        int gaveUp = 0;
+        for (int i = 0; i < 20; i++) {
+            Ray towards = Ray.from(0, 0, 0, random.nextDouble(-0.1, 0.1), random.nextDouble(-0.1, 0.1), 1, 0);
+            Ray[] rays = Stream.generate(() -> neighbours(towards, 0.02, random))
+                    .limit(RayBlock.MOST / EntryNodes.RAYS)
+                    .flatMap(Stream::of)
+                    .toArray(Ray[]::new);
+            RayBlock block = block(rays);
+            if (search.find(tree, block, inTree)) {
+                continue;
+            }
+            gaveUp += search.partCount() > 0 ? 1 : 0;
+            for (int place = 0; place < rays.length; place++) {
+                if (place % EntryNodes.RAYS == 0) {
+                    assertThat(entries.find(tree, block, place, place + EntryNodes.RAYS))
+                            .isTrue();
+                }
+                boolean hit = list.nearest(rays[place], inList);
+                hits += hit ? 1 : 0;
+
+                assertThat(tree.nearest(rays[place], entries, inTree)).isEqualTo(hit);
+                assertThat(order(inTree)).isEqualTo(order(inList));
+                assertThat(inTree.distance()).isEqualTo(inList.distance());
+            }
+        }
+        assertThat(gaveUp).isGreaterThan(10);
+        assertThat(hits).isGreaterThan(500);
     }
 
     /** The search for a shadow starts in the leaf where something was seen last, wherever that is. */
@@ -96,7 +149,8 @@ class ObjectTreeTest {
         ObjectTree tree = new ObjectTree(spheres(100, new Random(1)), 1);
         Ray[] opposite = {Ray.from(0, 0, 0, 0, 0, 1, 0), Ray.from(0, 0, 0, 0, 0, -1, 0)};
 
-        assertThat(new EntryNodes().find(tree, block(opposite), 0, 2)).isFalse();
+        assertThat(new EntryNodes(new BlockSearch()).find(tree, block(opposite), 0, 2))
+                .isFalse();
     }
 
     private static RayBlock block(Ray... rays) {
