@@ -67,9 +67,8 @@ public final class BlockSearch {
      */
     public boolean find(ObjectTree objects, RayBlock rays, NearestHit scratch) {
         inBatches = false;
-        candidates.clear();
+        clearCandidates();
         waiting.clear();
-        candidateLeaves.clear();
         if (rays.count() == 0 || !bundle.enclose(rays, 0, rays.count()) || !candidates.addAll(objects.listed())) {
             return false;
         }
@@ -118,6 +117,11 @@ public final class BlockSearch {
             }
         }
         return waiting.isEmpty();
+    }
+
+    private void clearCandidates() {
+        candidates.clear();
+        candidateLeaves.clear();
     }
 
     private boolean addCandidates(TreeNode leaf) {
@@ -202,7 +206,7 @@ public final class BlockSearch {
             if (openCount <= FEW_RAYS) {
                 break;
             }
-            candidates.clear();
+            clearCandidates();
             more = gather(Candidates.MOST);
             candidates.sift(rays);
         }

@@ -38,7 +38,7 @@ final class TreeBuilder {
         TreeBuilder builder = new TreeBuilder(primitives, costOfNode);
         int count = primitives.length;
         if (count < SMALLEST_PARALLEL_NODE) {
-            return builder.node(0, count, 0, new Cuts(builder.costOfNode));
+            return builder.node(0, count, 0, new Cuts(costOfNode));
         }
         // not the common pool: on two cores that has a single thread
         ForkJoinPool pool = new ForkJoinPool(Runtime.getRuntime().availableProcessors());
