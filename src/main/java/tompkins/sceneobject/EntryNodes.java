@@ -29,6 +29,12 @@ public final class EntryNodes {
     private final double[] distances = new double[MOST_PARTS];
     private int count;
 
+    /** What is still to be looked at, the nearest last. */
+    private final TreeNode[] waiting = new TreeNode[MOST_PARTS];
+
+    private final double[] waitingDistances = new double[MOST_PARTS];
+    private int waitingCount;
+
     /**
      * Entry nodes of rays of blocks.
      *
@@ -49,6 +55,7 @@ public final class EntryNodes {
      */
     public boolean find(ObjectTree objects, RayBlock rays, int from, int to) {
         count = 0;
+        waitingCount = 0;
         if (objects.root() == null || !bundle.enclose(rays, from, to)) {
             return false;
         }
@@ -58,42 +65,44 @@ public final class EntryNodes {
             block.forEachPart(adder);
         }
         int steps = 0;
-        int leaves = 0;
         // the nearest are opened first, since most rays end there
-        while (leaves < count && count < MOST && steps < MOST_STEPS) {
-            TreeNode node = nodes[leaves];
-            if (node.primitives == null) {
-                remove(leaves);
-                add(node.low);
-                add(node.high);
+        while (waitingCount > 0 && count + waitingCount < MOST && steps < MOST_STEPS) {
+            TreeNode nearest = waiting[waitingCount - 1];
+            if (nearest.primitives == null) {
+                waitingCount--;
+                add(nearest.low);
+                add(nearest.high);
                 steps++;
             } else {
-                leaves++;
+                keepNearest();
             }
+        }
+        while (waitingCount > 0) {
+            keepNearest();
         }
         return true;
     }
 
-    private void remove(int place) {
-        count--;
-        System.arraycopy(nodes, place + 1, nodes, place, count - place);
-        System.arraycopy(distances, place + 1, distances, place, count - place);
+    private void keepNearest() {
+        waitingCount--;
+        nodes[count] = waiting[waitingCount];
+        distances[count++] = waitingDistances[waitingCount];
     }
 
-    /** Adds a node unless all rays miss it, behind those that are nearer. */
+    /** Adds a node unless all rays miss it, before those that are nearer. */
     private void add(TreeNode node) {
         if (bundle.misses(node)) {
             return;
         }
         double distance = bundle.leastDistance(node);
-        int place = count++;
-        while (place > 0 && distances[place - 1] > distance) {
-            nodes[place] = nodes[place - 1];
-            distances[place] = distances[place - 1];
+        int place = waitingCount++;
+        while (place > 0 && waitingDistances[place - 1] < distance) {
+            waiting[place] = waiting[place - 1];
+            waitingDistances[place] = waitingDistances[place - 1];
             place--;
         }
-        nodes[place] = node;
-        distances[place] = distance;
+        waiting[place] = node;
+        waitingDistances[place] = distance;
     }
 
     /** Number of nodes, the nearest first. */
