@@ -11,10 +11,10 @@ import tompkins.ray.RayBlock;
 public final class EntryNodes {
 
     /** The number of rays that pays best; any other is right. */
-    public static final int RAYS = 16;
+    public static final int RAYS = 32;
 
     /** From this number of nodes on none is opened; more would cost each ray more than they save. */
-    private static final int MOST = 12;
+    private static final int MOST = 16;
 
     /** Most parts of the tree that the way down begins with; otherwise it begins at the root. */
     private static final int MOST_PARTS = 128;

@@ -126,6 +126,39 @@ class ShapeGeometryTest {
         assertCoordinates(triangle, new Vector3d(1, 0.5, 0), new Vector3d(0, 0, 1), 0.25, 0.25);
     }
 
+    /** Neighbours in a mesh leave no gap: corners and sides belong to a triangle, whatever the sign of a zero is. */
+    @ParameterizedTest
+    @CsvSource({"1, 1", "1, -1", "-1, 1", "-1, -1"})
+    void cornersAndSidesBelongToATriangle(double x, double y) {
+        Primitive triangle = PrimitiveCollector.primitivesOf(new Triangle(
+                        "", new Vector3d(0, 0, 4), new Vector3d(2 * x, 0, 4), new Vector3d(0, 2 * y, 4), TILED))
+                .get(0);
+
+        assertThat(distanceFrom(0, 0, triangle)).isEqualTo(4);
+        assertThat(distanceFrom(2 * x, 0, triangle)).isEqualTo(4);
+        assertThat(distanceFrom(0, 2 * y, triangle)).isEqualTo(4);
+        assertThat(distanceFrom(x, 0, triangle)).isEqualTo(4);
+        assertThat(distanceFrom(0, y, triangle)).isEqualTo(4);
+        assertThat(distanceFrom(x, y, triangle)).isEqualTo(4);
+        assertThat(distanceFrom(-Math.ulp(1.0) * x, y, triangle)).isEqualTo(Primitive.NO_HIT);
+        assertThat(distanceFrom(x, -Math.ulp(1.0) * y, triangle)).isEqualTo(Primitive.NO_HIT);
+        assertThat(distanceFrom(x, 1.000000000000001 * y, triangle)).isEqualTo(Primitive.NO_HIT);
+    }
+
+    /** There u and v are sums of zeros that are all negative. */
+    @Test
+    void theCornerOfASlantingTriangleBelongsToIt() {
+        Primitive triangle = PrimitiveCollector.primitivesOf(
+                        new Triangle("", new Vector3d(0, 0, 4), new Vector3d(-1, -1, 3), new Vector3d(-1, 1, 4), TILED))
+                .get(0);
+
+        assertThat(distanceFrom(0, 0, triangle)).isEqualTo(4);
+    }
+
+    private static double distanceFrom(double x, double y, Primitive primitive) {
+        return primitive.distance(Ray.from(x, y, 0, 0, 0, 1, 0), Primitive.NO_HIT);
+    }
+
     @Test
     void patternsTurnWithACylinderAboutItsAxis() {
         Cylinder rod = new Cylinder("", new Vector3d(0, -1, 0), new Vector3d(0, 1, 0), 1, true, TILED);
