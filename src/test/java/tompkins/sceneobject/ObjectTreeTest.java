@@ -1,6 +1,7 @@
 package tompkins.sceneobject;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -142,6 +143,21 @@ class ObjectTreeTest {
         }
         assertThat(shadows).isBetween(50, 450);
         assertThat(inTree.leaf()).isNotNull();
+    }
+
+    /** 0 times infinity is no number, which must not make a box count as missed. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aRayAlongASideOfABoxMeetsIt(boolean least) {
+        Bounds bounds = Bounds.around(new Vector3d(1, 2, 3), new Vector3d(2, 4, 6));
+        TreeNode node = new TreeNode(bounds, new Primitive[0], 0, 0);
+        double side = least ? bounds.widened().minX() : bounds.widened().maxX();
+
+        assertThat(node.entry(side, 3, 0, 1 / 0.0, 1 / 0.0, 1, Primitive.NO_HIT))
+                .isNotEqualTo(TreeNode.MISSED);
+        assertThat(node.entry(1.5, 3, 0, 1 / 0.0, 1 / 0.0, 1, Primitive.NO_HIT)).isCloseTo(3, within(1e-9));
+        assertThat(node.entry(1.5, 3, 7, 1 / 0.0, 1 / 0.0, 1, Primitive.NO_HIT)).isEqualTo(TreeNode.MISSED);
+        assertThat(node.entry(1.5, 5, 0, 1 / 0.0, 1 / 0.0, 1, Primitive.NO_HIT)).isEqualTo(TreeNode.MISSED);
     }
 
     @Test
