@@ -5,6 +5,7 @@ import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
@@ -21,6 +22,7 @@ import tompkins.ray.RayCounts;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
+import tompkins.sceneobject.Triangle;
 import tompkins.studio.PaperStudios;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
@@ -67,8 +69,33 @@ class RenderWorkTest {
                 arguments(PaperStudios.fig1a(), 307_200, 231_021, 0, 397_525),
                 arguments(PaperStudios.fig1b(), 307_200, 26_054, 0, 79_697),
                 arguments(samples(PaperStudios.fig3a(), 4), 1_228_800, 130_486, 0, 524_233),
-                arguments(rods, 307_200, 59_446, 1_021_756, 3_003_409),
-                arguments(PaperStudios.fig1a().withScene(spheres()), 307_200, 270_501, 2_051, 465_413));
+                arguments(rods, 307_200, 59_446, 1_021_417, 2_721_288),
+                arguments(PaperStudios.fig1a().withScene(spheres()), 307_200, 270_501, 2_051, 465_413),
+                arguments(small(PaperStudios.fig1a().withScene(hills())), 19_200, 19_200, 30_795, 158_614));
+    }
+
+    private static Studio small(Studio studio) {
+        return studio.withSettings(studio.settings().withSize(160, 120));
+    }
+
+    /** Triangles as small as pixels, of which a block of rays meets too many. */
+    private static List<SceneObject> hills() {
+        List<SceneObject> triangles = new ArrayList<>();
+        for (int column = 0; column < 300; column++) {
+            for (int row = 0; row < 300; row++) {
+                Vector3d right = hill(column + 1, row);
+                Vector3d below = hill(column, row + 1);
+                triangles.add(new Triangle("", hill(column, row), below, right, ColouredSurface.DEFAULT));
+                triangles.add(new Triangle("", hill(column + 1, row + 1), right, below, ColouredSurface.DEFAULT));
+            }
+        }
+        return triangles;
+    }
+
+    private static Vector3d hill(int column, int row) {
+        double x = column / 50.0 - 3;
+        double y = row / 50.0 - 3;
+        return new Vector3d(x, y, 10 + 0.3 * Math.sin(5 * x) * Math.cos(5 * y));
     }
 
     /** A field of so many spheres that a block of rays meets more than a few, and so many that a lamp does. */
