@@ -27,9 +27,6 @@ public record Animation(StudioNumber number, double from, double to, double seco
     /** The most digits that a double has. */
     private static final int MOST_DIGITS = 17;
 
-    /** Frames a second in files. */
-    public static final int FRAME_RATE = 25;
-
     /** Checks the seconds. */
     public Animation {
         Require.within("seconds", seconds, SHORTEST, LONGEST);
@@ -85,11 +82,27 @@ public record Animation(StudioNumber number, double from, double to, double seco
 
     /** Number of frames in a file. */
     public int frames() {
-        return Math.max(2, (int) Math.round(seconds * FRAME_RATE));
+        return Math.max(2, (int) Math.round(seconds * Film.FRAME_RATE));
     }
 
     /** The time of a frame: the last frame of a loop comes before its first, and does not repeat it. */
     public double timeOf(int frame) {
         return (double) frame / (course == Course.THERE_AND_BACK ? frames() : frames() - 1);
+    }
+
+    /** The film of the number of a studio. */
+    public Film film(Studio studio) {
+        int count = frames();
+        return new Film() {
+            @Override
+            public int frames() {
+                return count;
+            }
+
+            @Override
+            public Studio studio(int frame) {
+                return Animation.this.studio(studio, timeOf(frame));
+            }
+        };
     }
 }

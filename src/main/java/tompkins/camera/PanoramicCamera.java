@@ -2,6 +2,7 @@ package tompkins.camera;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.math.RigidMotion;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.RayBlock;
@@ -91,6 +92,19 @@ public record PanoramicCamera(
     @Override
     public PanoramicCamera focusedAt(double distance) {
         return with(distance, shutter);
+    }
+
+    @Override
+    public PanoramicCamera moved(RigidMotion motion, Vector3dc newPosition, Vector3dc newView, Vector3dc newTop) {
+        return new PanoramicCamera(
+                newPosition,
+                newView,
+                newTop,
+                horizontalAngleDegrees,
+                verticalAngleDegrees,
+                focusDistance,
+                exposureStops,
+                shutter.moved(motion));
     }
 
     private PanoramicCamera with(double newFocusDistance, Shutter newShutter) {

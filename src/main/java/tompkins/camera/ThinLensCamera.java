@@ -2,6 +2,7 @@ package tompkins.camera;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.math.RigidMotion;
 import tompkins.math.Vectors;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
@@ -134,6 +135,20 @@ public record ThinLensCamera(
                 focus,
                 exposureStops,
                 shutter);
+    }
+
+    @Override
+    public ThinLensCamera moved(RigidMotion motion, Vector3dc newPosition, Vector3dc newView, Vector3dc newTop) {
+        return new ThinLensCamera(
+                newPosition,
+                newView,
+                newTop,
+                horizontalAngleDegrees,
+                verticalAngleDegrees,
+                apertureRadius,
+                focus.moved(motion),
+                exposureStops,
+                shutter.moved(motion));
     }
 
     private ThinLensCamera with(SceneObject newFocus, Shutter newShutter) {

@@ -2,6 +2,7 @@ package tompkins.sceneobject;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.math.RigidMotion;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.surface.ColouredSurface;
@@ -37,5 +38,10 @@ public record Plane(
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
         collector.add(new PlanePrimitive(this, placement));
+    }
+
+    @Override
+    public Plane moved(RigidMotion motion) {
+        return new Plane(description, motion.place(point), motion.direction(normal), surface);
     }
 }

@@ -47,7 +47,10 @@ public record Studio(
         @Meaning("What the motion does to brightness and colours, under the Lorentz transformation")
         ColourLaw colours,
 
-        @Meaning("Size and quality of the picture") RenderSettings settings) {
+        @Meaning("Size and quality of the picture") RenderSettings settings,
+
+        @Meaning("A ride with the camera that begins with this photograph, in legs that follow each other")
+        List<RideLeg> ride) {
 
     /** An empty scene, lit as in the paper, and its camera at rest. */
     public static final Studio DEFAULT = new Studio(
@@ -62,7 +65,8 @@ public record Studio(
             Velocity.REST,
             TransformationLaw.LORENTZ,
             ColourLaw.UNCHANGED,
-            RenderSettings.DEFAULT);
+            RenderSettings.DEFAULT,
+            List.of());
 
     /** Checks that nothing is missing, and that the camera is not too fast for a picture. */
     public Studio {
@@ -78,6 +82,7 @@ public record Studio(
         Require.present("transformation", transformation);
         Require.present("colours", colours);
         Require.present("settings", settings);
+        ride = Require.list("ride", ride);
     }
 
     /** The title up to a colon, which its explanation follows. */
@@ -105,37 +110,42 @@ public record Studio(
 
     /** The same studio with another scene. */
     public Studio withScene(List<SceneObject> objects) {
-        return with(objects, cameraFrame, camera, velocity, transformation, colours, settings);
+        return with(objects, cameraFrame, camera, velocity, transformation, colours, settings, ride);
     }
 
     /** The same studio with other objects that move with the camera. */
     public Studio withCameraFrame(List<SceneObject> objects) {
-        return with(scene, objects, camera, velocity, transformation, colours, settings);
+        return with(scene, objects, camera, velocity, transformation, colours, settings, ride);
     }
 
     /** The same studio with another camera. */
     public Studio withCamera(Camera other) {
-        return with(scene, cameraFrame, other, velocity, transformation, colours, settings);
+        return with(scene, cameraFrame, other, velocity, transformation, colours, settings, ride);
     }
 
     /** The same studio with another velocity of the camera. */
     public Studio withVelocity(Velocity other) {
-        return with(scene, cameraFrame, camera, other, transformation, colours, settings);
+        return with(scene, cameraFrame, camera, other, transformation, colours, settings, ride);
     }
 
     /** The same studio under another law. */
     public Studio withTransformation(TransformationLaw law) {
-        return with(scene, cameraFrame, camera, velocity, law, colours, settings);
+        return with(scene, cameraFrame, camera, velocity, law, colours, settings, ride);
     }
 
     /** The same studio under another law of colours. */
     public Studio withColours(ColourLaw law) {
-        return with(scene, cameraFrame, camera, velocity, transformation, law, settings);
+        return with(scene, cameraFrame, camera, velocity, transformation, law, settings, ride);
     }
 
     /** The same studio with other settings of the picture. */
     public Studio withSettings(RenderSettings other) {
-        return with(scene, cameraFrame, camera, velocity, transformation, colours, other);
+        return with(scene, cameraFrame, camera, velocity, transformation, colours, other, ride);
+    }
+
+    /** The same studio with another ride that begins with it. */
+    public Studio withRide(List<RideLeg> legs) {
+        return with(scene, cameraFrame, camera, velocity, transformation, colours, settings, legs);
     }
 
     private Studio with(
@@ -145,7 +155,8 @@ public record Studio(
             Velocity newVelocity,
             TransformationLaw newTransformation,
             ColourLaw newColours,
-            RenderSettings newSettings) {
+            RenderSettings newSettings,
+            List<RideLeg> newRide) {
         return new Studio(
                 title,
                 topic,
@@ -158,6 +169,7 @@ public record Studio(
                 newVelocity,
                 newTransformation,
                 newColours,
-                newSettings);
+                newSettings,
+                newRide);
     }
 }

@@ -3,11 +3,11 @@ package tompkins.ui;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.Function;
 import java.util.stream.Stream;
 import javax.swing.JFrame;
 import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
+import tompkins.animation.Film;
 import tompkins.animation.FrameWarnings;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
@@ -65,9 +65,9 @@ final class AnimationExport {
     static FrameWarnings write(
             Studio studio, Animation animation, Path file, AnimationFormat format, boolean captioned, Progress progress)
             throws Exception {
-        try (AnimationWriter writer = format.open(file, Animation.FRAME_RATE)) {
-            Function<Studio, String> caption = Captions.ofPictures(studio, animation.number(), captioned);
-            return AnimationRecorder.record(studio, animation, writer, caption, progress);
+        try (AnimationWriter writer = format.open(file, Film.FRAME_RATE)) {
+            Film.Caption caption = Captions.ofPictures(studio, animation.number(), captioned);
+            return AnimationRecorder.record(animation.film(studio), writer, caption, progress);
         }
     }
 }

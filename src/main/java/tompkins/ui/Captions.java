@@ -2,11 +2,13 @@ package tompkins.ui;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Function;
+import tompkins.animation.Film;
+import tompkins.animation.RideFilm;
 import tompkins.animation.StudioNumber;
 import tompkins.light.ColourLaw;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
+import tompkins.studio.RideMoment;
 import tompkins.studio.Studio;
 import tompkins.ui.panel.NumberProperty;
 import tompkins.ui.picture.PictureCanvas;
@@ -59,9 +61,22 @@ public final class Captions {
     }
 
     /** Writes the captions of the pictures of an animation; empty ones, if none are wanted. */
-    public static Function<Studio, String> ofPictures(Studio studio, StudioNumber animated, boolean wanted) {
+    public static Film.Caption ofPictures(Studio studio, StudioNumber animated, boolean wanted) {
         NumberProperty number = NumberProperty.of(animated, studio);
-        return moment -> wanted ? of(moment, number) : "";
+        return (moment, frame) -> wanted ? of(moment, number) : "";
+    }
+
+    /** Writes the captions of the pictures of a ride; empty ones, if none are wanted. */
+    public static Film.Caption ofPictures(RideFilm film, boolean wanted) {
+        return (moment, frame) -> wanted ? of(film.moment(frame)) : "";
+    }
+
+    /** The caption of a moment of a ride: the motion, and the time on board and in the scene since its beginning. */
+    public static String of(RideMoment moment) {
+        return String.join(
+                ", ",
+                motion(moment.studio()),
+                Texts.get("caption.ride", Numbers.brief(moment.properTime()), Numbers.brief(moment.sceneTime())));
     }
 
     /** The caption of a picture with a number besides its speed, or with none if it is null. */
