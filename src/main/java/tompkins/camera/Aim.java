@@ -1,5 +1,6 @@
 package tompkins.camera;
 
+import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
@@ -85,6 +86,11 @@ public record Aim(double right, double up) {
         return turned(camera, right, elevation);
     }
 
+    /** A camera whose middle looks along a direction of any length, as far as that goes with a level horizon. */
+    public static Camera along(Camera camera, Vector3dc direction) {
+        return at(camera, Vectors.unit(direction), PicturePlace.MIDDLE);
+    }
+
     /** Of two angles, which may be turned once around, the one nearer to a third. */
     private static double nearer(double first, double second, double wanted) {
         double a = Math.IEEEremainder(first, 2 * Math.PI);
@@ -123,6 +129,11 @@ public record Aim(double right, double up) {
         public Vector3d direction(Camera camera) {
             return new Vector3d(
                     camera.rays(width, height, new IdentityTransformation()).chiefDirection(x, y));
+        }
+
+        /** The place at which a camera sees a unit direction; null if it lies behind its lens. */
+        public static Vector2dc of(Camera camera, Vector3dc direction, int width, int height) {
+            return camera.rays(width, height, new IdentityTransformation()).place(direction);
         }
     }
 }

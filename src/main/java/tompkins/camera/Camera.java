@@ -53,6 +53,13 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
         return moved(turn, position(), newView, newTop);
     }
 
+    /** The motion that takes the lens and the axes of this camera to those of another one. */
+    default RigidMotion motionTo(Camera other) {
+        CameraAxes before = CameraAxes.of(viewDirection(), topDirection());
+        CameraAxes after = CameraAxes.of(other.viewDirection(), other.topDirection());
+        return RigidMotion.about(position(), after.turnFrom(before), other.position());
+    }
+
     /** The same camera at another place of its frame; its focus and its shutter go along. */
     default Camera shifted(Vector3dc way) {
         return moved(new RigidMotion(new Quaterniond(), way));

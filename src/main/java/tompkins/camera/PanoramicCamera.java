@@ -1,5 +1,7 @@
 package tompkins.camera;
 
+import org.joml.Vector2d;
+import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.RigidMotion;
@@ -152,6 +154,15 @@ public record PanoramicCamera(
         @Override
         public LensRay chiefRay(Vector3dc direction) {
             return new LensRay(camera.position, camera.position, direction, 1 / camera.focusDistance, direction);
+        }
+
+        @Override
+        public Vector2dc place(Vector3dc direction) {
+            double ahead = direction.dot(axes.forward());
+            double right = direction.dot(axes.right());
+            double latitude = Math.atan2(direction.dot(axes.up()), Math.hypot(ahead, right));
+            return new Vector2d(
+                    middleX + Math.atan2(right, ahead) / longitudePerPixel, middleY - latitude / latitudePerPixel);
         }
 
         @Override

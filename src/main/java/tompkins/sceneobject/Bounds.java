@@ -44,6 +44,12 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
                 Math.max(maxZ, other.maxZ));
     }
 
+    /** The same box, moved. */
+    public Bounds moved(Vector3dc way) {
+        return new Bounds(
+                minX + way.x(), minY + way.y(), minZ + way.z(), maxX + way.x(), maxY + way.y(), maxZ + way.z());
+    }
+
     /** This box, widened so that rounding in a ray's arithmetic cannot lose what touches its sides. */
     public Bounds widened() {
         double margin = farthest() * MARGIN;

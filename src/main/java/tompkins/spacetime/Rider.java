@@ -81,22 +81,7 @@ public record Rider(Event event, Vector3dc proper) {
         return new Step(new Rider(moved, stopped ? new Vector3d() : sum), turn(proper, gamma(), gained, gainedGamma));
     }
 
-    /** The moment after braking against the motion, until the rider is at rest, and waiting there. */
-    public Step braked(double strength, double time) {
-        double needed = rapidity() / strength;
-        if (needed == 0) {
-            return after(new Vector3d(), time);
-        }
-        Step braking = after(brake(strength), Math.min(needed, time));
-        // straight against the motion, nothing turns
-        if (time < needed) {
-            return braking;
-        }
-        Rider stopped = new Rider(braking.rider.event, new Vector3d());
-        return new Step(stopped.after(new Vector3d(), time - needed).rider, braking.turn);
-    }
-
-    /** The acceleration against the motion; none at rest. */
+    /** The thrust against the motion, which leads to rest in the time rapidity/strength on board; none at rest. */
     public Vector3d brake(double strength) {
         return proper.lengthSquared() == 0
                 ? new Vector3d()

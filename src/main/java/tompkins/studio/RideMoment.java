@@ -8,6 +8,7 @@ import tompkins.camera.Camera;
 import tompkins.math.Vectors;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.Rider;
+import tompkins.spacetime.Velocity;
 
 /**
  * A moment of a ride with the camera: an ordinary studio, photographed from the momentary rest frame of the rider. The
@@ -56,11 +57,6 @@ public record RideMoment(Studio studio, Rider rider, double properTime, double s
         return at(rider.after(inCamera(thrust), time), time);
     }
 
-    /** A later moment, after braking until the camera is at rest in the scene, and waiting there. */
-    public RideMoment braked(double strength, double time) {
-        return at(rider.braked(strength, time), time);
-    }
-
     /** The thrust that brakes now: against the motion, to the right, up and forwards in the picture; 0 at rest. */
     public Vector3d brake(double strength) {
         Vector3d inCamera = rider.brake(strength);
@@ -96,8 +92,14 @@ public record RideMoment(Studio studio, Rider rider, double properTime, double s
     }
 
     private RideMoment at(Rider.Step step, double time) {
+        if (time == 0) {
+            return this;
+        }
         Event event = step.rider().event();
-        Studio moved = LensEvent.moved(studio, event, step.rider().velocity(), step.turn());
+        // without thrust the velocity stays as somebody wrote it
+        Velocity velocity =
+                step.rider().proper().equals(rider.proper()) ? studio.velocity() : step.rider().velocity();
+        Studio moved = LensEvent.moved(studio, event, velocity, step.turn());
         double sceneStep = event.time() - rider.event().time();
         return new RideMoment(moved, step.rider(), properTime + time, sceneTime + sceneStep);
     }

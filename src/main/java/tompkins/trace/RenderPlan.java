@@ -1,6 +1,7 @@
 package tompkins.trace;
 
 import java.util.List;
+import java.util.Objects;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.CameraRays;
@@ -8,9 +9,11 @@ import tompkins.camera.PixelSampler;
 import tompkins.math.Vectors;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
+import tompkins.sceneobject.Bounds;
 import tompkins.sceneobject.LightGrid;
 import tompkins.sceneobject.ObjectTree;
 import tompkins.sceneobject.Placement;
+import tompkins.sceneobject.Primitive;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.shutter.LensRay;
 import tompkins.spacetime.Event;
@@ -135,6 +138,17 @@ public final class RenderPlan {
     /** Whether anything stands in the scene that a ray can meet. */
     public boolean hasObjectsInScene() {
         return scene.objects().size() > 0;
+    }
+
+    /** Boxes around the first objects of the scene that have an end, in the scene frame. */
+    public List<Bounds> sceneBounds(int most) {
+        Vector3dc origin = crossing.origin();
+        return scene.objects().primitives().stream()
+                .map(Primitive::bounds)
+                .filter(Objects::nonNull)
+                .limit(most)
+                .map(bounds -> bounds.moved(origin))
+                .toList();
     }
 
     /** Whether the camera and the scene share one frame. */

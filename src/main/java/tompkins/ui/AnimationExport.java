@@ -3,15 +3,18 @@ package tompkins.ui;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import javax.swing.JFrame;
 import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
 import tompkins.animation.Film;
 import tompkins.animation.FrameWarnings;
+import tompkins.animation.RideFilm;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
 import tompkins.render.Progress;
+import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.FormatFilter;
@@ -33,41 +36,44 @@ final class AnimationExport {
 
     /** Asks where to save an animation of a studio. */
     void ask(Studio studio, Animation animation) {
+        ask(animation.film(studio), wanted -> Captions.ofPictures(studio, animation.number(), wanted));
+    }
+
+    /** Asks where to save the film of a ride. */
+    void ask(RideFilm film) {
+        ask(film, wanted -> Captions.ofPictures(film, wanted));
+    }
+
+    private void ask(Film film, Function<Boolean, Film.Caption> caption) {
         List<FormatFilter<AnimationFormat>> formats = Stream.of(AnimationFormat.values())
                 .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
                 .toList();
+        RenderSettings size = film.studio(0).settings();
         SaveDialog.ask(
                 frame,
                 dialogs.chooser(),
-                Texts.get(
-                        "play.exportTitle",
-                        animation.frames(),
-                        studio.settings().width(),
-                        studio.settings().height()),
+                Texts.get("play.exportTitle", film.frames(), size.width(), size.height()),
                 "animation",
                 formats,
-                (file, format) -> save(studio, animation, file, format));
+                (file, format) -> save(film, caption.apply(captions.areShown()), file, format));
     }
 
-    /** Saves an animation, with progress and cancel. */
-    void save(Studio studio, Animation animation, Path file, AnimationFormat format) {
-        boolean captioned = captions.areShown();
+    /** Saves a film, with progress and cancel. */
+    private void save(Film film, Film.Caption caption, Path file, AnimationFormat format) {
         AtomicReference<FrameWarnings> warnings = new AtomicReference<>();
         BackgroundTask.start(
                 frame,
                 Texts.get("file.saving", file),
-                progress -> warnings.set(write(studio, animation, file, format, captioned, progress)),
+                progress -> warnings.set(write(film, caption, file, format, progress)),
                 () -> dialogs.exported(file, warnings.get().sentences()),
                 () -> dialogs.sayNotSaved(file));
     }
 
     /** Takes all pictures and writes them; leaves nothing behind if the task is cancelled or fails. */
-    static FrameWarnings write(
-            Studio studio, Animation animation, Path file, AnimationFormat format, boolean captioned, Progress progress)
+    static FrameWarnings write(Film film, Film.Caption caption, Path file, AnimationFormat format, Progress progress)
             throws Exception {
         try (AnimationWriter writer = format.open(file, Film.FRAME_RATE)) {
-            Film.Caption caption = Captions.ofPictures(studio, animation.number(), captioned);
-            return AnimationRecorder.record(animation.film(studio), writer, caption, progress);
+            return AnimationRecorder.record(film, writer, caption, progress);
         }
     }
 }

@@ -40,12 +40,6 @@ final class Menus {
 
         void close();
 
-        void play(NumberProperty property);
-
-        void togglePlay();
-
-        void togglePlayPanel();
-
         void copyAnimation();
 
         void showDocument(String page);
@@ -65,6 +59,8 @@ final class Menus {
     private final History history;
     private final Settings settings;
     private final Captions captions;
+    private final Motion motion;
+    private final Signs signs;
     private final Commands commands;
 
     Menus(
@@ -74,6 +70,8 @@ final class Menus {
             History history,
             Settings settings,
             Captions captions,
+            Motion motion,
+            Signs signs,
             Commands commands) {
         this.opener = opener;
         this.saver = saver;
@@ -81,6 +79,8 @@ final class Menus {
         this.history = history;
         this.settings = settings;
         this.captions = captions;
+        this.motion = motion;
+        this.signs = signs;
         this.commands = commands;
         bar.add(fileMenu());
         bar.add(examples);
@@ -213,13 +213,16 @@ final class Menus {
 
     private JMenu playMenu() {
         JMenu menu = menu("menu.play");
-        add(menu, "menu.playSpeed", null, () -> commands.play(NumberProperty.speed(SpeedScale.BETA)));
-        add(menu, "menu.playTime", null, () -> commands.play(NumberProperty.openingTime()));
+        add(menu, "menu.playSpeed", null, () -> motion.play(NumberProperty.speed(SpeedScale.BETA)));
+        add(menu, "menu.playTime", null, () -> motion.play(NumberProperty.openingTime()));
         menu.addSeparator();
-        add(menu, "menu.playPause", "F9", commands::togglePlay);
-        add(menu, "menu.playPanel", "ctrl L", commands::togglePlayPanel);
+        add(menu, "menu.playPause", "F9", motion::togglePlay);
+        add(menu, "menu.playPanel", "ctrl L", motion::togglePlayPanel);
         menu.addSeparator();
         add(menu, "menu.copyAnimation", null, commands::copyAnimation);
+        menu.addSeparator();
+        add(menu, "menu.ride", "F6", motion::toggleRide);
+        add(menu, "menu.replay", null, motion::replayRide);
         return menu;
     }
 
@@ -237,9 +240,17 @@ final class Menus {
         JCheckBoxMenuItem caption = new JCheckBoxMenuItem();
         caption.setSelected(captions.areShown());
         add(menu, caption, "menu.caption", "F7", () -> captions.setShown(caption.isSelected()));
+        addSign(menu, "menu.arrow", Signs.Sign.ARROW);
+        addSign(menu, "menu.map", Signs.Sign.MAP);
         add(menu, "menu.panel", "F11", commands::togglePanel);
         add(menu, "menu.stop", "ESCAPE", commands::stop);
         return menu;
+    }
+
+    private void addSign(JMenu menu, String key, Signs.Sign sign) {
+        JCheckBoxMenuItem item = new JCheckBoxMenuItem();
+        item.setSelected(signs.isShown(sign));
+        add(menu, item, key, null, () -> signs.setShown(sign, item.isSelected()));
     }
 
     private JMenu helpMenu() {

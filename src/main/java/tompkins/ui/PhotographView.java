@@ -2,9 +2,11 @@ package tompkins.ui;
 
 import java.awt.geom.Point2D;
 import java.util.Objects;
-import java.util.function.BooleanSupplier;
 import java.util.function.DoubleConsumer;
+import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
+import tompkins.camera.Aim.PicturePlace;
+import tompkins.camera.Camera;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.model.StudioModel;
@@ -56,7 +58,7 @@ final class PhotographView implements AutoCloseable {
     private final ScreenPictures screen;
     private final RenderController controller;
     private final RenderController otherController;
-    private final BooleanSupplier animated;
+    private final Supplier<Pace> pace;
     private final PixelProbe hover = new PixelProbe(this::fail);
     private final PixelProbe pinned = new PixelProbe(this::fail);
     private final PixelProbe picked = new PixelProbe(this::fail);
@@ -70,11 +72,11 @@ final class PhotographView implements AutoCloseable {
     private String pinnedName;
     private Picking picking;
 
-    /** The photograph of a model; {@code animated} says whether the model changes by itself at the moment. */
-    PhotographView(StudioModel model, Listener listener, BooleanSupplier animated) {
+    /** The photograph of a model; {@code pace} says how soon a picture of a change has to come. */
+    PhotographView(StudioModel model, Listener listener, Supplier<Pace> pace) {
         this.model = model;
         this.listener = listener;
-        this.animated = animated;
+        this.pace = pace;
         screen = new ScreenPictures(this::show, this::fail);
         canvas = new PictureCanvas(screen::setCanvas);
         canvas.setMouse(new ProbeMouse());
@@ -93,7 +95,7 @@ final class PhotographView implements AutoCloseable {
     }
 
     /** Tells what went wrong; called by any thread. */
-    private void fail(Throwable error) {
+    void fail(Throwable error) {
         SwingUtilities.invokeLater(() -> listener.failed(Messages.of(error)));
     }
 
@@ -107,12 +109,8 @@ final class PhotographView implements AutoCloseable {
     /** Makes the picture of the current studio. */
     void render() {
         rendered = model.studio();
-        controller.show(rendered, pace());
+        controller.show(rendered, pace.get());
         renderOther();
-    }
-
-    private Pace pace() {
-        return animated.getAsBoolean() ? Pace.FILM : Pace.HAND;
     }
 
     /** Ends the work on all pictures; what is there stays until the next change. */
@@ -152,7 +150,7 @@ final class PhotographView implements AutoCloseable {
             screen.setOther(compared.other() == ComparePanel.Other.KEPT_PICTURE ? keptPicture : null);
         } else if (!studio.equals(otherStudio)) {
             otherStudio = studio;
-            otherController.show(studio, pace());
+            otherController.show(studio, pace.get());
         }
     }
 
@@ -235,6 +233,22 @@ final class PhotographView implements AutoCloseable {
         picking = null;
         canvas.setPicking(false);
         listener.picking(false);
+    }
+
+    /** Asks how far away what is seen at a place is: as far as what is in focus where nothing is. */
+    void askDistance(PicturePlace place, DoubleConsumer answer) {
+        RenderPlan plan = canvas.shown().now().plan();
+        Camera camera = plan.studio().camera();
+        double focus = Math.abs(camera.focusDistance());
+        double usual = Double.isFinite(focus) && focus > 0 ? focus : 1;
+        Point2D point = new Point2D.Double(place.x(), place.y());
+        picked.ask(
+                plan,
+                point,
+                reading -> answer.accept(
+                        reading.inCamera() == null
+                                ? usual
+                                : reading.inCamera().position().distance(camera.position())));
     }
 
     /** As a click that picks nothing; false if nothing was to be picked. */

@@ -38,7 +38,8 @@ class AberrationTest {
                 dark.velocity(),
                 dark.transformation(),
                 dark.colours(),
-                dark.settings()));
+                dark.settings(),
+                List.of()));
     }
 
     @ParameterizedTest

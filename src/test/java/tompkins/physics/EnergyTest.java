@@ -145,6 +145,7 @@ class EnergyTest {
                 velocity,
                 TransformationLaw.LORENTZ,
                 ColourLaw.UNCHANGED,
-                Studio.DEFAULT.settings().withSize(size, size)));
+                Studio.DEFAULT.settings().withSize(size, size),
+                List.of()));
     }
 }

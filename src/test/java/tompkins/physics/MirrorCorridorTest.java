@@ -51,7 +51,8 @@ class MirrorCorridorTest {
                 Velocity.REST,
                 TransformationLaw.LORENTZ,
                 ColourLaw.UNCHANGED,
-                settings));
+                settings,
+                List.of()));
     }
 
     private static double light(Photograph photograph) {

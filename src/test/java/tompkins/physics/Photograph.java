@@ -57,7 +57,8 @@ final class Photograph {
                 velocity,
                 TransformationLaw.LORENTZ,
                 ColourLaw.UNCHANGED,
-                Studio.DEFAULT.settings().withSize(width, height)));
+                Studio.DEFAULT.settings().withSize(width, height),
+                List.of()));
     }
 
     /** A pinhole at the origin of the camera frame with a shutter in the aperture. */

@@ -104,6 +104,7 @@ class SharpnessTest {
                 studio.velocity(),
                 studio.transformation(),
                 studio.colours(),
-                studio.settings());
+                studio.settings(),
+                List.of());
     }
 }

@@ -22,6 +22,7 @@ public final class Lighting {
                 studio.velocity(),
                 studio.transformation(),
                 studio.colours(),
-                studio.settings());
+                studio.settings(),
+                List.of());
     }
 }

@@ -195,7 +195,8 @@ public final class VariedStudios {
                 Velocity.of(0.1, -0.05, 0.6),
                 TransformationLaw.LORENTZ,
                 ColourLaw.UNCHANGED,
-                Studio.DEFAULT.settings());
+                Studio.DEFAULT.settings(),
+                List.of());
         return studio.withSettings(studio.settings().withSize(80, 60));
     }
 

@@ -37,7 +37,7 @@ class AnimationExportTest {
     @Test
     void framesHoldTheirOwnScenes() throws Exception {
         Path frames = folder.resolve("frames");
-        AnimationExport.write(Studios.sphere(), FASTER, frames, AnimationFormat.NUMBERED_PNG, false, progress());
+        write(Studios.sphere(), frames, AnimationFormat.NUMBERED_PNG, false, progress());
         try (Stream<Path> files = Files.list(frames)) {
             assertThat(files).hasSize(10);
         }
@@ -46,14 +46,24 @@ class AnimationExportTest {
                 .isEqualTo(Velocity.of(SpeedScale.BETA, 0.8, new Vector3d(0, 0, 1)));
     }
 
+    private static void write(
+            Studio studio, Path file, AnimationFormat format, boolean captioned, Progress progress) throws Exception {
+        AnimationExport.write(
+                FASTER.film(studio),
+                Captions.ofPictures(studio, FASTER.number(), captioned),
+                file,
+                format,
+                progress);
+    }
+
     /** The caption covers the lower left corner, nothing else, and tells frames apart that show the same. */
     @Test
     void captionsAreWrittenIntoTheFrames() throws Exception {
         Path plain = folder.resolve("plain");
         Path captioned = folder.resolve("captioned");
         Studio empty = Studios.sphere().withScene(List.of());
-        AnimationExport.write(empty, FASTER, plain, AnimationFormat.NUMBERED_PNG, false, progress());
-        AnimationExport.write(empty, FASTER, captioned, AnimationFormat.NUMBERED_PNG, true, progress());
+        write(empty, plain, AnimationFormat.NUMBERED_PNG, false, progress());
+        write(empty, captioned, AnimationFormat.NUMBERED_PNG, true, progress());
 
         Rectangle first = difference(plain, captioned, "frame0001.png");
         assertThat(first.x).isBetween(1, 12);
@@ -91,8 +101,8 @@ class AnimationExportTest {
                 return true;
             }
         };
-        assertThatThrownBy(() -> AnimationExport.write(
-                        Studios.lattice(), FASTER, folder.resolve("a.gif"), AnimationFormat.GIF, false, cancelled))
+        assertThatThrownBy(() -> write(
+                        Studios.lattice(), folder.resolve("a.gif"), AnimationFormat.GIF, false, cancelled))
                 .isInstanceOf(CancellationException.class);
         try (Stream<Path> files = Files.list(folder)) {
             assertThat(files).isEmpty();

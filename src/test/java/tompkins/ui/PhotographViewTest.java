@@ -30,6 +30,7 @@ import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.panel.Compared;
 import tompkins.ui.picture.Comparison;
 import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.picture.ScreenPicture;
@@ -42,7 +43,7 @@ class PhotographViewTest {
     private final StudioModel model =
             new StudioModel(Studios.lattice().withSettings(Studios.sphere().settings()), null);
     private final PhotographView view =
-            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener(), () -> false));
+            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener(), () -> Pace.HAND));
 
     @BeforeAll
     static void look() {
@@ -128,7 +129,7 @@ class PhotographViewTest {
     @Test
     void theClickReleasesTheButtonForPickingEvenIfItsPixelCannotBeRead() {
         Container panel =
-                (Container) WindowDriver.onEventThread(() -> new SidePanel(model, view, message -> {}, part -> {}))
+                (Container) WindowDriver.onEventThread(() -> new SidePanel(model, view, message -> {}, part -> {}, () -> {}))
                         .component();
         WindowDriver.onEventThread(() -> {
             view.canvas().setSize(64, 48);
@@ -156,7 +157,7 @@ class PhotographViewTest {
                         read.add(reading);
                     }
                 },
-                () -> false));
+                () -> Pace.HAND));
         try (watched) {
             PictureCanvas canvas = watched.canvas();
             WindowDriver.onEventThread(() -> {

@@ -234,6 +234,25 @@ public final class WindowDriver implements AutoCloseable {
         settle(before, 1);
     }
 
+    /** Turns the wheel by notches towards the user, over a point. */
+    void wheel(Point point, int notches) {
+        robot.mouseMove(point.x, point.y);
+        for (int i = 0; i < Math.abs(notches); i++) {
+            robot.mouseWheel(Integer.signum(notches));
+        }
+        settle();
+    }
+
+    /** Lets time pass. */
+    static void pause(int milliseconds) {
+        try {
+            Thread.sleep(milliseconds);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException(e);
+        }
+    }
+
     /** Chooses an item of a menu. */
     void menu(String item) {
         later(find(JMenuItem.class, item)::doClick);

@@ -37,6 +37,12 @@ record PictureArrangement(
         return bounds;
     }
 
+    /** Where the picture, or the one beside it, lies that is seen at a point of the canvas; null if none is. */
+    Rectangle boundsAt(Point point) {
+        Rectangle bounds = isOverOther(point) ? otherBounds() : bounds();
+        return shown.now() == null || !bounds.contains(point) ? null : bounds;
+    }
+
     /** Whether there is room for two beside each other. */
     boolean isBeside() {
         return comparison == Comparison.BESIDE && !otherAlone;

@@ -10,10 +10,10 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.Shape;
-import java.awt.event.MouseAdapter;
-import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.JPanel;
@@ -39,15 +39,13 @@ public final class PictureCanvas extends JPanel {
         void clicked(Point2D place, Picture seen);
     }
 
-    private static final int GRIP = 6;
-
     private final Consumer<Dimension> resized;
     private ScreenPicture shown = ScreenPicture.EMPTY;
     private Comparison comparison = Comparison.NONE;
     private String otherName = "";
     private boolean otherAlone;
     private double divider = 0.5;
-    private boolean draggingDivider;
+    private final transient List<Overlay> overlays = new ArrayList<>();
     private Point2D pin;
     private boolean picking;
 
@@ -58,6 +56,7 @@ public final class PictureCanvas extends JPanel {
     private Point mouseAt;
 
     private final KeyPointer keyPointer;
+    private final transient CanvasMouse hand;
 
     private Mouse mouse;
 
@@ -72,10 +71,8 @@ public final class PictureCanvas extends JPanel {
         getAccessibleContext().setAccessibleDescription(Texts.get("picture.tip"));
         // another screen may have other pixels
         addPropertyChangeListener("graphicsConfiguration", change -> tellSize());
-        MouseAdapter adapter = new CanvasMouse();
-        addMouseListener(adapter);
-        addMouseMotionListener(adapter);
         keyPointer = new KeyPointer(this);
+        hand = new CanvasMouse(this);
     }
 
     @Override
@@ -101,7 +98,7 @@ public final class PictureCanvas extends JPanel {
     }
 
     /** The place of the picture that the keys or else the mouse points at; null if there is none. */
-    private Point2D pointedPlace() {
+    Point2D pointedPlace() {
         Point2D keys = keyPointer.place();
         return keys != null || mouseAt == null ? keys : pictureAt(mouseAt);
     }
@@ -188,6 +185,39 @@ public final class PictureCanvas extends JPanel {
         return arrangement().bounds();
     }
 
+    /** Where the picture, or the one beside it, lies that is seen at a point of this component; null if none is. */
+    Rectangle boundsAt(Point point) {
+        return arrangement().boundsAt(point);
+    }
+
+    /** Where the divider is on this component; a point far away if there is none, or a click is waited for. */
+    int dividerX() {
+        return splits() && !picking ? arrangement().dividerX() : Integer.MIN_VALUE / 2;
+    }
+
+    /** Whether the next click picks a point. */
+    boolean isPicking() {
+        return picking;
+    }
+
+    /** The mouse points somewhere now, and the keys no more; nowhere if it is null. */
+    void pointMouse(Point point) {
+        if (point != null) {
+            keyPointer.forget();
+        }
+        mouseAt = point;
+    }
+
+    /** What the mouse does. */
+    CanvasMouse hand() {
+        return hand;
+    }
+
+    /** Paints something over the pictures that is no part of them. */
+    public void addOverlay(Overlay overlay) {
+        overlays.add(overlay);
+    }
+
     private PictureArrangement arrangement() {
         return new PictureArrangement(shown, comparison, otherAlone, divider, getSize());
     }
@@ -248,6 +278,9 @@ public final class PictureCanvas extends JPanel {
         }
         if (seen.isBeside() && shown.otherImage() != null) {
             paintBeside(g, bounds, seen.otherBounds());
+        }
+        for (Overlay overlay : overlays) {
+            overlay.paint(g, shown.now(), bounds);
         }
         if (pin != null) {
             paintPin(g, bounds);
@@ -313,60 +346,5 @@ public final class PictureCanvas extends JPanel {
      */
     public Picture shownAt(Point point) {
         return arrangement().shownAt(point);
-    }
-
-    private final class CanvasMouse extends MouseAdapter {
-
-        private boolean nearDivider(MouseEvent event) {
-            return splits() && !picking && Math.abs(event.getX() - arrangement().dividerX()) <= GRIP;
-        }
-
-        /** The mouse points now, and the keys no more. */
-        private void point(MouseEvent event) {
-            keyPointer.forget();
-            mouseAt = event.getPoint();
-        }
-
-        @Override
-        public void mousePressed(MouseEvent event) {
-            requestFocusInWindow();
-            draggingDivider = nearDivider(event);
-        }
-
-        @Override
-        public void mouseDragged(MouseEvent event) {
-            mouseAt = event.getPoint();
-            if (draggingDivider) {
-                Rectangle bounds = pictureBounds();
-                setDivider((double) (event.getX() - bounds.x) / bounds.width);
-            } else {
-                mouseMoved(event);
-            }
-        }
-
-        @Override
-        public void mouseMoved(MouseEvent event) {
-            if (!picking) {
-                setCursor(Cursor.getPredefinedCursor(
-                        nearDivider(event) ? Cursor.E_RESIZE_CURSOR : Cursor.DEFAULT_CURSOR));
-            }
-            point(event);
-            tellPointed();
-        }
-
-        @Override
-        public void mouseExited(MouseEvent event) {
-            mouseAt = null;
-            tellPointed();
-        }
-
-        @Override
-        public void mouseReleased(MouseEvent event) {
-            if (!draggingDivider && event.getButton() == MouseEvent.BUTTON1) {
-                point(event);
-                click();
-            }
-            draggingDivider = false;
-        }
     }
 }
