@@ -2,12 +2,15 @@ package tompkins.ui;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import tompkins.animation.Film;
 import tompkins.animation.RideFilm;
 import tompkins.animation.StudioNumber;
 import tompkins.light.ColourLaw;
+import tompkins.property.NumberText;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
 import tompkins.studio.RideMoment;
 import tompkins.studio.Studio;
 import tompkins.ui.panel.NumberProperty;
@@ -21,6 +24,10 @@ import tompkins.ui.widget.Wording;
 public final class Captions {
 
     private static final String SETTING = "caption";
+    private static final int GAMMA_DIGITS = 5;
+
+    /** From this speed on, digits are counted from the speed of light. */
+    private static final double FAST = 0.9;
 
     private final PictureCanvas canvas;
     private final Settings settings;
@@ -73,10 +80,23 @@ public final class Captions {
 
     /** The caption of a moment of a ride: the motion, and the time on board and in the scene since its beginning. */
     public static String of(RideMoment moment) {
+        Studio studio = moment.studio();
+        Velocity exact = studio.velocity();
+        // no more digits than can be read while they change
+        Velocity brief = exact.speed() < FAST
+                ? Velocity.of(SpeedScale.BETA, Math.rint(exact.speed() * 1e3) / 1e3, exact.givenDirection())
+                : Velocity.of(
+                        SpeedScale.ONE_MINUS_BETA,
+                        NumberText.rounded(exact.oneMinusSpeed(), 2),
+                        exact.givenDirection());
         return String.join(
                 ", ",
-                motion(moment.studio()),
-                Texts.get("caption.ride", Numbers.brief(moment.properTime()), Numbers.brief(moment.sceneTime())));
+                motion(studio, brief, 3),
+                Texts.get("caption.ride", tenths(moment.properTime()), tenths(moment.sceneTime())));
+    }
+
+    private static String tenths(double time) {
+        return String.format(Locale.ROOT, "%.1f", time);
     }
 
     /** The caption of a picture with a number besides its speed, or with none if it is null. */
@@ -92,10 +112,14 @@ public final class Captions {
 
     /** The speed, and the laws if they are not the usual ones: {@code beta = 0.97, gamma = 4.113}. */
     static String motion(Studio studio) {
+        return motion(studio, studio.velocity(), GAMMA_DIGITS);
+    }
+
+    private static String motion(Studio studio, Velocity velocity, int gammaDigits) {
         List<String> words = new ArrayList<>();
-        words.add(Texts.get("caption.beta", SpeedText.of(studio.velocity(), SpeedScale.BETA)));
+        words.add(Texts.get("caption.beta", SpeedText.of(velocity, SpeedScale.BETA)));
         if (studio.transformation() == TransformationLaw.LORENTZ) {
-            words.add(Texts.get("caption.gamma", Numbers.brief(studio.velocity().gamma())));
+            words.add(Texts.get("caption.gamma", Numbers.brief(studio.velocity().gamma(), gammaDigits)));
         } else {
             words.add(Texts.get("caption." + studio.transformation()));
         }

@@ -136,8 +136,7 @@ class RideTest {
     void doubleClickCentres() {
         Point at = point(0.7, 0.3);
         Vector3d seen = seenAt(at, start.camera());
-        driver.click(at);
-        driver.click(at);
+        driver.doubleClick(at);
         WindowDriver.await(
                 "the view on it",
                 () -> driver.window().model().studio().camera().viewDirection().angle(seen) < 1e-6);

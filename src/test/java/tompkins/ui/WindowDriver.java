@@ -216,6 +216,16 @@ public final class WindowDriver implements AutoCloseable {
         settle(before, 1);
     }
 
+    void doubleClick(Point point) {
+        long before = released.get();
+        robot.mouseMove(point.x, point.y);
+        for (int i = 0; i < 2; i++) {
+            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        }
+        settle(before, 2);
+    }
+
     void move(Point point) {
         robot.mouseMove(point.x - 1, point.y);
         robot.mouseMove(point.x, point.y);

@@ -14,6 +14,7 @@ import tompkins.math.Vectors;
 import tompkins.ray.Ray;
 import tompkins.sceneobject.Bounds;
 import tompkins.spacetime.Event;
+import tompkins.spacetime.IdentityTransformation;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.LensEvent;
@@ -69,7 +70,8 @@ public final class CameraPanel {
         addRow("camera.view", view);
         panel.add(note.component(), "wmin 0");
         panel.add(inCamera.component(), "wmin 0");
-        panel.add(buttons());
+        panel.add(new JLabel(Texts.get("camera.look")));
+        panel.add(buttons(), "wmin 0");
         model.addListener(this::update);
         update();
     }
@@ -170,7 +172,7 @@ public final class CameraPanel {
         boolean isSeen = inScene.isFinite() && inScene.length() > 0;
         view.showDirection(isSeen ? inScene : camera.viewDirection());
         inCamera.setText(
-                studio.velocity().isRest()
+                sceneFromCamera instanceof IdentityTransformation
                         ? ""
                         : Texts.get(
                                 "camera.inCamera",

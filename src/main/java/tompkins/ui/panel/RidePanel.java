@@ -31,7 +31,7 @@ public final class RidePanel {
     private final RidePilot pilot;
     private final JPanel panel = new JPanel(new MigLayout(
             "novisualpadding, insets 6 10 6 10, fillx, hidemode 3, gap 6 4",
-            "[pref!]12[pref!][grow,fill][60:pref!]12[pref!][pref!][pref!][pref!]"));
+            "[pref!]12[pref!][grow,fill][60:pref]12[pref!][pref!][pref!][pref!]"));
     private final JToggleButton ride = new JToggleButton();
     private final JToggleButton record = new JToggleButton(Texts.get("ride.record"));
     private final JButton replay = new JButton(Texts.get("ride.replay"));

@@ -57,7 +57,15 @@ public final class Steering {
     private double distance = Double.NaN;
 
     private boolean asked;
+
+    /** What waits for the distance; null if nothing does. */
+    private Runnable waiting;
+
+    private PicturePlace waitingFrom;
     private double waitingNotches;
+
+    /** The gesture is over as soon as the distance has come. */
+    private boolean ending;
 
     Steering(Hand hand) {
         this.hand = hand;
@@ -85,44 +93,42 @@ public final class Steering {
         change(new Aim(right * angle, up * angle)::turn);
     }
 
-    /** Moves the lens sideways and up, so that what was at a place is about at another one; false if it cannot yet. */
-    boolean slide(PicturePlace from, PicturePlace to) {
-        if (!knowsDistance(from)) {
-            return false;
-        }
-        Camera camera = hand.camera();
-        Vector3d first = from.direction(camera);
-        Vector3d second = to.direction(camera);
-        // the plane in which it moves: across the view of a lens, across the first direction of a panorama
-        Vector3d across = camera instanceof ThinLensCamera ? Vectors.unit(camera.viewDirection()) : first;
-        double oblique = second.dot(across);
-        if (oblique > OBLIQUE) {
-            double ratio = first.dot(across) / oblique;
-            move(new Vector3d(first).fma(-ratio, second).mul(distance));
-        }
-        return true;
+    /** Moves the lens sideways and up, so that what was at a place is about at another one. */
+    void slide(PicturePlace from, PicturePlace to) {
+        waitingFrom = waitingFrom == null ? from : waitingFrom;
+        whenFar(from, () -> {
+            Camera camera = hand.camera();
+            Vector3d first = waitingFrom.direction(camera);
+            Vector3d second = to.direction(camera);
+            waitingFrom = null;
+            // the plane in which it moves: across the view of a lens, across the first direction of a panorama
+            Vector3d across = camera instanceof ThinLensCamera ? Vectors.unit(camera.viewDirection()) : first;
+            double oblique = second.dot(across);
+            if (oblique > OBLIQUE) {
+                double ratio = first.dot(across) / oblique;
+                move(new Vector3d(first).fma(-ratio, second).mul(distance));
+            }
+        });
     }
 
     /** Moves the lens sideways and up, by a part of what the picture shows at the distance of a place. */
     void slide(PicturePlace place, int right, int up) {
-        if (knowsDistance(place)) {
+        whenFar(place, () -> {
             Camera camera = hand.camera();
-            double angle = Math.min(1, TURN * Math.toRadians(camera.horizontalAngleDegrees()));
-            move(new Vector3d(camera.rightDirection())
-                    .mul(right * angle * distance)
-                    .fma(up * angle * distance, camera.upDirection()));
-        }
+            double step = distance * Math.min(1, TURN * Math.toRadians(camera.horizontalAngleDegrees()));
+            move(new Vector3d(camera.rightDirection()).mul(right * step).fma(up * step, camera.upDirection()));
+        });
     }
 
     /** Moves the lens towards what is at a place, by notches of the wheel towards the user. */
     void approach(PicturePlace place, double notches) {
         waitingNotches += notches;
-        if (knowsDistance(place)) {
+        whenFar(place, () -> {
             double left = distance * Math.pow(1 - STEP, -waitingNotches);
+            waitingNotches = 0;
             move(place.direction(hand.camera()).mul(distance - left));
             distance = left;
-            waitingNotches = 0;
-        }
+        });
     }
 
     private void move(Vector3dc way) {
@@ -135,19 +141,51 @@ public final class Steering {
         hand.hold(change.apply(hand.camera()));
     }
 
-    private boolean knowsDistance(PicturePlace place) {
+    /** Does something as soon as it is known how far away what is at a place is. */
+    private void whenFar(PicturePlace place, Runnable action) {
+        if (Double.isFinite(distance)) {
+            action.run();
+            return;
+        }
+        if (ending) {
+            // the answer of the gesture before never came
+            forget();
+        }
+        waiting = action;
         if (!asked) {
             asked = true;
-            hand.askDistance(place, answer -> distance = answer);
+            hand.askDistance(place, this::answer);
         }
-        return Double.isFinite(distance);
+    }
+
+    private void answer(double far) {
+        if (waiting == null) {
+            return;
+        }
+        distance = far;
+        Runnable action = waiting;
+        waiting = null;
+        action.run();
+        if (ending) {
+            letGo();
+        }
     }
 
     /** The gesture is over. */
     void letGo() {
+        ending = waiting != null;
+        if (!ending) {
+            forget();
+            hand.letGo();
+        }
+    }
+
+    private void forget() {
         distance = Double.NaN;
         asked = false;
+        ending = false;
+        waiting = null;
+        waitingFrom = null;
         waitingNotches = 0;
-        hand.letGo();
     }
 }

@@ -109,12 +109,12 @@ public final class SteeringMouse extends MouseAdapter {
         }
         pause.stop();
         PicturePlace to = place(event.getPoint(), dragged);
-        if (!event.isShiftDown()) {
+        if (event.isShiftDown()) {
+            steering.slide(from, to);
+        } else {
             steering.turn(from, to);
-            from = to;
-        } else if (steering.slide(from, to)) {
-            from = to;
         }
+        from = to;
     }
 
     @Override
