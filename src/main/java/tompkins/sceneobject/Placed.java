@@ -7,6 +7,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.RigidMotion;
 import tompkins.math.Vectors;
+import tompkins.primitive.Placement;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 

@@ -3,6 +3,8 @@ package tompkins.sceneobject;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.RigidMotion;
+import tompkins.primitive.Placement;
+import tompkins.primitive.PlanePrimitive;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.surface.ColouredSurface;
@@ -37,7 +39,7 @@ public record Plane(
 
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
-        collector.add(new PlanePrimitive(this, placement));
+        collector.add(new PlanePrimitive(this, surface, point, normal, placement));
     }
 
     @Override

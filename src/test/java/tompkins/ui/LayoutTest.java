@@ -46,6 +46,7 @@ import tompkins.ui.model.Shutters;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.panel.PlayPanel;
+import tompkins.ui.picture.Pace;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
@@ -99,8 +100,8 @@ class LayoutTest {
     }
 
     private SidePanel sidePanel() {
-        view = new PhotographView(model, new SilentListener(), () -> false);
-        return new SidePanel(model, view, message -> {}, part -> {});
+        view = new PhotographView(model, new SilentListener(), () -> Pace.HAND);
+        return new SidePanel(model, view, message -> {}, part -> {}, () -> {});
     }
 
     @ParameterizedTest

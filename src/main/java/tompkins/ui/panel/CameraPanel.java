@@ -12,7 +12,7 @@ import tompkins.camera.Aim;
 import tompkins.camera.Camera;
 import tompkins.math.Vectors;
 import tompkins.ray.Ray;
-import tompkins.sceneobject.Bounds;
+import tompkins.primitive.Bounds;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.IdentityTransformation;
 import tompkins.spacetime.SpaceTimeTransformation;

@@ -17,7 +17,7 @@ import javax.swing.UIManager;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
-import tompkins.sceneobject.Bounds;
+import tompkins.primitive.Bounds;
 import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.studio.Studio;
