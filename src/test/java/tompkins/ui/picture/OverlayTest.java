@@ -26,7 +26,7 @@ class OverlayTest {
 
     @BeforeEach
     void install() {
-        WindowDriver.onEventThread(Look.LIGHT::install);
+        WindowDriver.onEventThread(() -> Look.LIGHT.install());
     }
 
     private static BufferedImage painted(Overlay overlay, Studio studio) {
