@@ -97,8 +97,9 @@ public record RideMoment(Studio studio, Rider rider, double properTime, double s
         }
         Event event = step.rider().event();
         // without thrust the velocity stays as somebody wrote it
-        Velocity velocity =
-                step.rider().proper().equals(rider.proper()) ? studio.velocity() : step.rider().velocity();
+        Velocity velocity = step.rider().proper().equals(rider.proper())
+                ? studio.velocity()
+                : step.rider().velocity();
         Studio moved = LensEvent.moved(studio, event, velocity, step.turn());
         double sceneStep = event.time() - rider.event().time();
         return new RideMoment(moved, step.rider(), properTime + time, sceneTime + sceneStep);

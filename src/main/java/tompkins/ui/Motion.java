@@ -35,8 +35,8 @@ final class Motion {
     private final AnimationExport export;
     private final Captions captions;
     private final RidePilot pilot;
-    private final JPanel bars = new JPanel(new MigLayout(
-            "novisualpadding, insets 0, gap 0 0, fillx, wrap 1, hidemode 3", "[grow,fill]"));
+    private final JPanel bars =
+            new JPanel(new MigLayout("novisualpadding, insets 0, gap 0 0, fillx, wrap 1, hidemode 3", "[grow,fill]"));
 
     // made when they are first wanted
     private PlayPanel play;

@@ -51,7 +51,12 @@ final class SidePanel {
      * @param editor opens the editor for a part of the studio
      * @param ride begins a ride, or pauses it
      */
-    SidePanel(StudioModel model, PhotographView view, Consumer<String> teller, Consumer<StudioPath> editor, Runnable ride) {
+    SidePanel(
+            StudioModel model,
+            PhotographView view,
+            Consumer<String> teller,
+            Consumer<StudioPath> editor,
+            Runnable ride) {
         shutter = new ShutterPanel(model);
         lens = new LensPanel(model, picking -> pick(model, view, teller, picking));
         ComparePanel compare = new ComparePanel(model, view::compare, view.canvas()::setOtherAlone, view::keepPicture);

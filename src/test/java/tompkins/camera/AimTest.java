@@ -122,7 +122,6 @@ class AimTest {
 
     private static double time(Camera camera, PicturePlace place) {
         CameraRays rays = camera.rays(640, 480, new IdentityTransformation());
-        return camera.shutter()
-                .transmissionTime(rays.chiefRay(place.direction(camera)), new IdentityTransformation());
+        return camera.shutter().transmissionTime(rays.chiefRay(place.direction(camera)), new IdentityTransformation());
     }
 }

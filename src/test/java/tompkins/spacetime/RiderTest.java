@@ -108,11 +108,11 @@ class RiderTest {
     void closedTriangleTurnsByItsDefect() {
         Rider.Step first = atRest().after(new Vector3d(Math.log(2), 0, 0), 1);
         Rider.Step second = first.rider().after(new Vector3d(0, Math.log(2), 0), 1);
-        Rider.Step third = second.rider()
-                .after(second.rider().brake(1), second.rider().rapidity());
+        Rider.Step third =
+                second.rider().after(second.rider().brake(1), second.rider().rapidity());
         assertThat(third.rider().proper()).isEqualTo(new Vector3d());
-        Vector3d turned = third.turn()
-                .transform(second.turn().transform(first.turn().transform(new Vector3d(1, 0, 0))));
+        Vector3d turned =
+                third.turn().transform(second.turn().transform(first.turn().transform(new Vector3d(1, 0, 0))));
         assertThat(Math.toDegrees(Math.acos(turned.x))).isCloseTo(Math.toDegrees(Math.acos(40 / 41.0)), EXACT);
     }
 
@@ -125,7 +125,9 @@ class RiderTest {
         Vector3d onBoard = onBoardOf(0);
         for (int i = 0; i < 60; i++) {
             Rider.Step step = rider.after(onBoard, 0.1);
-            carried.mul(boost(new Vector3d(onBoardOf(i)).normalize().mul(Math.sinh(onBoardOf(i).length() * 0.1))));
+            carried.mul(boost(new Vector3d(onBoardOf(i))
+                    .normalize()
+                    .mul(Math.sinh(onBoardOf(i).length() * 0.1))));
             rider = step.rider();
             // the next thrust points elsewhere on board; told in the axes of the camera frame
             turned = step.turn().mul(turned, new Quaterniond());
@@ -149,9 +151,21 @@ class RiderTest {
         double gamma = Math.sqrt(1 + u.lengthSquared());
         double f = 1 / (gamma + 1);
         return new Matrix4d(
-                1 + f * u.x() * u.x(), f * u.x() * u.y(), f * u.x() * u.z(), u.x(),
-                f * u.x() * u.y(), 1 + f * u.y() * u.y(), f * u.y() * u.z(), u.y(),
-                f * u.x() * u.z(), f * u.y() * u.z(), 1 + f * u.z() * u.z(), u.z(),
-                u.x(), u.y(), u.z(), gamma);
+                1 + f * u.x() * u.x(),
+                f * u.x() * u.y(),
+                f * u.x() * u.z(),
+                u.x(),
+                f * u.x() * u.y(),
+                1 + f * u.y() * u.y(),
+                f * u.y() * u.z(),
+                u.y(),
+                f * u.x() * u.z(),
+                f * u.y() * u.z(),
+                1 + f * u.z() * u.z(),
+                u.z(),
+                u.x(),
+                u.y(),
+                u.z(),
+                gamma);
     }
 }

@@ -62,7 +62,10 @@ class RideMomentTest {
             moment = moment.after(new Vector3d(Math.sin(i), 0.3, 1), 0.1);
             Event lens = RenderPlan.of(moment.studio()).lensInScene();
             assertThat(distance(lens, moment.rider().event())).isLessThan(1e-8);
-            assertThat(moment.studio().velocity().proper().distance(moment.rider().proper()))
+            assertThat(moment.studio()
+                            .velocity()
+                            .proper()
+                            .distance(moment.rider().proper()))
                     .isLessThan(1e-12 * (1 + moment.rider().gamma()));
         }
         assertThat(moment.properTime()).isCloseTo(2, within(1e-12));
@@ -82,7 +85,8 @@ class RideMomentTest {
         assertThat(lens.z()).isCloseTo(Math.cosh(1.5) - 1, within(1e-12));
         assertThat(lens.time()).isCloseTo(Math.sinh(1.5), within(1e-12));
         assertThat(end.velocity().speed()).isCloseTo(Math.tanh(1.5), within(1e-12));
-        Studio aside = RideMoment.start(studio).after(new Vector3d(1, 0, 0), 1.5).studio();
+        Studio aside =
+                RideMoment.start(studio).after(new Vector3d(1, 0, 0), 1.5).studio();
         assertThat(aside.velocity().direction().distance(studio.camera().rightDirection()))
                 .isLessThan(1e-15);
     }
@@ -163,7 +167,8 @@ class RideMomentTest {
         for (int i = 0; i < 60; i++) {
             Vector3d thrust = i < 30 ? new Vector3d(0, 0, -0.8) : new Vector3d(0.5, 0.2, 0);
             if (i == 40) {
-                Camera turned = Aim.zoomed(new Aim(0.3, -0.1).turn(moment.studio().camera()), 1.5);
+                Camera turned =
+                        Aim.zoomed(new Aim(0.3, -0.1).turn(moment.studio().camera()), 1.5);
                 moment = moment.with(moment.studio().withCamera(turned));
             }
             RideMoment next = moment.after(thrust, 0.06);

@@ -46,14 +46,10 @@ class AnimationExportTest {
                 .isEqualTo(Velocity.of(SpeedScale.BETA, 0.8, new Vector3d(0, 0, 1)));
     }
 
-    private static void write(
-            Studio studio, Path file, AnimationFormat format, boolean captioned, Progress progress) throws Exception {
+    private static void write(Studio studio, Path file, AnimationFormat format, boolean captioned, Progress progress)
+            throws Exception {
         AnimationExport.write(
-                FASTER.film(studio),
-                Captions.ofPictures(studio, FASTER.number(), captioned),
-                file,
-                format,
-                progress);
+                FASTER.film(studio), Captions.ofPictures(studio, FASTER.number(), captioned), file, format, progress);
     }
 
     /** The caption covers the lower left corner, nothing else, and tells frames apart that show the same. */
@@ -101,8 +97,8 @@ class AnimationExportTest {
                 return true;
             }
         };
-        assertThatThrownBy(() -> write(
-                        Studios.lattice(), folder.resolve("a.gif"), AnimationFormat.GIF, false, cancelled))
+        assertThatThrownBy(
+                        () -> write(Studios.lattice(), folder.resolve("a.gif"), AnimationFormat.GIF, false, cancelled))
                 .isInstanceOf(CancellationException.class);
         try (Stream<Path> files = Files.list(folder)) {
             assertThat(files).isEmpty();

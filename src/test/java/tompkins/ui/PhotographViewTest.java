@@ -29,8 +29,8 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.panel.Compared;
 import tompkins.ui.picture.Comparison;
-import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.Pace;
+import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.picture.ScreenPicture;
@@ -128,8 +128,8 @@ class PhotographViewTest {
 
     @Test
     void theClickReleasesTheButtonForPickingEvenIfItsPixelCannotBeRead() {
-        Container panel =
-                (Container) WindowDriver.onEventThread(() -> new SidePanel(model, view, message -> {}, part -> {}, () -> {}))
+        Container panel = (Container)
+                WindowDriver.onEventThread(() -> new SidePanel(model, view, message -> {}, part -> {}, () -> {}))
                         .component();
         WindowDriver.onEventThread(() -> {
             view.canvas().setSize(64, 48);

@@ -123,13 +123,9 @@ class RideTest {
         driver.hold(KeyEvent.VK_CONTROL);
         driver.wheel(point(0.5, 0.5), -2);
         driver.release(KeyEvent.VK_CONTROL);
-        WindowDriver.await("the lens nearer", () -> driver.window()
-                        .model()
-                        .studio()
-                        .camera()
-                        .position()
-                        .z()
-                > before + 0.01);
+        WindowDriver.await(
+                "the lens nearer",
+                () -> driver.window().model().studio().camera().position().z() > before + 0.01);
     }
 
     @Test
@@ -149,7 +145,9 @@ class RideTest {
         driver.hold(KeyEvent.VK_W);
         WindowDriver.pause(2000);
         driver.release(KeyEvent.VK_W);
-        WindowDriver.await("a faster camera", () -> driver.window().model().studio().velocity().speed() > 0.6);
+        WindowDriver.await(
+                "a faster camera",
+                () -> driver.window().model().studio().velocity().speed() > 0.6);
         driver.key(KeyEvent.VK_F6);
         WindowDriver.await("the pause", () -> !driver.window().motion().pilot().isRiding());
         Studio paused = driver.studio();
@@ -179,7 +177,8 @@ class RideTest {
         WindowDriver.pause(700);
         driver.release(KeyEvent.VK_S);
         driver.key(KeyEvent.VK_F6);
-        WindowDriver.await("the recording", () -> !driver.window().model().studio().ride().isEmpty());
+        WindowDriver.await(
+                "the recording", () -> !driver.window().model().studio().ride().isEmpty());
         Studio recorded = driver.studio();
         double change = recorded.ride().stream()
                 .mapToDouble(leg -> leg.acceleration().z() * leg.properTime())
@@ -191,7 +190,8 @@ class RideTest {
         WindowDriver.await("the replay", () -> driver.window().motion().pilot().isReplaying());
         WindowDriver.await("its end", () -> !driver.window().motion().pilot().isRiding());
         Studio end = driver.studio();
-        double signed = end.velocity().rapidity() * Math.signum(end.velocity().direction().z());
+        double signed = end.velocity().rapidity()
+                * Math.signum(end.velocity().direction().z());
         assertThat(signed).isCloseTo(rapidity + change, within(1e-9));
         driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
         assertThat(driver.studio()).isEqualTo(recorded);
@@ -207,7 +207,8 @@ class RideTest {
         assertThat(coasting.speed()).isGreaterThan(0.5);
         driver.release(KeyEvent.VK_W);
         driver.key(KeyEvent.VK_B);
-        WindowDriver.await("rest", () -> driver.window().model().studio().velocity().isRest());
+        WindowDriver.await(
+                "rest", () -> driver.window().model().studio().velocity().isRest());
         driver.key(KeyEvent.VK_ESCAPE);
         assertThat(driver.window().motion().pilot().isRiding()).isFalse();
         driver.completePicture();

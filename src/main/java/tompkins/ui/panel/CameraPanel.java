@@ -11,8 +11,8 @@ import org.joml.Vector3dc;
 import tompkins.camera.Aim;
 import tompkins.camera.Camera;
 import tompkins.math.Vectors;
-import tompkins.ray.Ray;
 import tompkins.primitive.Bounds;
+import tompkins.ray.Ray;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.IdentityTransformation;
 import tompkins.spacetime.SpaceTimeTransformation;
@@ -86,7 +86,8 @@ public final class CameraPanel {
     private JComponent buttons() {
         JPanel row = Rows.of("wrap 2, gap 4", "[grow,fill,sg][grow,fill,sg]");
         row.add(button("ahead", () -> look(model.studio().velocity().direction())));
-        row.add(button("back", () -> look(new Vector3d().sub(model.studio().velocity().direction()))));
+        row.add(button(
+                "back", () -> look(new Vector3d().sub(model.studio().velocity().direction()))));
         row.add(button("middle", this::lookAtMiddle));
         row.add(button("level", this::level));
         row.add(button("home", this::goHome), "span 2");

@@ -62,8 +62,10 @@ final class Mark {
 
     /** A text that begins at a point of its base line. */
     static void paintText(Graphics2D g, Font font, String text, double x, double y) {
-        paint(g, new TextLayout(text, font, g.getFontRenderContext()).getOutline(
-                AffineTransform.getTranslateInstance(x, y)));
+        paint(
+                g,
+                new TextLayout(text, font, g.getFontRenderContext())
+                        .getOutline(AffineTransform.getTranslateInstance(x, y)));
         g.setFont(font);
         g.drawString(text, (float) x, (float) y);
     }

@@ -16,8 +16,8 @@ import java.util.List;
 import javax.swing.UIManager;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import tompkins.ray.Ray;
 import tompkins.primitive.Bounds;
+import tompkins.ray.Ray;
 import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.studio.Studio;
@@ -145,7 +145,8 @@ public final class SideMap implements Overlay {
                 Ray ray = sceneFromCamera.transform(Ray.from(0, 0, 0, look.x(), look.y(), look.z(), 0));
                 g.setStroke(
                         row == plan.height() / 2.0
-                                ? new BasicStroke(1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 1, new float[] {4}, 0)
+                                ? new BasicStroke(
+                                        1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 1, new float[] {4}, 0)
                                 : new BasicStroke(1));
                 drawLine(new Vector3d(ray.dx, ray.dy, ray.dz), place.getWidth() + place.getHeight());
             }

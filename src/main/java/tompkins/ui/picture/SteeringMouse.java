@@ -95,7 +95,8 @@ public final class SteeringMouse extends MouseAdapter {
 
     @Override
     public void mousePressed(MouseEvent event) {
-        boolean steers = SwingUtilities.isLeftMouseButton(event) && canvas.hand().isFreeAt(event.getPoint());
+        boolean steers =
+                SwingUtilities.isLeftMouseButton(event) && canvas.hand().isFreeAt(event.getPoint());
         dragged = steers ? canvas.boundsAt(event.getPoint()) : null;
         if (dragged != null) {
             from = place(event.getPoint(), dragged);

@@ -96,8 +96,7 @@ public final class VelocityArrow implements Overlay {
 
     private static Path2D ring(Vector2dc place) {
         Path2D mark = new Path2D.Double();
-        mark.append(
-                new Ellipse2D.Double(place.x() - RADIUS, place.y() - RADIUS, 2 * RADIUS, 2 * RADIUS), false);
+        mark.append(new Ellipse2D.Double(place.x() - RADIUS, place.y() - RADIUS, 2 * RADIUS, 2 * RADIUS), false);
         return mark;
     }
 

@@ -32,8 +32,7 @@ class OverlayTest {
     private static BufferedImage painted(Overlay overlay, Studio studio) {
         Studio large = studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT));
         LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
-        Picture picture =
-                new Picture(RenderPlan.of(large), image, true, Duration.ZERO, 1, 0, List.of());
+        Picture picture = new Picture(RenderPlan.of(large), image, true, Duration.ZERO, 1, 0, List.of());
         BufferedImage canvas = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = canvas.createGraphics();
         g.setColor(Color.GRAY);
@@ -90,7 +89,8 @@ class OverlayTest {
     @Test
     void nothingIsDrawnAtRestOrIfItIsNotWanted() {
         assertThat(marked(painted(arrow(), Studios.sphere())).isEmpty()).isTrue();
-        assertThat(marked(painted(new VelocityArrow(), flying(0, 0, 0.5))).isEmpty()).isTrue();
+        assertThat(marked(painted(new VelocityArrow(), flying(0, 0, 0.5))).isEmpty())
+                .isTrue();
         assertThat(marked(painted(new SideMap(), flying(0, 0, 0.5))).isEmpty()).isTrue();
     }
 
