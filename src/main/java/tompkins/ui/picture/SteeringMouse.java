@@ -16,7 +16,7 @@ import tompkins.ui.widget.Keys;
 /** Steers the camera with the mouse and with the keys on a canvas. */
 public final class SteeringMouse extends MouseAdapter {
 
-    /** Turns of the wheel and keys that follow each other sooner belong to one gesture. */
+    /** Turns of the wheel, or strokes of a key, that follow each other sooner belong to one gesture. */
     private static final int PAUSE_MILLISECONDS = 500;
 
     private final PictureCanvas canvas;
@@ -28,11 +28,14 @@ public final class SteeringMouse extends MouseAdapter {
 
     private PicturePlace from;
 
+    /** What began the gesture that goes on: a key, or the wheel with or without Ctrl; null if none goes on. */
+    private Object source;
+
     /** Steers by what a hand does on a canvas. */
     public SteeringMouse(PictureCanvas canvas, Steering.Hand hand) {
         this.canvas = canvas;
         steering = new Steering(hand);
-        pause = new Timer(PAUSE_MILLISECONDS, event -> steering.letGo());
+        pause = new Timer(PAUSE_MILLISECONDS, event -> begin(null));
         pause.setRepeats(false);
         canvas.addMouseListener(this);
         canvas.addMouseMotionListener(this);
@@ -64,10 +67,23 @@ public final class SteeringMouse extends MouseAdapter {
     private void key(KeyStroke key, Runnable action) {
         Keys.bindFocused(canvas, key, () -> {
             if (canvas.shown().now() != null) {
-                pause.restart();
+                begin(key);
                 action.run();
             }
         });
+    }
+
+    /** What goes on from now on belongs to a gesture; the one before is over if it came from somewhere else. */
+    private void begin(Object newSource) {
+        if (source != null && !source.equals(newSource)) {
+            steering.letGo();
+        }
+        source = newSource;
+        if (newSource == null) {
+            pause.stop();
+        } else {
+            pause.restart();
+        }
     }
 
     /** The place that the keys or else the mouse points at, or the middle. */
@@ -99,6 +115,7 @@ public final class SteeringMouse extends MouseAdapter {
                 SwingUtilities.isLeftMouseButton(event) && canvas.hand().isFreeAt(event.getPoint());
         dragged = steers ? canvas.boundsAt(event.getPoint()) : null;
         if (dragged != null) {
+            begin(null);
             from = place(event.getPoint(), dragged);
         }
     }
@@ -108,7 +125,6 @@ public final class SteeringMouse extends MouseAdapter {
         if (dragged == null || !canvas.hand().isDragging()) {
             return;
         }
-        pause.stop();
         PicturePlace to = place(event.getPoint(), dragged);
         if (event.isShiftDown()) {
             steering.slide(from, to);
@@ -143,7 +159,7 @@ public final class SteeringMouse extends MouseAdapter {
         if (bounds == null || event.isAltDown() || event.isShiftDown()) {
             return;
         }
-        pause.restart();
+        begin(event.isControlDown());
         PicturePlace place = place(event.getPoint(), bounds);
         if (event.isControlDown()) {
             steering.approach(place, event.getPreciseWheelRotation());
