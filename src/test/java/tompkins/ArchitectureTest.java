@@ -61,6 +61,7 @@ class ArchitectureTest {
             "camera",
             "image",
             "studio",
+            "world",
             "trace",
             "render",
             "io",

@@ -103,6 +103,7 @@ class SharpnessTest {
                 studio.camera(),
                 studio.velocity(),
                 studio.transformation(),
+                studio.view(),
                 studio.colours(),
                 studio.settings());
     }
