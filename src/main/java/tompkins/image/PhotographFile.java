@@ -152,6 +152,11 @@ public final class PhotographFile {
     private static void readLastRow(PictureEncoding encoding, Path file) throws IOException {
         ImageReader reader = ImageProviders.reader(encoding);
         try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
+            if (encoding == PictureEncoding.TIFF) {
+                // Another program may have packed it anew, in a way that is not read.
+                TiffKind.of(TiffDirectory.read(stream), file.toString());
+                stream.seek(0);
+            }
             reader.setInput(stream, true, true);
             ImageReadParam lastRow = reader.getDefaultReadParam();
             lastRow.setSourceRegion(new Rectangle(0, reader.getHeight(0) - 1, reader.getWidth(0), 1));

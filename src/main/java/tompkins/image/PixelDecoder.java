@@ -1,7 +1,6 @@
 package tompkins.image;
 
 import java.awt.image.BufferedImage;
-import java.awt.image.ColorModel;
 import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
 import java.awt.image.SampleModel;
@@ -14,18 +13,16 @@ import java.awt.image.SampleModel;
 final class PixelDecoder {
 
     private final Raster raster;
-    private final ColorModel colours;
     private final int bands;
     private final float[] largest;
 
     private PixelDecoder(BufferedImage image) {
         this.raster = image.getRaster();
-        this.colours = image.getColorModel();
         this.bands = raster.getNumBands();
         this.largest = largest(raster.getSampleModel());
     }
 
-    /** The pixels; colours that the image holds multiplied by the opacity are divided by it. */
+    /** The pixels of an image whose colours are not multiplied by the opacity. */
     static Pixels decode(BufferedImage image) {
         PixelDecoder decoder = new PixelDecoder(image);
         float[] rgba = image.getColorModel() instanceof IndexColorModel palette
@@ -81,10 +78,9 @@ final class PixelDecoder {
     private void putPixel(float[] row, int from, float[] rgba, int to) {
         int colourBands = bands < 3 ? 1 : 3;
         float opacity = bands > colourBands ? row[from + colourBands] / largest[colourBands] : 1;
-        float multiplied = colours.isAlphaPremultiplied() && opacity > 0 ? opacity : 1;
         for (int channel = 0; channel < 3; channel++) {
             int band = colourBands == 1 ? 0 : channel;
-            rgba[to + channel] = row[from + band] / largest[band] / multiplied;
+            rgba[to + channel] = row[from + band] / largest[band];
         }
         rgba[to + 3] = opacity;
     }

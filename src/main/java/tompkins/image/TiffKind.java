@@ -84,7 +84,11 @@ record TiffKind(Colours colours, int[] bits, boolean floating, int opacity, bool
 
     /** Whether the library has to make colours of the samples. */
     boolean isLeftToLibrary() {
-        return colours == Colours.LUMINANCE_AND_CHROMINANCE || compression == OLD_JPEG || compression == JPEG;
+        return colours == Colours.LUMINANCE_AND_CHROMINANCE || isJpeg();
+    }
+
+    private boolean isJpeg() {
+        return compression == OLD_JPEG || compression == JPEG;
     }
 
     /** Whether the samples are packed as for telefax. */
@@ -135,7 +139,7 @@ record TiffKind(Colours colours, int[] bits, boolean floating, int opacity, bool
             case 1 -> Colours.BLACK_IS_ZERO;
             case 2 -> Colours.RGB;
             case 3 -> Colours.PALETTE;
-            case 6, 8, 9, 10 -> Colours.LUMINANCE_AND_CHROMINANCE;
+            case 6 -> Colours.LUMINANCE_AND_CHROMINANCE;
             default ->
                 throw new FileException(name + ": its colours are " + coloursName(photometric)
                         + "; those of a TIFF picture must be grey, red, green and blue, or of a palette");
@@ -146,6 +150,7 @@ record TiffKind(Colours colours, int[] bits, boolean floating, int opacity, bool
         return switch (photometric) {
             case 4 -> "a mask for another picture (photometric interpretation 4)";
             case 5 -> "inks, as cyan, magenta, yellow and black (photometric interpretation 5)";
+            case 8, 9, 10 -> "CIE L*a*b* (photometric interpretation " + photometric + ")";
             case 32803, 34892 -> "raw numbers of a camera (photometric interpretation " + photometric + ")";
             case 32844, 32845 -> "logarithms, SGI LogLuv (photometric interpretation " + photometric + ")";
             default -> "of an unknown kind (photometric interpretation " + photometric + ")";
@@ -217,18 +222,15 @@ record TiffKind(Colours colours, int[] bits, boolean floating, int opacity, bool
                         + " bits; those of a TIFF picture must have from 1 to 32");
             }
         }
-        boolean bytes = bits[0] == 8 && !floating;
         boolean fits = isFax()
-                ? bits[0] == 1 && bits.length == 1
-                : compression == OLD_JPEG || compression == JPEG
-                        ? bytes
-                        : colours == Colours.PALETTE
-                                ? bits[0] <= 16 && !floating
-                                : colours != Colours.LUMINANCE_AND_CHROMINANCE || bytes || bits[0] == 16 && !floating;
+                ? bits.length == 1 && bits[0] == 1
+                : isLeftToLibrary()
+                        ? !floating && (bits[0] == 8 || bits[0] == 16 && !isJpeg())
+                        : colours != Colours.PALETTE || bits[0] <= 16 && !floating;
         if (!fits) {
             throw new FileException(
                     name + ": has " + bits[0] + " bits a sample" + (floating ? " in floating point" : "")
-                            + "; with this compression and these colours a TIFF picture may not");
+                            + ", which a TIFF picture with its compression or its colours may not have");
         }
     }
 

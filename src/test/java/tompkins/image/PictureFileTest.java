@@ -7,7 +7,6 @@ import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assertions.assertTimeout;
 
 import java.awt.image.BufferedImage;
-import java.awt.image.WritableRaster;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -171,12 +170,6 @@ class PictureFileTest {
         assertPixel(PictureFile.read(png, "glass"), 0, 0, 1, 128 / 255.0, 32 / 255.0);
         float[] rgba = PixelDecoder.decode(image).rgba();
         assertThat(rgba).containsExactly(new float[] {1, 128 / 255f, 32 / 255f, 64 / 255f, 0, 0, 1, 1}, within(1e-7f));
-
-        BufferedImage multiplied = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB_PRE);
-        WritableRaster raster = multiplied.getRaster();
-        raster.setPixel(0, 0, new int[] {51, 102, 0, 102});
-        assertThat(PixelDecoder.decode(multiplied).rgba())
-                .containsExactly(new float[] {0.5f, 1, 0, 0.4f}, within(1e-6f));
     }
 
     @Test

@@ -3,11 +3,13 @@ package tompkins.image;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assertions.assertTimeout;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
@@ -345,6 +347,15 @@ class TiffReaderTest {
                 new Object[] {plain(3, 8).tag(259, 50001), "its compression is WebP (50001); "},
                 new Object[] {plain(1, 8).tag(259, 4711), "its compression is number 4711; "},
                 new Object[] {plain(4, 8).tag(262, 5), "its colours are inks, as cyan, magenta, yellow and black"},
+                new Object[] {plain(3, 8).tag(262, 8), "its colours are CIE L*a*b* (photometric interpretation 8); "},
+                new Object[] {
+                    plain(3, 12).tag(262, 6),
+                    "has 12 bits a sample, which a TIFF picture with its compression or its colours may not have"
+                },
+                new Object[] {
+                    plain(1, 12).tag(259, 7),
+                    "has 12 bits a sample, which a TIFF picture with its compression or its colours may not have"
+                },
                 new Object[] {plain(1, 8).tag(262, 32803), "its colours are raw numbers of a camera"},
                 new Object[] {plain(3, 16).tag(262, 34892), "its colours are raw numbers of a camera"},
                 new Object[] {plain(3, 16).tag(262, 32845), "its colours are logarithms, SGI LogLuv"},
@@ -387,6 +398,62 @@ class TiffReaderTest {
                 TiffReader.read(Samples.compressedTiff(image, "JPEG"), "p.tif").rgba();
         assertThat(Arrays.copyOf(rgba, 4))
                 .containsExactly(new float[] {64 / 255f, 128 / 255f, 192 / 255f, 1}, within(0.02f));
+    }
+
+    /** The formula of TIFF 6.0, section 21, with the luminance of CCIR 601-1. */
+    @ParameterizedTest
+    @ValueSource(ints = {8, 16})
+    void luminanceAndChrominanceAreConverted(int bits) throws IOException {
+        double largest = (1 << bits) - 1;
+        double half = 1 << bits - 1;
+        TiffSample.Codes codes = (x, y, s) -> (long) (half + (s == 0 ? 0.05 * x : s == 1 ? 0.1 : -0.05) * half);
+        for (ByteOrder order : ORDERS) {
+            byte[] file = new TiffSample(WIDTH, HEIGHT, 6, TiffSample.bits(3, bits), codes)
+                    .order(order)
+                    .tag(530, 1, 1)
+                    .bytes();
+            Pixels pixels = TiffReader.read(file, "p.tif");
+            for (int x = 0; x < WIDTH; x++) {
+                double luminance = codes.at(x, 0, 0);
+                double red = luminance + 1.402 * (codes.at(x, 0, 2) - half);
+                double blue = luminance + 1.772 * (codes.at(x, 0, 1) - half);
+                double green = (luminance - 0.299 * red - 0.114 * blue) / 0.587;
+                assertThat(Arrays.copyOfRange(pixels.rgba(), 4 * x, 4 * x + 4))
+                        .containsExactly(
+                                new float[] {
+                                    (float) (red / largest), (float) (green / largest), (float) (blue / largest), 1
+                                },
+                                within(0.006f));
+            }
+        }
+    }
+
+    @Test
+    void greyJpegInsideMayBeWhiteIsZero() throws IOException {
+        BufferedImage image = new BufferedImage(16, 16, BufferedImage.TYPE_BYTE_GRAY);
+        for (int i = 0; i < 256; i++) {
+            image.getRaster().setSample(i % 16, i / 16, 0, 51);
+        }
+        byte[] file = Samples.compressedTiff(image, "JPEG");
+        assertThat(TiffReader.read(file, "p.tif").rgba()).startsWith(0.2f, 0.2f, 0.2f, 1);
+        ByteBuffer tags = ByteBuffer.wrap(file).order(file[0] == 'I' ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
+        int at = tags.getInt(4) + 2;
+        while (tags.getShort(at) != 262) {
+            at += 12;
+        }
+        tags.putShort(at + 8, (short) 0);
+        assertThat(TiffReader.read(file, "p.tif").rgba()).startsWith(0.8f, 0.8f, 0.8f, 1);
+    }
+
+    /** A strip of its own for each row, as scanners write them: each is handed to the library. */
+    @Test
+    void manyPackedStripsTakeLittleTime() throws IOException {
+        byte[] file = new TiffSample(8, 5_000, 1, new int[] {8}, (x, y, s) -> x)
+                .strips(1)
+                .compression(TiffSample.PACK_BITS, 1)
+                .bytes();
+        Pixels pixels = assertTimeout(Duration.ofSeconds(20), () -> TiffReader.read(file, "p.tif"));
+        assertThat(pixels.height()).isEqualTo(5_000);
     }
 
     @Test

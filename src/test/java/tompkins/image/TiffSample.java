@@ -107,8 +107,9 @@ final class TiffSample {
         tag(tiled ? 324 : 273, offsets);
         int size = 8 + 2 + 12 * tags.size() + 4;
         int at = size;
-        for (long[] values : tags.values()) {
-            at += values.length > 1 ? 4 * values.length : 0;
+        for (var tag : tags.entrySet()) {
+            int length = sizeOf(tag.getKey()) * tag.getValue().length;
+            at += length > 4 ? length : 0;
         }
         for (int i = 0; i < offsets.length; i++) {
             offsets[i] = at;
@@ -123,15 +124,30 @@ final class TiffSample {
         int further = size;
         for (var tag : tags.entrySet()) {
             long[] values = tag.getValue();
-            file.putShort(tag.getKey().shortValue()).putShort((short) 4).putInt(values.length);
-            file.putInt(values.length > 1 ? further : (int) values[0]);
-            for (int i = 0; i < values.length && values.length > 1; i++, further += 4) {
-                file.putInt(further, (int) values[i]);
+            boolean inside = sizeOf(tag.getKey()) * values.length <= 4;
+            file.putShort(tag.getKey().shortValue()).putShort((short) (sizeOf(tag.getKey()) == 2 ? 3 : 4));
+            file.putInt(values.length).putInt(inside ? 0 : further);
+            int to = inside ? file.position() - 4 : further;
+            for (int i = 0; i < values.length; i++, to += sizeOf(tag.getKey())) {
+                if (sizeOf(tag.getKey()) == 2) {
+                    file.putShort(to, (short) values[i]);
+                } else {
+                    file.putInt(to, (int) values[i]);
+                }
             }
+            further = inside ? further : to;
         }
         file.putInt(0).position(further);
         strips.forEach(file::put);
         return file.array();
+    }
+
+    /** Sizes and places in the file have four bytes, all else two. */
+    private static int sizeOf(int tag) {
+        return switch (tag) {
+            case 256, 257, 273, 278, 279, 322, 323, 324, 325 -> 4;
+            default -> 2;
+        };
     }
 
     private byte[] strip(int left, int top, int first, int perPlane) {
