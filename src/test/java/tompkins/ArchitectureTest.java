@@ -143,6 +143,17 @@ class ArchitectureTest {
     }
 
     @Test
+    void onlyKeysAsksForTheMenuKey() {
+        // which fails without a display
+        noClasses()
+                .that()
+                .doNotHaveFullyQualifiedName("tompkins.ui.widget.Keys")
+                .should()
+                .callMethodWhere(target(name("getMenuShortcutKeyMaskEx")))
+                .check(CLASSES);
+    }
+
+    @Test
     void packagesAreFreeOfCycles() {
         slices().matching("tompkins.(*)..").should().beFreeOfCycles().check(CLASSES);
     }

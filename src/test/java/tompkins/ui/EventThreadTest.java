@@ -19,6 +19,7 @@ import tompkins.studio.Studios;
 
 /** Drags sliders for ten seconds and reports how long the event thread was busy with one event at most. */
 @Timeout(300)
+@NeedsDisplay
 class EventThreadTest {
 
     private static final long DRAG_NANOSECONDS = 10_000_000_000L;
@@ -58,7 +59,6 @@ class EventThreadTest {
 
     @Test
     void theEventThreadStaysFreeWhileSlidersAreDragged(@TempDir Path folder) {
-        WindowDriver.requireDisplay();
         WatchedQueue queue = new WatchedQueue();
         WindowDriver.onEventThread(
                 () -> Toolkit.getDefaultToolkit().getSystemEventQueue().push(queue));

@@ -20,6 +20,7 @@ import tompkins.studio.Studios;
 
 /** How the panel comes into a window that is there already. */
 @Timeout(300)
+@NeedsDisplay
 class SideRoomTest {
 
     /** Its remarks take several lines in the panel. */
@@ -31,8 +32,7 @@ class SideRoomTest {
     private TompkinsWindow window;
 
     @BeforeEach
-    void requireDisplay() {
-        WindowDriver.requireDisplay();
+    void useOwnSettings() {
         System.setProperty("tompkins.settings", folder.toString());
     }
 

@@ -53,6 +53,7 @@ import tompkins.ui.widget.Texts;
 
 /** What the window asks, and what becomes of the answers. */
 @Timeout(600)
+@NeedsDisplay
 class WindowQuestionsTest {
 
     /** A wall 8 in front of the camera, which is focused at 10. */

@@ -50,6 +50,7 @@ import tompkins.ui.widget.Texts;
 
 /** The real window, used with mouse and keys. */
 @Timeout(600)
+@NeedsDisplay
 class WindowTest {
 
     private static final Path SCENES = Path.of(System.getProperty("basedir", ""), "scenes");
