@@ -35,6 +35,7 @@ import javax.swing.TransferHandler;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -54,6 +55,7 @@ import tompkins.ui.widget.Texts;
 /** What the window asks, and what becomes of the answers. */
 @Timeout(600)
 @NeedsDisplay
+@Tag("slow")
 class WindowQuestionsTest {
 
     /** A wall 8 in front of the camera, which is focused at 10. */
