@@ -40,8 +40,8 @@ public final class TompkinsWindow {
     private static final double WIDTH = 84;
 
     private static final double HEIGHT = 56;
-    private static final double MINIMUM_WIDTH = 64;
-    private static final double MINIMUM_HEIGHT = 32;
+    private static final double MINIMUM_WIDTH = 40;
+    private static final double MINIMUM_HEIGHT = 24;
 
     private final Settings settings = new Settings();
     private final JFrame frame = new JFrame();
@@ -216,6 +216,7 @@ public final class TompkinsWindow {
         content.add(middle, BorderLayout.CENTER);
         content.add(side.component(), BorderLayout.EAST);
         content.add(status.component(), BorderLayout.SOUTH);
+        side.fitInto(content, status::showPanelFolded);
         return content;
     }
 
@@ -322,7 +323,7 @@ public final class TompkinsWindow {
 
         @Override
         public void togglePanel() {
-            side.component().setVisible(!side.component().isVisible());
+            side.toggle();
             frame.revalidate();
         }
 
