@@ -257,6 +257,19 @@ class WindowQuestionsTest {
     }
 
     @Test
+    void aDialogIsNotLargerThanItsScreen() {
+        Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
+        JDialog dialog = WindowDriver.onEventThread(() -> {
+            JDialog made = new JDialog(driver.window().frame());
+            made.setSize(5000, 4000);
+            made.setVisible(true);
+            return made;
+        });
+        WindowDriver.await("the size of the screen", () -> dialog.getSize().equals(screen));
+        WindowDriver.onEventThread(dialog::dispose);
+    }
+
+    @Test
     void thePanelIsAsWideAsLargeTypeNeeds() {
         JScrollPane panel = driver.find(JScrollPane.class, "panel");
         int before = WindowDriver.onEventThread(panel::getWidth);
