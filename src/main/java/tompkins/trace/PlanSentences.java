@@ -80,7 +80,7 @@ final class PlanSentences {
             return "The camera is at rest: no change of frame, and every opening time gives the same picture.";
         }
         SpeedScale scale = studio.transformation().speedScale();
-        String speed = scale.key() + " " + NumberText.of(NumberText.rounded(scale.valueOf(studio.velocity()), 6));
+        String speed = scale.key() + " " + scale.reading(studio.velocity());
         if (studio.transformation() == TransformationLaw.NONE) {
             return "The camera's velocity (" + speed + ") is ignored: no change of frame.";
         }
