@@ -51,8 +51,6 @@ public final class PictureFile {
         } catch (IOException | RuntimeException e) {
             // The readers trust the file and fail in any way when it is damaged.
             throw damaged(encoding, name, FileException.reason(e), e);
-        } catch (OutOfMemoryError e) {
-            throw damaged(encoding, name, "it needs more memory than there is", e);
         }
     }
 
