@@ -102,6 +102,7 @@ final class RenderCommand implements Callable<Integer> {
             }
             Photographer.requirePossible(order.studio, order.quality, order.target, force);
             ScenePlan.of(order.studio, scene);
+            Photographer.info(order.studio, scene);
         }
     }
 
