@@ -6,12 +6,12 @@ import org.joml.Vector3dc;
 import tompkins.camera.CameraRays;
 import tompkins.camera.PixelSampler;
 import tompkins.math.Vectors;
+import tompkins.primitive.Placement;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
-import tompkins.sceneobject.LightGrid;
-import tompkins.sceneobject.ObjectTree;
-import tompkins.sceneobject.Placement;
 import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.search.LampShadows;
+import tompkins.search.ObjectTree;
 import tompkins.shutter.LensRay;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.IdentityTransformation;
@@ -166,14 +166,14 @@ public final class RenderPlan {
     }
 
     /** As {@link #tracer(RayCounts)}, watched by a witness. */
-    SampleTracer tracer(RayCounts counts, RayWitness witness) {
+    SampleTracer tracer(RayCounts counts, PathObserver witness) {
         int depth = studio.settings().maximumDepth();
         RayTracer sceneTracer = new RayTracer(
                 Frame.SCENE,
                 scene.objects(),
                 scene.lights(),
                 scene.lightGrids(),
-                new BeyondScene(studio.background()),
+                new BackgroundTracer(studio.background()),
                 depth,
                 counts,
                 witness);
@@ -181,7 +181,7 @@ public final class RenderPlan {
         RayTracer cameraTracer = cameraFrame.size() == 0
                 ? null
                 : new RayTracer(
-                        Frame.CAMERA, cameraFrame, studio.lights(), new LightGrid[0], entry, depth, counts, witness);
+                        Frame.CAMERA, cameraFrame, studio.lights(), new LampShadows[0], entry, depth, counts, witness);
         return new SampleTracer(sampler(), cameraRays, lensSlowness, cameraTracer, entry, counts, witness);
     }
 
