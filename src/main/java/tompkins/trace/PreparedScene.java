@@ -81,6 +81,11 @@ final class PreparedScene {
                 && origin.equals(newOrigin);
     }
 
+    /** Whether the scene holds image points, and so depends on the camera. */
+    boolean followsCamera() {
+        return followsCamera;
+    }
+
     ObjectTree objects() {
         return objects;
     }

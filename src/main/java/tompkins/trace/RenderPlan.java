@@ -208,6 +208,6 @@ public final class RenderPlan {
     }
 
     private PlanSentences inSentences() {
-        return new PlanSentences(studio, scene.objects(), cameraFrame, isAtRest(), shift);
+        return new PlanSentences(studio, scene, cameraFrame, cameraRays, isAtRest(), shift);
     }
 }
