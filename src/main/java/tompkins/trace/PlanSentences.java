@@ -1,13 +1,17 @@
 package tompkins.trace;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.Set;
+import java.util.stream.Stream;
+import tompkins.camera.CameraRays;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.ColourLaw;
-import tompkins.primitive.Primitive;
 import tompkins.property.NumberText;
 import tompkins.ray.Ray;
 import tompkins.search.ObjectTree;
@@ -25,14 +29,24 @@ final class PlanSentences {
     private final Studio studio;
     private final World world;
     private final ObjectTree cameraFrame;
+    private final CameraRays cameraRays;
+    private final boolean hasImagePoints;
     private final boolean atRest;
     private final LightShift shift;
 
     /** The sentences; the shift is null if the light of the scene stays as it is. */
-    PlanSentences(Studio studio, World world, ObjectTree cameraFrame, boolean atRest, LightShift shift) {
+    PlanSentences(
+            Studio studio,
+            World world,
+            ObjectTree cameraFrame,
+            CameraRays cameraRays,
+            boolean atRest,
+            LightShift shift) {
         this.studio = studio;
         this.world = world;
         this.cameraFrame = cameraFrame;
+        this.cameraRays = cameraRays;
+        this.hasImagePoints = world.followsCamera();
         this.atRest = atRest;
         this.shift = shift;
     }
@@ -40,13 +54,19 @@ final class PlanSentences {
     /** All sentences, the warnings last. */
     List<String> sentences() {
         List<String> sentences = new ArrayList<>();
+        Set<Surface> inScene = IntStream.range(0, world.frameCount())
+                .mapToObj(i -> surfaces(world.objects(i)))
+                .flatMap(Set::stream)
+                .collect(Collectors.toSet());
+        Set<Surface> beforeLens = surfaces(cameraFrame);
         sentences.add(motion());
         sentences.add(lens());
         sentences.add(shutter());
         sentences.add(colours());
         sentences.add(cameraObjects());
         sentences.add(search());
-        sentences.add(recursion());
+        sentences.add(recursion(Stream.of(inScene, beforeLens).flatMap(Set::stream)));
+        sentences.addAll(new Omissions(studio, cameraRays, atRest, inScene, beforeLens, hasImagePoints).sentences());
         warnings().forEach(warning -> sentences.add("Warning: " + warning + "."));
         return sentences;
     }
@@ -162,13 +182,15 @@ final class PlanSentences {
                 + (motion.outer() == null ? "" : " in what moves");
     }
 
-    private String recursion() {
-        boolean continues = IntStream.range(0, world.frameCount())
-                        .mapToObj(world::objects)
-                        .flatMap(objects -> objects.primitives().stream())
-                        .map(Primitive::surface)
-                        .anyMatch(Surface::continuesRays)
-                || cameraFrame.primitives().stream().map(Primitive::surface).anyMatch(Surface::continuesRays);
+    /** The surfaces of all primitives, each once: a mesh of a million triangles has one. */
+    private static Set<Surface> surfaces(ObjectTree objects) {
+        Set<Surface> surfaces = Collections.newSetFromMap(new IdentityHashMap<>());
+        objects.primitives().forEach(primitive -> surfaces.add(primitive.surface()));
+        return surfaces;
+    }
+
+    private String recursion(Stream<Surface> surfaces) {
+        boolean continues = surfaces.anyMatch(Surface::continuesRays);
         return continues
                 ? format(
                         "Some surfaces send rays on: at most %d times, and only while these carry at least 1/%.0f of the light.",

@@ -255,6 +255,6 @@ public final class RenderPlan {
     }
 
     private PlanSentences inSentences() {
-        return new PlanSentences(studio, world, cameraFrame, isAtRest(), shift);
+        return new PlanSentences(studio, world, cameraFrame, cameraRays, isAtRest(), shift);
     }
 }
