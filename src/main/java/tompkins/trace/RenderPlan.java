@@ -144,7 +144,19 @@ public final class RenderPlan {
 
     /** The places of the samples, for one thread. */
     PixelSampler sampler() {
-        return new PixelSampler(studio.settings().seed(), studio.camera().hasWideAperture());
+        return new PixelSampler(studio.settings().seed(), studio.camera().hasWideAperture(), blursInTime());
+    }
+
+    /** Whether the shutter stays open while what it sees changes. */
+    public boolean blursInTime() {
+        return studio.camera().exposureTime() > 0 && !isAtRest();
+    }
+
+    /**
+     * Whether different samples of a pixel differ by more than their places in it: one of them tells nothing of that.
+     */
+    public boolean blurs() {
+        return studio.camera().hasWideAperture() || blursInTime();
     }
 
     /**
@@ -208,6 +220,6 @@ public final class RenderPlan {
     }
 
     private PlanSentences inSentences() {
-        return new PlanSentences(studio, scene.objects(), cameraFrame, isAtRest(), shift);
+        return new PlanSentences(this, scene.objects(), cameraFrame, shift);
     }
 }
