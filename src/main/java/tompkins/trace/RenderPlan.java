@@ -3,8 +3,10 @@ package tompkins.trace;
 import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.camera.Camera;
 import tompkins.camera.CameraRays;
 import tompkins.camera.PixelSampler;
+import tompkins.camera.SamplePlaces;
 import tompkins.math.Vectors;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
@@ -100,7 +102,7 @@ public final class RenderPlan {
 
     /**
      * The event, in the scene frame, at which a point that is fixed to the camera is photographed through the lens
-     * centre.
+     * centre, in the middle of the exposure time and of the sweep.
      */
     private Event imagePoint(Vector3dc point) {
         Vector3d fromLens = point.sub(studio.camera().position(), new Vector3d());
@@ -108,7 +110,9 @@ public final class RenderPlan {
             return lensInScene();
         }
         LensRay ray = cameraRays.chiefRay(Vectors.unit(fromLens));
-        double time = studio.camera().shutter().transmissionTime(ray, sceneFromCamera) - fromLens.length();
+        Camera camera = studio.camera();
+        double later = camera.exposureTime() * SamplePlaces.MIDDLE + camera.rollingShutter().sweep() / 2;
+        double time = camera.shutter().transmissionTime(ray, sceneFromCamera) + later - fromLens.length();
         return sceneFromCamera.transform(new Event(point.x(), point.y(), point.z(), time));
     }
 
