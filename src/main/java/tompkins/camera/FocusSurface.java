@@ -2,9 +2,9 @@ package tompkins.camera;
 
 import java.util.List;
 import org.joml.Vector3dc;
+import tompkins.primitive.Placement;
+import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
-import tompkins.sceneobject.Placement;
-import tompkins.sceneobject.Primitive;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
 

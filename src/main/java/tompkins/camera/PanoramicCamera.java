@@ -5,8 +5,8 @@ import org.joml.Vector3dc;
 import tompkins.property.Descriptions;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
-import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
+import tompkins.ray.RayPacket;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.LensRay;
 import tompkins.shutter.RollingShutter;
@@ -178,7 +178,7 @@ public record PanoramicCamera(
         }
 
         @Override
-        public void make(SamplePlaces places, RayBlock rays, RayCounts counts) {
+        public void make(SamplePlaces places, RayPacket rays, RayCounts counts) {
             rays.begin(places.count());
             int made = 0;
             for (int i = 0; i < places.count(); i++) {

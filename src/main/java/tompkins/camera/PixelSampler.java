@@ -1,7 +1,7 @@
 package tompkins.camera;
 
 import java.util.Arrays;
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 
 /**
  * Places in the pixel, on the lens and in the exposure time for each sample of a pixel. They depend on the seed, the
@@ -27,10 +27,10 @@ public final class PixelSampler {
     private final boolean wideAperture;
     private final boolean blursInTime;
 
-    private final int[] pixels = new int[RayBlock.MOST];
-    private final int[] points = new int[RayBlock.MOST];
-    private final int[] seeds = new int[RayBlock.MOST];
-    private final int[] fractions = new int[RayBlock.MOST];
+    private final int[] pixels = new int[RayPacket.MOST];
+    private final int[] points = new int[RayPacket.MOST];
+    private final int[] seeds = new int[RayPacket.MOST];
+    private final int[] fractions = new int[RayPacket.MOST];
 
     /**
      * A sampler for one picture.
@@ -57,7 +57,7 @@ public final class PixelSampler {
     /**
      * Chooses the places of one sample of each pixel.
      *
-     * @param places the pixels, at most {@link RayBlock#MOST}; gets the places
+     * @param places the pixels, at most {@link RayPacket#MOST}; gets the places
      * @param sample {@link #CENTRE}, or the number of the sample from 0 upwards
      */
     public void choose(SamplePlaces places, int sample) {

@@ -1,6 +1,6 @@
 package tompkins.camera;
 
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 import tompkins.shutter.RollingShutter;
 
 /**
@@ -30,7 +30,7 @@ final class ShutterDelays {
     }
 
     /** Lets each ray start as much later as its sample does; rays of an instant shutter stay as they are. */
-    void addTo(RayBlock rays, SamplePlaces places) {
+    void addTo(RayPacket rays, SamplePlaces places) {
         if (rolls) {
             int[] lines = overRows ? places.rows : places.columns;
             int last = ofLines.length - 1;

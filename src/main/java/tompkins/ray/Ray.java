@@ -9,8 +9,8 @@ package tompkins.ray;
 public final class Ray {
 
     /**
-     * A ray whose {@link #weight} is below this is not followed: it brings less than a step of an 8-bit picture (see
-     * the charts of the depth in docs/speed-and-accuracy.md).
+     * A ray whose {@link #throughput} is below this is not followed: it brings less than a step of an 8-bit picture
+     * (see the charts of the depth in docs/speed-and-accuracy.md).
      */
     public static final double FAINTEST = 1.0 / 1024;
 
@@ -42,7 +42,7 @@ public final class Ray {
     public double spread;
 
     /** The largest share of the sample's light that the ray can still bring, 1 at the camera. */
-    public double weight;
+    public double throughput;
 
     /** What the ray starts on, or null; the starting point itself is then no hit. */
     public Boundary boundary;
@@ -51,11 +51,11 @@ public final class Ray {
     public int part;
 
     /** How many surfaces sent the light on between the camera and this ray. */
-    public int generation;
+    public int depth;
 
     private Ray() {}
 
-    /** Memory for a ray, to be filled by {@link RayBlock#copy} or {@link #setShadow} again and again. */
+    /** Memory for a ray, to be filled by {@link RayPacket#copy} or {@link #setShadow} again and again. */
     public static Ray blank() {
         return new Ray();
     }
@@ -72,7 +72,7 @@ public final class Ray {
         ray.time = time;
         ray.slowness = 1;
         ray.frequency = 1;
-        ray.weight = 1;
+        ray.throughput = 1;
         return ray;
     }
 
@@ -140,15 +140,15 @@ public final class Ray {
         ray.slowness = newSlowness;
         ray.width = widthAt(hit.distance);
         ray.spread /= angleFactor;
-        ray.weight *= share;
-        ray.generation++;
+        ray.throughput *= share;
+        ray.depth++;
         return ray;
     }
 
     /** The same ray with a share of its light. */
     public Ray dimmed(double share) {
         Ray dimmed = copy();
-        dimmed.weight *= share;
+        dimmed.throughput *= share;
         return dimmed;
     }
 
@@ -165,10 +165,10 @@ public final class Ray {
         copy.frequency = frequency;
         copy.width = width;
         copy.spread = spread;
-        copy.weight = weight;
+        copy.throughput = throughput;
         copy.boundary = boundary;
         copy.part = part;
-        copy.generation = generation;
+        copy.depth = depth;
         return copy;
     }
 
@@ -190,8 +190,8 @@ public final class Ray {
         frequency = 1;
         width = 0;
         spread = 0;
-        weight = 1;
-        generation = 0;
+        throughput = 1;
+        depth = 0;
         return this;
     }
 

@@ -1,6 +1,7 @@
 package tompkins.sceneobject;
 
 import java.util.List;
+import tompkins.primitive.Placement;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 

@@ -5,6 +5,7 @@ import org.joml.Vector2i;
 import org.joml.Vector2ic;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.primitive.Placement;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 import tompkins.property.Require;

@@ -4,6 +4,7 @@ import org.joml.Matrix3d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
+import tompkins.primitive.Placement;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 

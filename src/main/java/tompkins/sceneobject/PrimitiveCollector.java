@@ -2,6 +2,9 @@ package tompkins.sceneobject;
 
 import java.util.ArrayList;
 import java.util.List;
+import tompkins.primitive.Bounds;
+import tompkins.primitive.Placement;
+import tompkins.primitive.Primitive;
 import tompkins.property.InvalidPropertyException;
 
 /** Collects the primitives of one frame for one picture, and numbers them in the order of the scene file. */

@@ -1,7 +1,10 @@
 package tompkins.sceneobject;
 
+import tompkins.primitive.Described;
+import tompkins.primitive.Placement;
+
 /** Something in the scene: a shape, or several of them. Descriptions, immutable, checked when they are made. */
-public sealed interface SceneObject
+public sealed interface SceneObject extends Described
         permits Sphere,
                 Plane,
                 Disc,
@@ -20,9 +23,6 @@ public sealed interface SceneObject
 
     /** The most primitives of a picture, so that copies of copies fill neither the memory nor the day. */
     double MOST_PRIMITIVES = 10_000_000;
-
-    /** What the user calls the object. */
-    String description();
 
     /**
      * The number of primitives that the object becomes, or a few more; no whole number holds that of copies of copies.

@@ -3,7 +3,7 @@ package tompkins.spacetime;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 
 /** No change: both frames are one. */
 public record IdentityTransformation() implements SpaceTimeTransformation {
@@ -24,7 +24,7 @@ public record IdentityTransformation() implements SpaceTimeTransformation {
     }
 
     @Override
-    public void transform(RayBlock rays) {}
+    public void transform(RayPacket rays) {}
 
     /** 0: every event keeps its place, so the time is free; 0 is the limit of small velocities. */
     @Override

@@ -5,7 +5,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
 import tompkins.ray.Ray;
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 
 /**
  * The change of frame of special relativity (Courtial et al. 2016, Eq. 1, with the time): with u = gamma beta,
@@ -108,7 +108,7 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
      * loops without branches: the compiler makes instructions for several rays at once of them.
      */
     @Override
-    public void transform(RayBlock rays) {
+    public void transform(RayPacket rays) {
         int count = rays.count();
         transformStarts(rays, count);
         int ahead = 0;
@@ -124,7 +124,7 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
         }
     }
 
-    private void transformStarts(RayBlock rays, int count) {
+    private void transformStarts(RayPacket rays, int count) {
         for (int i = 0; i < count; i++) {
             double event = alongProper(rays.x[i], rays.y[i], rays.z[i]);
             double factor = event * shrink + rays.time[i];
@@ -135,12 +135,12 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
         }
     }
 
-    private boolean isAhead(RayBlock rays, int place) {
+    private boolean isAhead(RayPacket rays, int place) {
         return alongDirection(rays.dx[place], rays.dy[place], rays.dz[place]) > 0;
     }
 
     /** Transforms directions that all lie ahead, or all behind. */
-    private void transformDirections(RayBlock rays, int from, int to, boolean ahead) {
+    private void transformDirections(RayPacket rays, int from, int to, boolean ahead) {
         double side = ahead ? 1 : -1;
         double sideX = side * nx;
         double sideY = side * ny;

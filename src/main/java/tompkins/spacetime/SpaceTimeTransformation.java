@@ -3,7 +3,7 @@ package tompkins.spacetime;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 
 /** A change of frame: takes the coordinates of one inertial frame and gives those of another. Linear, and immutable. */
 public sealed interface SpaceTimeTransformation
@@ -25,7 +25,7 @@ public sealed interface SpaceTimeTransformation
     Ray transform(Ray ray);
 
     /** Takes each ray of a block into the other frame. */
-    default void transform(RayBlock rays) {
+    default void transform(RayPacket rays) {
         for (int i = 0; i < rays.count(); i++) {
             rays.set(i, transform(rays.ray(i)));
         }

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import tompkins.ray.Ray;
 import tompkins.render.Quality;
-import tompkins.sceneobject.ObjectTree;
+import tompkins.search.ObjectTree;
 
 /**
  * A page with the charts of studies, what follows from them, and whether they are as they must be, in Markdown, beside

@@ -8,15 +8,15 @@ import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.Supplier;
 import org.joml.Vector3d;
+import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.Group;
-import tompkins.sceneobject.NearestHit;
-import tompkins.sceneobject.ObjectTree;
-import tompkins.sceneobject.Primitive;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
+import tompkins.search.NearestHit;
+import tompkins.search.ObjectTree;
 import tompkins.surface.ColouredSurface;
 
 /** From how many objects on a tree pays. */

@@ -49,8 +49,8 @@ public record Refractive(
         double cosineBehind = Refraction.bend(direction, normal, before, behind, direction);
         double reflected = Refraction.reflectance(before, behind, Math.abs(along), cosineBehind);
         double transmitted = 1 - reflected;
-        boolean caught = !entering && ray.generation >= LONGEST_CAPTURE && cosineBehind > 0;
-        if (caught || ray.weight * Math.min(reflected, transmitted) < Ray.FAINTEST) {
+        boolean caught = !entering && ray.depth >= LONGEST_CAPTURE && cosineBehind > 0;
+        if (caught || ray.throughput * Math.min(reflected, transmitted) < Ray.FAINTEST) {
             // all to the stronger part, so that the least light goes the wrong way
             return Response.goesOn(
                     caught || reflected < transmitted

@@ -62,7 +62,7 @@ public record Tiling(
 
     /** Each surface answers for its share of the bundle; the tracer loops over the larger share. */
     private Response respondBoth(Ray ray, Hit hit, Tracer tracer, double share) {
-        if (continuesRays() && ray.weight * Math.min(share, 1 - share) < Ray.FAINTEST) {
+        if (continuesRays() && ray.throughput * Math.min(share, 1 - share) < Ray.FAINTEST) {
             // what would not be followed is given to the larger share
             return (share < 0.5 ? first : second).respond(ray, hit, tracer);
         }

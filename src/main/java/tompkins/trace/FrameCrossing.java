@@ -3,7 +3,7 @@ package tompkins.trace;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.IdentityTransformation;
 import tompkins.spacetime.SpaceTimeTransformation;
@@ -68,7 +68,7 @@ final class FrameCrossing {
     }
 
     /** Takes each ray of a block into the scene frame, as {@link #cross(Ray)}. */
-    void cross(RayBlock rays) {
+    void cross(RayPacket rays) {
         if (lens == null) {
             sceneFromCamera.transform(rays);
             return;
@@ -78,7 +78,7 @@ final class FrameCrossing {
         shift(rays, lensFromOrigin.x(), lensFromOrigin.y(), lensFromOrigin.z(), lensTime);
     }
 
-    private static void shift(RayBlock rays, double x, double y, double z, double time) {
+    private static void shift(RayPacket rays, double x, double y, double z, double time) {
         for (int i = 0; i < rays.count(); i++) {
             rays.x[i] += x;
             rays.y[i] += y;

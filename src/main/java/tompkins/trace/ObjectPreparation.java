@@ -1,9 +1,9 @@
 package tompkins.trace;
 
 import java.util.List;
+import tompkins.primitive.Placement;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
-import tompkins.sceneobject.Placement;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
 

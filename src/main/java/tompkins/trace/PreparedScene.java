@@ -6,12 +6,12 @@ import org.joml.Matrix3d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.light.LightSource;
+import tompkins.primitive.Placement;
 import tompkins.sceneobject.ImagePoints;
-import tompkins.sceneobject.LightGrid;
-import tompkins.sceneobject.ObjectTree;
-import tompkins.sceneobject.Placement;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
+import tompkins.search.LampShadows;
+import tompkins.search.ObjectTree;
 import tompkins.studio.Studio;
 
 /**
@@ -33,7 +33,7 @@ final class PreparedScene {
     private final boolean followsCamera;
     private final ObjectTree objects;
     private final List<LightSource> lights;
-    private final LightGrid[] lightGrids;
+    private final LampShadows[] lightGrids;
 
     /**
      * Prepares the scene of a studio.
@@ -60,14 +60,14 @@ final class PreparedScene {
         lightGrids = lightGrids(plain ? List.of() : lights, objects);
     }
 
-    private static LightGrid[] lightGrids(List<LightSource> lights, ObjectTree objects) {
+    private static LampShadows[] lightGrids(List<LightSource> lights, ObjectTree objects) {
         try {
             return lights.stream()
                     .filter(light -> light.position() != null)
                     .limit(Math.min(MOST_GRIDS, MOST_SEEN / Math.max(1, objects.size())))
-                    .map(light -> LightGrid.of(light.position(), objects))
+                    .map(light -> LampShadows.of(light.position(), objects))
                     .filter(Objects::nonNull)
-                    .toArray(LightGrid[]::new);
+                    .toArray(LampShadows[]::new);
         } catch (ArithmeticException beyondNumbers) {
             throw PrimitiveCollector.refusal("scene", "larger");
         }
@@ -89,7 +89,7 @@ final class PreparedScene {
         return lights;
     }
 
-    LightGrid[] lightGrids() {
+    LampShadows[] lightGrids() {
         return lightGrids;
     }
 }

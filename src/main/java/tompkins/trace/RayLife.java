@@ -5,12 +5,12 @@ import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.SamplePlaces;
+import tompkins.primitive.Described;
+import tompkins.primitive.Primitive;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
-import tompkins.sceneobject.Primitive;
-import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.surface.Surface;
@@ -54,7 +54,7 @@ public record RayLife(
      * @param surface the surface
      */
     public record Encounter(
-            SceneObject object, Frame frame, Event event, double distance, double share, int branch, Surface surface) {
+            Described object, Frame frame, Event event, double distance, double share, int branch, Surface surface) {
 
         /** Where and when in the scene frame. */
         public Event inScene(SpaceTimeTransformation sceneFromCamera) {
@@ -104,7 +104,7 @@ public record RayLife(
         return recorder.startDirection == null ? null : recorder.life(colour);
     }
 
-    private static final class Recorder implements RayWitness {
+    private static final class Recorder implements PathObserver {
 
         private final Vector3dc sceneOrigin;
         private final List<Encounter> hits = new ArrayList<>();
@@ -150,7 +150,7 @@ public record RayLife(
         public void hits(Frame frame, Ray ray, Hit hit, Primitive primitive) {
             Event event = inFrame(frame, hit.x, hit.y, hit.z, hit.time);
             hits.add(new Encounter(
-                    primitive.object(), frame, event, hit.distance, ray.weight, branch, primitive.surface()));
+                    primitive.object(), frame, event, hit.distance, ray.throughput, branch, primitive.surface()));
         }
 
         @Override

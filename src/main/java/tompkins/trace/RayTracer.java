@@ -4,17 +4,17 @@ import java.util.List;
 import tompkins.light.Illumination;
 import tompkins.light.LightSource;
 import tompkins.light.Visibility;
+import tompkins.primitive.Primitive;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
-import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
-import tompkins.sceneobject.BlockSearch;
-import tompkins.sceneobject.EntryNodes;
-import tompkins.sceneobject.LightGrid;
-import tompkins.sceneobject.NearestHit;
-import tompkins.sceneobject.ObjectTree;
-import tompkins.sceneobject.Primitive;
+import tompkins.ray.RayPacket;
+import tompkins.search.EntryNodes;
+import tompkins.search.LampShadows;
+import tompkins.search.NearestHit;
+import tompkins.search.ObjectTree;
+import tompkins.search.PacketSearch;
 import tompkins.surface.Response;
 import tompkins.surface.Surface;
 import tompkins.surface.Tracer;
@@ -28,11 +28,11 @@ final class RayTracer implements Tracer, Visibility {
     private final Frame frame;
     private final ObjectTree objects;
     private final Illumination illumination;
-    private final LightGrid[] lightGrids;
+    private final LampShadows[] lightGrids;
     private final Beyond beyond;
     private final int maximumDepth;
     private final RayCounts counts;
-    private final RayWitness witness;
+    private final PathObserver witness;
     private final NearestHit nearest;
     private final Hit hitMemory = Hit.blank();
     private final Ray startMemory = Ray.blank();
@@ -50,11 +50,11 @@ final class RayTracer implements Tracer, Visibility {
             Frame frame,
             ObjectTree objects,
             List<LightSource> lights,
-            LightGrid[] lightGrids,
+            LampShadows[] lightGrids,
             Beyond beyond,
             int maximumDepth,
             RayCounts counts,
-            RayWitness witness) {
+            PathObserver witness) {
         this.frame = frame;
         this.objects = objects;
         illumination = new Illumination(lights, this);
@@ -97,7 +97,7 @@ final class RayTracer implements Tracer, Visibility {
      *
      * @return what leaves, in memory that is used again, or null; {@link #sum()} and {@link #factor()} tell of the way
      */
-    Ray follow(RayBlock rays, int place) {
+    Ray follow(RayPacket rays, int place) {
         counts.rays++;
         Ray start = rays.copy(place, startMemory);
         return follow(start, objects.nearest(start, nearest), hitMemory);
@@ -114,7 +114,7 @@ final class RayTracer implements Tracer, Visibility {
     }
 
     /** As {@link #colourOf(Ray)}, for the ray at a place of the block for which the search was made. */
-    Colour colour(RayBlock rays, int place, BlockSearch search) {
+    Colour colour(RayPacket rays, int place, PacketSearch search) {
         counts.rays++;
         if (!search.mayMeet(place)) {
             return beyond.colour(rays, place);
@@ -124,24 +124,24 @@ final class RayTracer implements Tracer, Visibility {
     }
 
     /** As {@link #colourOf(Ray)}, for one of the rays for which the nodes were found. */
-    Colour colour(RayBlock rays, int place, EntryNodes entries) {
+    Colour colour(RayPacket rays, int place, EntryNodes entries) {
         counts.rays++;
         Ray start = rays.copy(place, startMemory);
         return colour(start, objects.nearest(start, entries, nearest), hitMemory);
     }
 
     /** As {@link #colourOf(Ray)}, for a ray of a block. */
-    Colour colour(RayBlock rays, int place) {
+    Colour colour(RayPacket rays, int place) {
         return withBeyond(follow(rays, place));
     }
 
     /** Looks for the nodes through which some rays enter the tree; false if each must search from its root. */
-    boolean find(EntryNodes entries, RayBlock rays, int from, int to) {
+    boolean find(EntryNodes entries, RayPacket rays, int from, int to) {
         return entries.find(objects, rays, from, to);
     }
 
     /** Looks for the primitives that the rays of a block can meet; false if all must be searched. */
-    boolean find(BlockSearch search, RayBlock rays) {
+    boolean find(PacketSearch search, RayPacket rays) {
         return search.find(objects, rays, nearest);
     }
 
@@ -195,11 +195,11 @@ final class RayTracer implements Tracer, Visibility {
     }
 
     private boolean isGivenUp(Ray ray) {
-        if (ray.weight < Ray.FAINTEST) {
-            counts.giveUp(ray.weight);
+        if (ray.throughput < Ray.FAINTEST) {
+            counts.giveUp(ray.throughput);
             return true;
         }
-        if (ray.generation > maximumDepth) {
+        if (ray.depth > maximumDepth) {
             counts.tooDeep++;
             return true;
         }
@@ -216,7 +216,7 @@ final class RayTracer implements Tracer, Visibility {
         toX /= distance;
         toY /= distance;
         toZ /= distance;
-        for (LightGrid grid : lightGrids) {
+        for (LampShadows grid : lightGrids) {
             if (grid.isOf(x, y, z)) {
                 return !grid.shadows(from, toX, toY, toZ, distance, shadowMemory, counts);
             }

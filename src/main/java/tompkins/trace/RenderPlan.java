@@ -8,12 +8,12 @@ import tompkins.camera.CameraRays;
 import tompkins.camera.PixelSampler;
 import tompkins.camera.SamplePlaces;
 import tompkins.math.Vectors;
+import tompkins.primitive.Placement;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
-import tompkins.sceneobject.LightGrid;
-import tompkins.sceneobject.ObjectTree;
-import tompkins.sceneobject.Placement;
 import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.search.LampShadows;
+import tompkins.search.ObjectTree;
 import tompkins.shutter.LensRay;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.IdentityTransformation;
@@ -111,7 +111,8 @@ public final class RenderPlan {
         }
         LensRay ray = cameraRays.chiefRay(Vectors.unit(fromLens));
         Camera camera = studio.camera();
-        double later = camera.exposureTime() * SamplePlaces.MIDDLE + camera.rollingShutter().sweep() / 2;
+        double later = camera.exposureTime() * SamplePlaces.MIDDLE
+                + camera.rollingShutter().sweep() / 2;
         double time = camera.shutter().transmissionTime(ray, sceneFromCamera) + later - fromLens.length();
         return sceneFromCamera.transform(new Event(point.x(), point.y(), point.z(), time));
     }
@@ -182,14 +183,14 @@ public final class RenderPlan {
     }
 
     /** As {@link #tracer(RayCounts)}, watched by a witness. */
-    SampleTracer tracer(RayCounts counts, RayWitness witness) {
+    SampleTracer tracer(RayCounts counts, PathObserver witness) {
         int depth = studio.settings().maximumDepth();
         RayTracer sceneTracer = new RayTracer(
                 Frame.SCENE,
                 scene.objects(),
                 scene.lights(),
                 scene.lightGrids(),
-                new BeyondScene(studio.background()),
+                new BackgroundTracer(studio.background()),
                 depth,
                 counts,
                 witness);
@@ -197,7 +198,7 @@ public final class RenderPlan {
         RayTracer cameraTracer = cameraFrame.size() == 0
                 ? null
                 : new RayTracer(
-                        Frame.CAMERA, cameraFrame, studio.lights(), new LightGrid[0], entry, depth, counts, witness);
+                        Frame.CAMERA, cameraFrame, studio.lights(), new LampShadows[0], entry, depth, counts, witness);
         return new SampleTracer(sampler(), cameraRays, lensSlowness, cameraTracer, entry, counts, witness);
     }
 

@@ -7,10 +7,10 @@ import tompkins.camera.PixelSampler;
 import tompkins.camera.SamplePlaces;
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
-import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
-import tompkins.sceneobject.BlockSearch;
-import tompkins.sceneobject.EntryNodes;
+import tompkins.ray.RayPacket;
+import tompkins.search.EntryNodes;
+import tompkins.search.PacketSearch;
 
 /** Takes samples of a picture. One for each thread. */
 public final class SampleTracer {
@@ -20,7 +20,7 @@ public final class SampleTracer {
      * the row of a place is the column of half its number.
      */
     private static final int[] MORTON_COLUMNS =
-            IntStream.range(0, RayBlock.MOST).map(SampleTracer::mortonColumn).toArray();
+            IntStream.range(0, RayPacket.MOST).map(SampleTracer::mortonColumn).toArray();
 
     private final PixelSampler sampler;
     private final CameraRays cameraRays;
@@ -28,18 +28,18 @@ public final class SampleTracer {
     private final RayTracer cameraTracer;
     private final SceneEntry sceneEntry;
     private final RayCounts counts;
-    private final RayWitness witness;
+    private final PathObserver witness;
 
-    private final SamplePlaces places = new SamplePlaces(RayBlock.MOST);
-    private final RayBlock rays = new RayBlock(RayBlock.MOST);
-    private final Colour[] colours = new Colour[RayBlock.MOST];
+    private final SamplePlaces places = new SamplePlaces(RayPacket.MOST);
+    private final RayPacket rays = new RayPacket(RayPacket.MOST);
+    private final Colour[] colours = new Colour[RayPacket.MOST];
 
     /** The samples whose colours are known: clearing references instead would cost the collector time. */
-    private final boolean[] known = new boolean[RayBlock.MOST];
+    private final boolean[] known = new boolean[RayPacket.MOST];
 
-    private final Colour[] sums = new Colour[RayBlock.MOST];
-    private final Colour[] factors = new Colour[RayBlock.MOST];
-    private final BlockSearch search = new BlockSearch();
+    private final Colour[] sums = new Colour[RayPacket.MOST];
+    private final Colour[] factors = new Colour[RayPacket.MOST];
+    private final PacketSearch search = new PacketSearch();
     private final EntryNodes entries = new EntryNodes(search);
     private double narrowing = 1;
     private int column;
@@ -59,7 +59,7 @@ public final class SampleTracer {
             RayTracer cameraTracer,
             SceneEntry sceneEntry,
             RayCounts counts,
-            RayWitness witness) {
+            PathObserver witness) {
         this.sampler = sampler;
         this.cameraRays = cameraRays;
         this.lensSlowness = lensSlowness;
@@ -136,11 +136,11 @@ public final class SampleTracer {
      * @param top first row
      * @param width columns of the block
      * @param height rows of the block
-     * @param stride distance between the pixels that are sampled; at most {@link RayBlock#SIDE} of them each way
+     * @param stride distance between the pixels that are sampled; at most {@link RayPacket#SIDE} of them each way
      * @param sample number of the sample of each pixel
      * @param taker says which pixels are wanted, and gets their colours
      */
-    public void sampleBlock(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
+    public void sampleBlock(int left, int top, int width, int height, int stride, int sample, SampleSink taker) {
         column = left;
         row = top;
         sceneEntry.sceneTracer().beginBlock();
@@ -174,7 +174,7 @@ public final class SampleTracer {
     }
 
     /** Keeps the rays that leave what moves with the camera. */
-    private void followInCameraFrame(SampleTaker taker) {
+    private void followInCameraFrame(SampleSink taker) {
         int leaving = 0;
         for (int i = 0; i < rays.count() && goesTo(i, taker); i++) {
             Ray left = cameraTracer.follow(rays, i);
@@ -190,7 +190,7 @@ public final class SampleTracer {
         rays.keep(leaving);
     }
 
-    private void followInScene(SampleTaker taker) {
+    private void followInScene(SampleSink taker) {
         RayTracer tracer = sceneEntry.sceneTracer();
         int count = rays.count();
         if (tracer.find(search, rays)) {
@@ -213,9 +213,9 @@ public final class SampleTracer {
         return Double.isNaN(rays.dx[index]) ? Colour.BLACK : tracer.colour(rays, index);
     }
 
-    private void choosePlaces(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
+    private void choosePlaces(int left, int top, int width, int height, int stride, int sample, SampleSink taker) {
         places.clear();
-        for (int place = 0; place < RayBlock.MOST; place++) {
+        for (int place = 0; place < RayPacket.MOST; place++) {
             int across = stride * MORTON_COLUMNS[place];
             int down = stride * MORTON_COLUMNS[place >> 1];
             int nextColumn = left + across;
@@ -231,7 +231,7 @@ public final class SampleTracer {
         return place & 1 | place >> 1 & 2 | place >> 2 & 4 | place >> 3 & 8;
     }
 
-    private boolean goesTo(int index, SampleTaker taker) {
+    private boolean goesTo(int index, SampleSink taker) {
         column = places.column(rays.sample(index));
         row = places.row(rays.sample(index));
         return !taker.isStopped();

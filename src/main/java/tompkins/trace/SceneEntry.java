@@ -2,7 +2,7 @@ package tompkins.trace;
 
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 
 /** What is beyond the objects of the camera frame: the scene, after the change of frame. */
 final class SceneEntry implements Beyond {
@@ -10,7 +10,7 @@ final class SceneEntry implements Beyond {
     private final FrameCrossing crossing;
     private final RayTracer sceneTracer;
     private final LightShift shift;
-    private final RayWitness witness;
+    private final PathObserver witness;
 
     /**
      * The way into the scene.
@@ -19,7 +19,7 @@ final class SceneEntry implements Beyond {
      * @param shift what becomes of the light, or null if it stays as it is
      * @param witness watches the rays; may be null
      */
-    SceneEntry(FrameCrossing crossing, RayTracer sceneTracer, LightShift shift, RayWitness witness) {
+    SceneEntry(FrameCrossing crossing, RayTracer sceneTracer, LightShift shift, PathObserver witness) {
         this.crossing = crossing;
         this.sceneTracer = sceneTracer;
         this.shift = shift;
@@ -49,7 +49,7 @@ final class SceneEntry implements Beyond {
     }
 
     /** Takes each ray of a block into the scene frame; no witness is told. */
-    void cross(RayBlock rays) {
+    void cross(RayPacket rays) {
         crossing.cross(rays);
     }
 

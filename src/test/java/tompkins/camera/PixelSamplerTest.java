@@ -9,7 +9,7 @@ import java.util.function.ToIntFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 
 /** The places of samples: in their pixel and on the lens, evenly spread, the same again for the same seed. */
 class PixelSamplerTest {
@@ -185,13 +185,13 @@ class PixelSamplerTest {
     @Test
     void placesDoNotDependOnTheBlock() {
         PixelSampler sampler = new PixelSampler(7, true, true);
-        SamplePlaces block = new SamplePlaces(RayBlock.MOST);
-        for (int i = 0; i < RayBlock.MOST; i++) {
+        SamplePlaces block = new SamplePlaces(RayPacket.MOST);
+        for (int i = 0; i < RayPacket.MOST; i++) {
             block.addPixel(i % 17, i / 17);
         }
         sampler.choose(block, 12);
         Set<Double> different = new HashSet<>();
-        for (int i = 0; i < RayBlock.MOST; i++) {
+        for (int i = 0; i < RayPacket.MOST; i++) {
             SamplePlaces single = place(sampler, i % 17, i / 17, 12);
             assertThat(block.x(i)).isEqualTo(single.x(0));
             assertThat(block.y(i)).isEqualTo(single.y(0));
@@ -199,7 +199,7 @@ class PixelSamplerTest {
             assertThat(block.lensY(i)).isEqualTo(single.lensY(0));
             different.add(block.lensX(i));
         }
-        assertThat(different).hasSize(RayBlock.MOST);
+        assertThat(different).hasSize(RayPacket.MOST);
     }
 
     private static SamplePlaces place(PixelSampler sampler, int column, int row, int sample) {

@@ -33,7 +33,8 @@ class RollingShutterTest {
                 new Vector3d(-1e4, 0, 0),
                 new Vector3d(0, 2e4, 0),
                 Photograph.WHITE);
-        Camera camera = Photograph.pinhole(new Vector3d(0, 0, 1), 40, openingTime).withRollingShutter(rolling);
+        Camera camera =
+                Photograph.pinhole(new Vector3d(0, 0, 1), 40, openingTime).withRollingShutter(rolling);
         return Photograph.of(List.of(sheet), camera, Velocity.of(speed, 0, 0), WIDTH, HEIGHT);
     }
 
@@ -53,13 +54,12 @@ class RollingShutterTest {
         int wrong = 0;
         for (int row = 0; row < HEIGHT; row++) {
             for (int column = 0; column < WIDTH; column++) {
-                double line =
-                        switch (direction) {
-                            case DOWN -> (row + 0.5) / HEIGHT;
-                            case UP -> (HEIGHT - row - 0.5) / HEIGHT;
-                            case RIGHT -> (column + 0.5) / WIDTH;
-                            case LEFT -> (WIDTH - column - 0.5) / WIDTH;
-                        };
+                double line = switch (direction) {
+                    case DOWN -> (row + 0.5) / HEIGHT;
+                    case UP -> (HEIGHT - row - 0.5) / HEIGHT;
+                    case RIGHT -> (column + 0.5) / WIDTH;
+                    case LEFT -> (WIDTH - column - 0.5) / WIDTH;
+                };
                 double x = (column + 0.5 - WIDTH / 2.0) * PER_PIXEL;
                 double y = (HEIGHT / 2.0 - row - 0.5) * PER_PIXEL;
                 boolean expected = isLeft(x, y, speed, 0.1, opening + sweep * line);
@@ -84,8 +84,8 @@ class RollingShutterTest {
     void shapeDoesNotDependOnTheSize() {
         RollingShutter down = new RollingShutter(SweepDirection.DOWN, 10);
         Photograph large = edge(0.3, 0, 5, down);
-        Photograph small =
-                new Photograph(large.studio().withSettings(large.studio().settings().withSize(WIDTH / 4, HEIGHT / 4)));
+        Photograph small = new Photograph(
+                large.studio().withSettings(large.studio().settings().withSize(WIDTH / 4, HEIGHT / 4)));
         for (int row = 0; row < HEIGHT / 4; row++) {
             double mean = (crossing(large, 4 * row + 1) + crossing(large, 4 * row + 2)) / 2;
             assertThat(4 * crossing(small, row)).isCloseTo(mean, within(4.0));

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.ray.Ray;
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 
 /** What all changes of frame have in common, and what the simple ones are. */
 class TransformationTest {
@@ -84,7 +84,7 @@ class TransformationTest {
     @EnumSource
     void raysOfABlockGoWhereTheyGoAlone(TransformationLaw law) {
         SpaceTimeTransformation transformation = transformation(law);
-        RayBlock block = new RayBlock(4);
+        RayPacket block = new RayPacket(4);
         block.begin(4);
         Ray[] rays = new Ray[4];
         for (int i = 0; i < 4; i++) {

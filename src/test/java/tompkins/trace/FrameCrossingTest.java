@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.ray.Ray;
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.IdentityTransformation;
 import tompkins.spacetime.LorentzTransformation;
@@ -64,7 +64,7 @@ class FrameCrossingTest {
     void blockCrossesAsItsRays(double time) {
         FrameCrossing crossing = new FrameCrossing(MOVING, lens(time));
         Ray start = ray(lens(time));
-        RayBlock block = new RayBlock(2);
+        RayPacket block = new RayPacket(2);
         block.begin(2);
         block.set(0, start);
         block.set(1, start.moved(0.1, 0.2, 0.3, 0.4));

@@ -28,9 +28,9 @@ class MotionBlurTest {
     private static final double PER_PIXEL = 2 * Math.tan(Math.toRadians(25)) / WIDTH;
 
     private static Studio wall(double speed, double exposure, RollingShutter rolling) {
-        SceneObject wall = new Plane(
-                "wall", new Vector3d(0, 0, DEPTH), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT);
-        Camera camera = ThinLensCamera.DEFAULT.withHorizontalAngle(50)
+        SceneObject wall = new Plane("wall", new Vector3d(0, 0, DEPTH), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT);
+        Camera camera = ThinLensCamera.DEFAULT
+                .withHorizontalAngle(50)
                 .withShutter(new AperturePlaneShutter(3))
                 .withExposureTime(exposure)
                 .withRollingShutter(rolling);
@@ -42,8 +42,8 @@ class MotionBlurTest {
     }
 
     /**
-     * A point of the wall is seen at X with X Z = x0 - v (t - Z sqrt(1 + X^2 + Y^2)), so that X changes by
-     * -v dt/(Z (1 - v X/sqrt(1 + X^2 + Y^2))).
+     * A point of the wall is seen at X with X Z = x0 - v (t - Z sqrt(1 + X^2 + Y^2)), so that X changes by -v dt/(Z (1
+     * - v X/sqrt(1 + X^2 + Y^2))).
      */
     private static double length(double speed, double exposure, int column, int row) {
         double x = (column + 0.5 - WIDTH / 2.0) * PER_PIXEL;
@@ -70,8 +70,8 @@ class MotionBlurTest {
         double sweep = 2;
         double speed = 0.1;
         double motion = length(speed, 1, WIDTH / 2, HEIGHT / 2) * sweep / WIDTH;
-        MotionBlur blur = new MotionBlur(
-                RenderPlan.of(wall(speed, 0.2, new RollingShutter(SweepDirection.LEFT, sweep))));
+        MotionBlur blur =
+                new MotionBlur(RenderPlan.of(wall(speed, 0.2, new RollingShutter(SweepDirection.LEFT, sweep))));
         double instant = length(speed, 0.2, WIDTH / 2, HEIGHT / 2);
         assertThat(blur.inTheMiddle()).isCloseTo(instant / (1 - motion), within(0.01 * instant));
     }
@@ -80,14 +80,14 @@ class MotionBlurTest {
     void skyAndCompanionsStaySharp() {
         Studio empty = wall(0.5, 1, RollingShutter.DEFAULT).withScene(List.of());
         assertThat(new MotionBlur(RenderPlan.of(empty)).inTheMiddle()).isZero();
-        Studio companion = empty.withCameraFrame(List.of(new Plane("sheet", new Vector3d(0, 0, 5), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT)));
+        Studio companion = empty.withCameraFrame(
+                List.of(new Plane("sheet", new Vector3d(0, 0, 5), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT)));
         assertThat(new MotionBlur(RenderPlan.of(companion)).inTheWorstCorner()).isZero();
     }
 
     @Test
     void restHasNothingToSay() {
-        List<String> sentences = RenderPlan.of(
-                        wall(0, 1, new RollingShutter(SweepDirection.UP, 2)))
+        List<String> sentences = RenderPlan.of(wall(0, 1, new RollingShutter(SweepDirection.UP, 2)))
                 .sentences();
         assertThat(sentences).noneMatch(sentence -> sentence.contains("stays open") || sentence.contains("rolls"));
     }

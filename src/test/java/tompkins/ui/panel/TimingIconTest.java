@@ -25,7 +25,8 @@ class TimingIconTest {
         UIManager.put("Component.accentColor", Color.BLUE);
         UIManager.put("Tompkins.note", Color.GRAY);
         Stream<TimingIcon> icons = Stream.concat(
-                Stream.of(TimingIcon.exposure()), Stream.of(SweepDirection.values()).map(TimingIcon::rolling));
+                Stream.of(TimingIcon.exposure()),
+                Stream.of(SweepDirection.values()).map(TimingIcon::rolling));
         assertThat(icons.map(TimingIconTest::pixels).distinct()).hasSize(5);
     }
 
