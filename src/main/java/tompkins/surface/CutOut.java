@@ -63,6 +63,11 @@ public record CutOut(
     }
 
     @Override
+    public boolean showsTime() {
+        return dark.showsTime() || bright.showsTime();
+    }
+
+    @Override
     public boolean continuesRays() {
         return dark.continuesRays() || bright.continuesRays();
     }

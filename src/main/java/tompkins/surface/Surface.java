@@ -47,6 +47,11 @@ public sealed interface Surface
         return Stream.of(this);
     }
 
+    /** Whether it looks different at different times. */
+    default boolean showsTime() {
+        return false;
+    }
+
     /** Whether rays go on from here: mirrors, windows, glass. */
     default boolean continuesRays() {
         return false;

@@ -136,6 +136,11 @@ public record Tiling(
     }
 
     @Override
+    public boolean showsTime() {
+        return first.showsTime() || second.showsTime();
+    }
+
+    @Override
     public boolean continuesRays() {
         return first.continuesRays() || second.continuesRays();
     }
