@@ -2,7 +2,6 @@ package tompkins.app;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
@@ -46,7 +45,7 @@ import tompkins.ui.Captions;
                 "Takes photographs while a number of the scene, such as the speed of the camera, runs from one value"
                         + " to another, or of a recorded ride, and saves them as an animation with 25 pictures a"
                         + " second.")
-final class AnimateCommand implements Callable<Integer> {
+final class AnimateCommand implements Callable<Integer>, SceneCommand {
 
     /** How long it plays if nobody says it. */
     private static final double DEFAULT_SECONDS = 4;
@@ -112,6 +111,11 @@ final class AnimateCommand implements Callable<Integer> {
     private CommandSpec spec;
 
     @Override
+    public Path scene() {
+        return scene;
+    }
+
+    @Override
     public Integer call() throws IOException, InterruptedException {
         Studio studio = picture.applyTo(quality.applyTo(options.applyTo(StudioReader.read(scene))));
         Recording recording = ride ? ofRide(studio) : ofNumber(studio);
@@ -119,9 +123,11 @@ final class AnimateCommand implements Callable<Integer> {
         long start = System.nanoTime();
         PrintWriter err = spec.commandLine().getErr();
         ProgressLine progress = new ProgressLine(err);
+        Path place;
         try (AnimationWriter writer = open()) {
             warnings.addAll(AnimationRecorder.record(recording.film, writer, recording.caption, progress)
                     .sentences());
+            place = writer.finish();
         } finally {
             progress.clear();
         }
@@ -131,7 +137,7 @@ final class AnimateCommand implements Callable<Integer> {
                 .println(String.format(
                         Locale.ROOT,
                         "%s  (%.2f s, %d pictures)",
-                        output.toRealPath(LinkOption.NOFOLLOW_LINKS),
+                        place.toRealPath(LinkOption.NOFOLLOW_LINKS),
                         (System.nanoTime() - start) / 1e9,
                         recording.film.frames()));
         Photographer.tellFilesToKeep(studio, err);
@@ -203,8 +209,8 @@ final class AnimateCommand implements Callable<Integer> {
         RenderPlan begin = ScenePlan.of(first, scene);
         RenderPlan end = ScenePlan.of(last, begin, scene);
         Photographer.requireMemory(first.settings(), Quality.of(first));
-        if (!force && Files.isRegularFile(output)) {
-            throw new MistakeException(output + ": there is a file of this name already; --force replaces it");
+        if (!force) {
+            Photographer.requireFree(output);
         }
         return Stream.concat(begin.warnings().stream(), end.warnings().stream()).toList();
     }
@@ -220,7 +226,9 @@ final class AnimateCommand implements Callable<Integer> {
 
     private AnimationWriter open() {
         try {
-            return AnimationFormat.of(output).open(output, Film.FRAME_RATE);
+            AnimationFormat format =
+                    OutputOption.namesFolder(spec) ? AnimationFormat.NUMBERED_PNG : AnimationFormat.of(output);
+            return force ? format.open(output, Film.FRAME_RATE) : format.openNew(output, Film.FRAME_RATE);
         } catch (FileException wrongPlace) {
             // no disk has failed yet: the user named the place
             throw new MistakeException(wrongPlace.getMessage());

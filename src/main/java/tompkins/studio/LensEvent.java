@@ -6,6 +6,8 @@ import org.joml.Vector3dc;
 import tompkins.camera.Camera;
 import tompkins.math.RigidMotion;
 import tompkins.math.Vectors;
+import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.LensRay;
 import tompkins.spacetime.Event;
@@ -21,19 +23,23 @@ public final class LensEvent {
     private LensEvent() {}
 
     /**
-     * When light for the middle of the picture crosses the centre of the lens, in the camera frame; not finite if none
-     * does.
+     * When light for the middle of the picture crosses the centre of the lens, in the camera frame, by the model of the
+     * shutter alone; not finite if none does.
      */
     public static double timeInMiddle(Camera camera, SpaceTimeTransformation sceneFromCamera) {
         LensRay middle = camera.rays(1, 1, sceneFromCamera).chiefRay(Vectors.unit(camera.viewDirection()));
         return camera.shutter().transmissionTime(middle, sceneFromCamera);
     }
 
-    /** The event in the camera frame; at the time 0 if no light crosses the shutter. */
+    /**
+     * The event in the camera frame, in the middle of the exposure and of the sweep; at the time 0 if no light crosses
+     * the shutter.
+     */
     public static Event inCamera(Studio studio) {
-        Vector3dc place = studio.camera().position();
-        double time = timeInMiddle(studio.camera(), studio.sceneFromCamera());
-        return new Event(place.x(), place.y(), place.z(), Double.isFinite(time) ? time : 0);
+        Camera camera = studio.camera();
+        Vector3dc place = camera.position();
+        Ray axis = camera.rays(1, 1, studio.sceneFromCamera()).ray(0.5, 0.5, 0, 0, new RayCounts());
+        return new Event(place.x(), place.y(), place.z(), axis == null ? 0 : axis.time);
     }
 
     /** The event in the scene frame. */
@@ -72,9 +78,10 @@ public final class LensEvent {
 
     private static Studio withOpeningTime(Studio studio) {
         Camera camera = studio.camera();
-        return camera.shutter().hasOpeningTime()
-                ? studio
-                : studio.withCamera(camera.withShutter(
-                        new AperturePlaneShutter(inCamera(studio).time())));
+        if (camera.shutter().hasOpeningTime()) {
+            return studio;
+        }
+        double time = timeInMiddle(camera, studio.sceneFromCamera());
+        return studio.withCamera(camera.withShutter(new AperturePlaneShutter(Double.isFinite(time) ? time : 0)));
     }
 }

@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import java.util.stream.Stream;
@@ -13,6 +14,7 @@ import tompkins.animation.FrameWarnings;
 import tompkins.animation.RideFilm;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
+import tompkins.image.FileException;
 import tompkins.render.Progress;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
@@ -55,25 +57,34 @@ final class AnimationExport {
                 Texts.get("play.exportTitle", film.frames(), size.width(), size.height()),
                 "animation",
                 formats,
-                (file, format) -> save(film, caption.apply(captions.areShown()), file, format));
+                (file, format, replace) -> save(film, caption.apply(captions.areShown()), file, format, replace));
     }
 
     /** Saves a film, with progress and cancel. */
-    private void save(Film film, Film.Caption caption, Path file, AnimationFormat format) {
-        AtomicReference<FrameWarnings> warnings = new AtomicReference<>();
+    private void save(Film film, Film.Caption caption, Path file, AnimationFormat format, boolean replace) {
+        AtomicReference<Exported> exported = new AtomicReference<>();
         BackgroundTask.start(
                 frame,
                 Texts.get("file.saving", file),
-                progress -> warnings.set(write(film, caption, file, format, progress)),
-                () -> dialogs.exported(file, warnings.get().sentences()),
+                progress -> exported.set(write(film, caption, () -> open(file, format, replace), progress)),
+                () -> dialogs.exported(
+                        exported.get().place(), exported.get().warnings().sentences()),
                 () -> dialogs.sayNotSaved(file));
     }
 
+    /** What was saved: where it lies, and what the user should know about it. */
+    record Exported(Path place, FrameWarnings warnings) {}
+
+    private static AnimationWriter open(Path file, AnimationFormat format, boolean replace) throws FileException {
+        return replace ? format.open(file, Film.FRAME_RATE) : format.openNew(file, Film.FRAME_RATE);
+    }
+
     /** Takes all pictures and writes them; leaves nothing behind if the task is cancelled or fails. */
-    static FrameWarnings write(Film film, Film.Caption caption, Path file, AnimationFormat format, Progress progress)
+    static Exported write(Film film, Film.Caption caption, Callable<AnimationWriter> file, Progress progress)
             throws Exception {
-        try (AnimationWriter writer = format.open(file, Film.FRAME_RATE)) {
-            return AnimationRecorder.record(film, writer, caption, progress);
+        try (AnimationWriter writer = file.call()) {
+            FrameWarnings warnings = AnimationRecorder.record(film, writer, caption, progress);
+            return new Exported(writer.finish(), warnings);
         }
     }
 }

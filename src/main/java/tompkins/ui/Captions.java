@@ -24,7 +24,6 @@ import tompkins.ui.widget.Wording;
 public final class Captions {
 
     private static final String SETTING = "caption";
-    private static final int GAMMA_DIGITS = 5;
 
     /** From this speed on, digits are counted from the speed of light. */
     private static final double FAST = 0.9;
@@ -91,7 +90,7 @@ public final class Captions {
                         exact.givenDirection());
         return String.join(
                 ", ",
-                motion(studio, brief, 3),
+                motion(studio, brief, Numbers.brief(exact.gamma(), 3)),
                 Texts.get("caption.ride", tenths(moment.properTime()), tenths(moment.sceneTime())));
     }
 
@@ -112,14 +111,14 @@ public final class Captions {
 
     /** The speed, and the laws if they are not the usual ones: {@code beta = 0.97, gamma = 4.113}. */
     static String motion(Studio studio) {
-        return motion(studio, studio.velocity(), GAMMA_DIGITS);
+        return motion(studio, studio.velocity(), SpeedScale.GAMMA.reading(studio.velocity()));
     }
 
-    private static String motion(Studio studio, Velocity velocity, int gammaDigits) {
+    private static String motion(Studio studio, Velocity velocity, String gamma) {
         List<String> words = new ArrayList<>();
         words.add(Texts.get("caption.beta", SpeedText.of(velocity, SpeedScale.BETA)));
         if (studio.transformation() == TransformationLaw.LORENTZ) {
-            words.add(Texts.get("caption.gamma", Numbers.brief(studio.velocity().gamma(), gammaDigits)));
+            words.add(Texts.get("caption.gamma", gamma));
         } else {
             words.add(Texts.get("caption." + studio.transformation()));
         }

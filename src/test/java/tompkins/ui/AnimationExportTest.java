@@ -49,7 +49,10 @@ class AnimationExportTest {
     private static void write(Studio studio, Path file, AnimationFormat format, boolean captioned, Progress progress)
             throws Exception {
         AnimationExport.write(
-                FASTER.film(studio), Captions.ofPictures(studio, FASTER.number(), captioned), file, format, progress);
+                FASTER.film(studio),
+                Captions.ofPictures(studio, FASTER.number(), captioned),
+                () -> format.open(file, 25),
+                progress);
     }
 
     /** The caption covers the lower left corner, nothing else, and tells frames apart that show the same. */

@@ -18,7 +18,6 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.primitive.Bounds;
 import tompkins.ray.Ray;
-import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
@@ -47,7 +46,6 @@ public final class SideMap implements Overlay {
     private static final Color MOTION = new Color(120, 220, 140);
 
     private boolean shown;
-    private List<SceneObject> scene;
     private List<Bounds> boxes = List.of();
 
     /** Paints the map from now on, or not. */
@@ -61,10 +59,7 @@ public final class SideMap implements Overlay {
             return;
         }
         RenderPlan plan = picture.plan();
-        if (scene != plan.studio().scene()) {
-            scene = plan.studio().scene();
-            boxes = plan.sceneBounds(MOST_BOXES);
-        }
+        boxes = plan.sceneBounds(MOST_BOXES);
         Font font = UIManager.getFont("small.font");
         double type = font.getSize2D();
         double width = Math.min(WIDTH * type, bounds.width * 0.4);
