@@ -63,6 +63,7 @@ class ArchitectureTest {
             "camera",
             "image",
             "studio",
+            "world",
             "trace",
             "render",
             "io",

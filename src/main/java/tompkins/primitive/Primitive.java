@@ -34,6 +34,7 @@ public abstract class Primitive implements Boundary, Cloneable {
     private final Shadow shadow;
     private int order;
     private double slack;
+    private RestFrame restFrame = RestFrame.OUTERMOST;
 
     /** A primitive of an object as a scene file describes it. */
     protected Primitive(Described object, Surface surface) {
@@ -226,6 +227,21 @@ public abstract class Primitive implements Boundary, Cloneable {
         this.order = order;
         Bounds bounds = bounds();
         slack = bounds == null ? 0 : SLACK * bounds.farthest();
+    }
+
+    @Override
+    public final double clockOffset() {
+        return restFrame.clockOffset() - restFrame.zero().time();
+    }
+
+    /** The frame in which the object rests. */
+    public final RestFrame restFrame() {
+        return restFrame;
+    }
+
+    /** Sets the frame in which the object rests. */
+    public final void setRestFrame(RestFrame frame) {
+        restFrame = frame;
     }
 
     /** The nearer of two distances that lies in front and not beyond a limit. */

@@ -10,6 +10,8 @@ public sealed interface Surface
                 PictureSurface,
                 Tiling,
                 CutOut,
+                Clock,
+                Blinking,
                 Clear,
                 ColourFilter,
                 Mirror,

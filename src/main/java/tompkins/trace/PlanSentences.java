@@ -3,6 +3,8 @@ package tompkins.trace;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.ColourLaw;
 import tompkins.primitive.Primitive;
@@ -10,24 +12,26 @@ import tompkins.property.NumberText;
 import tompkins.ray.Ray;
 import tompkins.search.ObjectTree;
 import tompkins.shutter.AperturePlaneShutter;
+import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 import tompkins.surface.Surface;
+import tompkins.world.World;
 
 /** Says in sentences what a picture models and what it leaves out. */
 final class PlanSentences {
 
     private final Studio studio;
-    private final ObjectTree scene;
+    private final World world;
     private final ObjectTree cameraFrame;
     private final boolean atRest;
     private final LightShift shift;
 
     /** The sentences; the shift is null if the light of the scene stays as it is. */
-    PlanSentences(Studio studio, ObjectTree scene, ObjectTree cameraFrame, boolean atRest, LightShift shift) {
+    PlanSentences(Studio studio, World world, ObjectTree cameraFrame, boolean atRest, LightShift shift) {
         this.studio = studio;
-        this.scene = scene;
+        this.world = world;
         this.cameraFrame = cameraFrame;
         this.atRest = atRest;
         this.shift = shift;
@@ -123,6 +127,10 @@ final class PlanSentences {
     }
 
     private String search() {
+        if (world.frameCount() > 1) {
+            return searchInFrames();
+        }
+        ObjectTree scene = world.objects(0);
         if (scene.size() == 0) {
             return "The scene holds no objects: rays that reach it see the background.";
         }
@@ -133,8 +141,33 @@ final class PlanSentences {
                         scene.size(), scene.size() == 1 ? "" : "s");
     }
 
+    private String searchInFrames() {
+        String frames = IntStream.range(0, world.frameCount())
+                .mapToObj(i -> format(
+                        "%s %d primitive%s%s",
+                        i == 0 ? "at rest" : speed(world.frame(i).motion()),
+                        world.objects(i).size(),
+                        world.objects(i).size() == 1 ? "" : "s",
+                        world.objects(i).hasTree() ? " in a tree" : ""))
+                .collect(Collectors.joining("; "));
+        return format(
+                "%d inertial frames, and each ray is searched for in each that holds something: %s.",
+                world.frameCount(), frames);
+    }
+
+    private String speed(FrameMotion motion) {
+        SpeedScale scale = studio.transformation().speedScale();
+        return "moving with " + scale.key() + " "
+                + NumberText.of(NumberText.rounded(scale.valueOf(motion.velocity()), 4))
+                + (motion.outer() == null ? "" : " in what moves");
+    }
+
     private String recursion() {
-        boolean continues = scene.primitives().stream().map(Primitive::surface).anyMatch(Surface::continuesRays)
+        boolean continues = IntStream.range(0, world.frameCount())
+                        .mapToObj(world::objects)
+                        .flatMap(objects -> objects.primitives().stream())
+                        .map(Primitive::surface)
+                        .anyMatch(Surface::continuesRays)
                 || cameraFrame.primitives().stream().map(Primitive::surface).anyMatch(Surface::continuesRays);
         return continues
                 ? format(

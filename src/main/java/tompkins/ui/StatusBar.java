@@ -16,7 +16,6 @@ import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.picture.RenderController;
 import tompkins.ui.widget.Numbers;
-import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Tips;
 
@@ -30,7 +29,7 @@ final class StatusBar {
 
     private final JPanel panel =
             new JPanel(new MigLayout("novisualpadding, insets 4 10 5 10, fillx, gap 12 1", "[grow,fill][pref!]"));
-    private final JLabel what = PlainText.in(new JLabel());
+    private final JLabel what = new JLabel();
     private final JLabel where = new JLabel(" ");
     private final JLabel picture = new JLabel(" ");
     private final JProgressBar progress = new JProgressBar(0, STEPS);
@@ -157,7 +156,7 @@ final class StatusBar {
         }
         setWhat(text.toString());
         where.setText(details(reading));
-        where.setToolTipText(where.getText());
+        where.setToolTipText(Tips.wrapped(where.getText()));
     }
 
     private static String details(PixelProbe.Reading reading) {

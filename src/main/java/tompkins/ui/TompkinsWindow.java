@@ -105,6 +105,7 @@ public final class TompkinsWindow {
         // what is laid out before the window is on its screen is laid out again
         frame.addNotify();
         fitToLook();
+        settings.tellTrouble(status::say);
         if (place != null) {
             settings.addRecentFile(place);
         }
@@ -124,12 +125,11 @@ public final class TompkinsWindow {
      * Opens a window, which shows its first picture as soon as that is there. Called by any thread; returns at once.
      * The program ends when all its windows are closed.
      *
-     * @param studio the scene to show
-     * @param file where it was read from, or null
+     * @param first the scene to show
      * @param examples reads the scenes that the menu of examples offers, in its order; called by another thread
      * @param commandLine writes the command line that takes the same photograph
      */
-    public static void open(Studio studio, Path file, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
+    public static void open(FirstScene first, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
         prepare();
         if (Desktop.isDesktopSupported() && Desktop.getDesktop().isSupported(Desktop.Action.APP_QUIT_STRATEGY)) {
             // Cmd+Q on a Mac must not pass over the question about unsaved changes
@@ -137,7 +137,8 @@ public final class TompkinsWindow {
         }
         SwingUtilities.invokeLater(() -> {
             Thread.currentThread().setUncaughtExceptionHandler(new LastResort());
-            opened(studio, file, examples, commandLine);
+            TompkinsWindow window = opened(first.studio(), first.file(), examples, commandLine);
+            first.tellProblem(window.frame);
         });
     }
 

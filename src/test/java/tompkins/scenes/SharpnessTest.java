@@ -105,6 +105,7 @@ class SharpnessTest {
                 studio.camera(),
                 studio.velocity(),
                 studio.transformation(),
+                studio.view(),
                 studio.colours(),
                 studio.settings());
     }

@@ -19,7 +19,6 @@ import tompkins.property.Descriptions;
 import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
-import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Updating;
@@ -55,7 +54,7 @@ final class StudioTree {
     /** A tree that tells of the chosen line. */
     StudioTree(Consumer<Line> chosen) {
         tree.setName("tree");
-        tree.setCellRenderer(PlainText.in(new DefaultTreeCellRenderer()));
+        tree.setCellRenderer(new DefaultTreeCellRenderer());
         tree.getAccessibleContext().setAccessibleName(Texts.get("tree.name"));
         tree.getSelectionModel().setSelectionMode(TreeSelectionModel.SINGLE_TREE_SELECTION);
         tree.addTreeSelectionListener(event -> updating.unless(() -> chosen.accept(chosenLine())));
