@@ -10,12 +10,15 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Option;
+import tompkins.camera.Camera;
 import tompkins.light.ColourLaw;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
 import tompkins.property.Require;
+import tompkins.shutter.RollingShutter;
 import tompkins.shutter.Shutter;
+import tompkins.shutter.SweepDirection;
 import tompkins.spacetime.MetricSpeed;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
@@ -62,6 +65,25 @@ final class StudioOptions {
     private Double time;
 
     @Option(
+            names = "--exposure",
+            paramLabel = "T",
+            description = "time for which the shutter stays open; the picture is the mean over it")
+    private Double exposure;
+
+    @Option(
+            names = "--sweep",
+            paramLabel = "T",
+            description = "time in which a rolling shutter runs from edge to edge; with 0 all lines open together")
+    private Double sweep;
+
+    @Option(
+            names = "--rolling",
+            paramLabel = "DIRECTION",
+            completionCandidates = OptionWords.SweepDirections.class,
+            description = "the way in which the shutter rolls: ${COMPLETION-CANDIDATES}")
+    private SweepDirection rolling;
+
+    @Option(
             names = "--colours",
             paramLabel = "LAW",
             completionCandidates = OptionWords.ColourLaws.class,
@@ -90,7 +112,18 @@ final class StudioOptions {
             }
             model = MistakeException.inOption("--time", () -> closed.openedAt(time));
         }
-        return changed.withCamera(changed.camera().withShutter(model));
+        return changed.withCamera(timed(changed.camera().withShutter(model)));
+    }
+
+    private Camera timed(Camera camera) {
+        Camera exposed = exposure == null
+                ? camera
+                : MistakeException.inOption("--exposure", () -> camera.withExposureTime(exposure));
+        RollingShutter present = camera.rollingShutter();
+        SweepDirection direction = rolling == null ? present.direction() : rolling;
+        RollingShutter wanted = MistakeException.inOption(
+                "--sweep", () -> new RollingShutter(direction, sweep == null ? present.sweep() : sweep));
+        return exposed.withRollingShutter(wanted);
     }
 
     private Studio withVelocity(Studio studio) {

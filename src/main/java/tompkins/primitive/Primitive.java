@@ -1,6 +1,7 @@
 package tompkins.primitive;
 
 import org.joml.Vector3d;
+import tompkins.math.Vectors;
 import tompkins.ray.Boundary;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -105,6 +106,28 @@ public abstract class Primitive implements Boundary, Cloneable {
             margins[i] = most + margins[i] * margins[i] - (fx * fx + fy * fy + fz * fz);
         }
         return true;
+    }
+
+    /**
+     * Refuses a length whose square overflows, or is so near to 0 that it loses digits.
+     *
+     * @throws ArithmeticException if it does
+     */
+    static void requireSquare(double length) {
+        double square = length * length;
+        if (!(square >= Double.MIN_NORMAL && square < Double.POSITIVE_INFINITY)) {
+            throw new ArithmeticException("no square: " + length);
+        }
+    }
+
+    /**
+     * The unit vector along (x, y, z), also where its square is no number or 0; against the ray if it has no length, as
+     * on a shape that is too small to be told from its centre at this distance.
+     */
+    static Vector3d unitOrFacing(Ray ray, double x, double y, double z) {
+        return x == 0 && y == 0 && z == 0
+                ? new Vector3d(-ray.dx, -ray.dy, -ray.dz)
+                : Vectors.unit(new Vector3d(x, y, z));
     }
 
     /** Whether products of squares of a size are neither 0 nor infinite. */

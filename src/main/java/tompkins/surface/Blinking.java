@@ -54,6 +54,11 @@ public record Blinking(
     }
 
     @Override
+    public boolean showsTime() {
+        return true;
+    }
+
+    @Override
     public boolean continuesRays() {
         return first.continuesRays() || second.continuesRays();
     }

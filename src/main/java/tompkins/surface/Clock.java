@@ -99,6 +99,11 @@ public record Clock(
     }
 
     @Override
+    public boolean showsTime() {
+        return true;
+    }
+
+    @Override
     public boolean continuesRays() {
         return face.continuesRays() || hand.continuesRays();
     }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.camera.SamplePlaces;
 import tompkins.primitive.Described;
 import tompkins.primitive.Primitive;
 import tompkins.primitive.RestFrame;
@@ -102,6 +103,11 @@ public record RayLife(
         return hits.stream().filter(hit -> hit.branch == 0).toList();
     }
 
+    /** Follows one sample in the middle of the exposure time; null if it never crosses the shutter. */
+    public static RayLife of(RenderPlan plan, double x, double y, double lensX, double lensY) {
+        return of(plan, x, y, lensX, lensY, SamplePlaces.MIDDLE);
+    }
+
     /**
      * Follows one sample.
      *
@@ -109,11 +115,12 @@ public record RayLife(
      * @param y place in the picture in pixels
      * @param lensX place on the lens in units of its radius
      * @param lensY place on the lens in units of its radius
+     * @param moment the part of the exposure time that has passed, from 0 to 1
      * @return its life, or null if the sample never crosses the shutter and so has none
      */
-    public static RayLife of(RenderPlan plan, double x, double y, double lensX, double lensY) {
+    public static RayLife of(RenderPlan plan, double x, double y, double lensX, double lensY, double moment) {
         Recorder recorder = new Recorder(plan);
-        Colour colour = plan.tracer(new RayCounts(), recorder).sample(x, y, lensX, lensY);
+        Colour colour = plan.tracer(new RayCounts(), recorder).sample(x, y, lensX, lensY, moment);
         return recorder.startDirection == null ? null : recorder.life(colour);
     }
 

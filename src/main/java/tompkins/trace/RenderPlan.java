@@ -2,11 +2,14 @@ package tompkins.trace;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.camera.Camera;
 import tompkins.camera.CameraRays;
 import tompkins.camera.PixelSampler;
 import tompkins.light.LightSource;
+import tompkins.camera.SamplePlaces;
 import tompkins.math.Vectors;
 import tompkins.primitive.Placement;
 import tompkins.ray.Ray;
@@ -114,7 +117,7 @@ public final class RenderPlan {
 
     /**
      * The event, in the scene frame, at which a point that is fixed to the camera is photographed through the lens
-     * centre.
+     * centre, in the middle of the exposure time and of the sweep.
      */
     private Event imagePoint(Vector3dc point) {
         Vector3d fromLens = point.sub(studio.camera().position(), new Vector3d());
@@ -122,7 +125,10 @@ public final class RenderPlan {
             return lensInScene();
         }
         LensRay ray = cameraRays.chiefRay(Vectors.unit(fromLens));
-        double time = studio.camera().shutter().transmissionTime(ray, sceneFromCamera) - fromLens.length();
+        Camera camera = studio.camera();
+        double later = camera.exposureTime() * SamplePlaces.MIDDLE
+                + camera.rollingShutter().sweep() / 2;
+        double time = camera.shutter().transmissionTime(ray, sceneFromCamera) + later - fromLens.length();
         return sceneFromCamera.transform(new Event(point.x(), point.y(), point.z(), time));
     }
 
@@ -151,6 +157,15 @@ public final class RenderPlan {
         return world.hasObjects();
     }
 
+    /** Whether nothing changes with time: all rests in one frame, and there are no clocks. */
+    public boolean isStill() {
+        return isAtRest()
+                && world.frameCount() == 1
+                && Stream.of(world.objects(0), cameraFrame)
+                        .flatMap(objects -> objects.primitives().stream())
+                        .noneMatch(primitive -> primitive.surface().showsTime());
+    }
+
     /** Whether the camera and the scene share one frame. */
     public boolean isAtRest() {
         return sceneFromCamera instanceof IdentityTransformation;
@@ -158,7 +173,19 @@ public final class RenderPlan {
 
     /** The places of the samples, for one thread. */
     PixelSampler sampler() {
-        return new PixelSampler(studio.settings().seed(), studio.camera().hasWideAperture());
+        return new PixelSampler(studio.settings().seed(), studio.camera().hasWideAperture(), blursInTime());
+    }
+
+    /** Whether the shutter stays open while what it sees changes. */
+    public boolean blursInTime() {
+        return studio.camera().exposureTime() > 0 && !isStill();
+    }
+
+    /**
+     * Whether different samples of a pixel differ by more than their places in it: one of them tells nothing of that.
+     */
+    public boolean blurs() {
+        return studio.camera().hasWideAperture() || blursInTime();
     }
 
     /**
@@ -255,6 +282,6 @@ public final class RenderPlan {
     }
 
     private PlanSentences inSentences() {
-        return new PlanSentences(studio, world, cameraFrame, isAtRest(), shift);
+        return new PlanSentences(this, world, cameraFrame, cameraRays, shift);
     }
 }

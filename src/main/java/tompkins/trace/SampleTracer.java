@@ -94,16 +94,17 @@ public final class SampleTracer {
     }
 
     /**
-     * The colour that a point of the picture gets through a point of the lens.
+     * The colour that a point of the picture gets through a point of the lens at a moment.
      *
      * @param x place in the picture in pixels
      * @param y place in the picture in pixels
      * @param lensX place on the lens in units of its radius
      * @param lensY place on the lens in units of its radius
+     * @param moment the part of the exposure time that has passed, from 0 to 1
      */
-    public Colour sample(double x, double y, double lensX, double lensY) {
+    public Colour sample(double x, double y, double lensX, double lensY, double moment) {
         places.clear();
-        places.add(x, y, lensX, lensY);
+        places.add(x, y, lensX, lensY, moment);
         return single();
     }
 

@@ -138,6 +138,11 @@ public final class World {
                 || describedLights.stream().anyMatch(MovingLights.class::isInstance);
     }
 
+    /** Whether the scene holds image points, and so depends on the camera. */
+    public boolean followsCamera() {
+        return followsCamera;
+    }
+
     /** Number of frames; the first is the scene frame. */
     public int frameCount() {
         return frames.size();

@@ -117,6 +117,11 @@ class LimitsTest {
                 scene(
                         "focus through the lens",
                         "{ \"camera\": { \"focus\": { \"type\": \"Plane\", \"point\": [0, 0, 0] } } }"),
+                scene("shutter that closes before it opens", "{ \"camera\": { \"exposureTime\": -1 } }"),
+                scene("shutter that rolls backwards", "{ \"camera\": { \"rollingShutter\": { \"sweep\": -2 } } }"),
+                scene(
+                        "shutter that rolls in no direction",
+                        "{ \"camera\": { \"rollingShutter\": { \"direction\": \"downwards\", \"sweep\": 2 } } }"),
                 scene("empty file", ""),
                 scene("file of another kind", "# Notes\n\nA camera moves."),
                 scene("number as in other languages", "{ \"camera\": { \"apertureRadius\": .5 } }"),

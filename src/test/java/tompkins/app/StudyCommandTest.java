@@ -189,7 +189,7 @@ class StudyCommandTest {
         assertThat(run.code()).isEqualTo(Failures.MISTAKE);
         assertThat(run.err().strip())
                 .isEqualTo(
-                        "NAME must be one of aperture, antialiasing, precision, tree, depth, preview, stability, all;"
+                        "NAME must be one of aperture, exposure, antialiasing, precision, tree, depth, preview, stability, all;"
                                 + " was speed");
         assertThat(folder).isEmptyDirectory();
     }

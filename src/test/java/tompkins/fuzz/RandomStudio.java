@@ -43,7 +43,9 @@ import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.FixedPointSurfaceShutter;
 import tompkins.shutter.FocusSurfaceShutter;
 import tompkins.shutter.LensHologramShutter;
+import tompkins.shutter.RollingShutter;
 import tompkins.shutter.Shutter;
+import tompkins.shutter.SweepDirection;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
@@ -273,7 +275,7 @@ public final class RandomStudio {
     private Camera camera() {
         Vector3d position = random.nextInt(3) == 0 ? place() : new Vector3d();
         double angle = pick(1e-6, 1.0, 20.0, 90.0, 179.9);
-        return random.nextInt(4) == 0
+        Camera instant = random.nextInt(4) == 0
                 ? new PanoramicCamera(position, direction(), direction(), 360, 180, size(), 0, shutter())
                 : new ThinLensCamera(
                         position,
@@ -285,6 +287,10 @@ public final class RandomStudio {
                         objectWithin(1),
                         random.nextInt(3) - 1,
                         shutter());
+        Camera exposed = random.nextInt(3) == 0 ? instant.withExposureTime(Math.abs(number())) : instant;
+        return random.nextInt(3) == 0
+                ? exposed.withRollingShutter(new RollingShutter(pick(SweepDirection.values()), Math.abs(number())))
+                : exposed;
     }
 
     private Shutter shutter() {

@@ -45,7 +45,7 @@ class ApertureStudyTest {
     @Test
     void samplerThatStaysInTheCentreIsFound() {
         Map<String, SamplingMethod.Factory> broken = randomAlone();
-        broken.put(PROGRAM, (seed, samples, pixelToo) -> new SamplePattern(seed) {
+        broken.put(PROGRAM, (seed, samples, space) -> new SamplePattern(seed) {
             @Override
             void startPixel(int column, int row) {}
 
@@ -62,8 +62,8 @@ class ApertureStudyTest {
     @MethodSource("pixelsThatAreTakenForOne")
     void samplerThatIsTheSameInSeveralPixelsIsFound(IntUnaryOperator column, IntUnaryOperator row) {
         Map<String, SamplingMethod.Factory> broken = randomAlone();
-        broken.put(PROGRAM, (seed, samples, pixelToo) -> new SamplePattern(seed) {
-            private final SamplePattern right = SamplingMethod.SOBOL.factory().pattern(seed, samples, pixelToo);
+        broken.put(PROGRAM, (seed, samples, space) -> new SamplePattern(seed) {
+            private final SamplePattern right = SamplingMethod.SOBOL.factory().pattern(seed, samples, space);
 
             @Override
             void startPixel(int pixelColumn, int pixelRow) {

@@ -38,7 +38,9 @@ import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.FixedPointSurfaceShutter;
 import tompkins.shutter.FocusSurfaceShutter;
 import tompkins.shutter.LensHologramShutter;
+import tompkins.shutter.RollingShutter;
 import tompkins.shutter.Shutter;
+import tompkins.shutter.SweepDirection;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Lighting;
@@ -169,7 +171,20 @@ public final class VariedStudios {
                 Named.of("panoramic camera", studio.withCamera(allAround)),
                 Named.of("panoramic camera, other shutter", studio.withCamera(allAround.withShutter(SHUTTERS.get(5)))),
                 Named.of("very wide aperture inside the scene", samples(studio.withCamera(veryWide), 2)),
-                Named.of("camera that looks back", studio.withCamera(back)));
+                Named.of("camera that looks back", studio.withCamera(back)),
+                Named.of("long exposure", samples(exposed(studio, 2, 0, SweepDirection.DOWN), 2)),
+                Named.of("rolling shutter", exposed(studio, 0, 5, SweepDirection.LEFT)),
+                Named.of(
+                        "wide aperture, rolling slit",
+                        samples(exposed(studio.withCamera(veryWide), 0.5, 3, SweepDirection.UP), 2)),
+                Named.of(
+                        "panoramic camera, rolling slit",
+                        samples(exposed(studio.withCamera(allAround), 0.5, 3, SweepDirection.RIGHT), 2)));
+    }
+
+    private static Studio exposed(Studio studio, double time, double sweep, SweepDirection direction) {
+        return studio.withCamera(
+                studio.camera().withExposureTime(time).withRollingShutter(new RollingShutter(direction, sweep)));
     }
 
     private static Stream<Named<Studio>> velocities() {
