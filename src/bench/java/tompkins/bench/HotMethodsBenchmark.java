@@ -123,7 +123,7 @@ public class HotMethodsBenchmark {
 
     private final SpaceTimeTransformation sceneFromCamera =
             TransformationLaw.LORENTZ.sceneFromCamera(PaperStudios.VELOCITY);
-    private final PixelSampler sampler = new PixelSampler(1, true);
+    private final PixelSampler sampler = new PixelSampler(1, true, false);
     private final RayPacket block = new RayPacket(RayPacket.MOST);
     private final SamplePlaces places = new SamplePlaces(RayPacket.MOST);
 

@@ -19,18 +19,26 @@ import tompkins.studio.Studio;
         mixinStandardHelpOptions = true,
         versionProvider = ProgramVersion.class,
         description = "Looks for mistakes in scene files, and for damage in saved photographs.")
-final class CheckCommand implements Callable<Integer> {
+final class CheckCommand implements Callable<Integer>, SceneCommand {
 
     @Parameters(arity = "1..*", paramLabel = "SCENE", description = "scene files, or saved photographs")
     private List<Path> scenes;
+
+    private Path current;
 
     @Spec
     private CommandSpec spec;
 
     @Override
+    public Path scene() {
+        return current;
+    }
+
+    @Override
     public Integer call() {
         int code = 0;
         for (Path scene : scenes) {
+            current = scene;
             try {
                 Studio studio = StudioReader.read(scene);
                 ScenePlan.of(studio, scene)

@@ -19,10 +19,15 @@ public interface CameraRays {
      */
     void make(SamplePlaces places, RayPacket rays, RayCounts counts);
 
-    /** The ray of a single sample, or null; for the place see {@link SamplePlaces#add}. */
+    /** The ray of a single sample in the middle of the exposure time, or null. */
     default Ray ray(double x, double y, double lensX, double lensY, RayCounts counts) {
+        return ray(x, y, lensX, lensY, SamplePlaces.MIDDLE, counts);
+    }
+
+    /** The ray of a single sample, or null; for the place see {@link SamplePlaces#add}. */
+    default Ray ray(double x, double y, double lensX, double lensY, double moment, RayCounts counts) {
         RayPacket rays = new RayPacket(1);
-        make(SamplePlaces.single(x, y, lensX, lensY), rays, counts);
+        make(SamplePlaces.single(x, y, lensX, lensY, moment), rays, counts);
         return rays.count() == 0 ? null : rays.ray(0);
     }
 

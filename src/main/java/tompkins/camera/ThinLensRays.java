@@ -18,6 +18,7 @@ final class ThinLensRays implements CameraRays {
     private final double apertureRadius;
     private final Shutter shutter;
     private final boolean constantTime;
+    private final ShutterDelays delays;
     private final FocusSurface focus;
     private final SpaceTimeTransformation sceneFromCamera;
     private final double middleX;
@@ -43,6 +44,7 @@ final class ThinLensRays implements CameraRays {
         apertureRadius = camera.apertureRadius();
         shutter = camera.shutter();
         constantTime = shutter instanceof AperturePlaneShutter;
+        delays = new ShutterDelays(camera, width, height);
         // a pinhole needs its focus only where the shutter does
         boolean focused = camera.hasWideAperture() || shutter.needsFocus();
         focus = focused ? new FocusSurface(camera.focus()) : null;
@@ -70,7 +72,7 @@ final class ThinLensRays implements CameraRays {
     @Override
     public Vector3d chiefDirection(double x, double y) {
         RayPacket rays = new RayPacket(1);
-        aim(SamplePlaces.single(x, y, 0, 0), rays);
+        aim(SamplePlaces.single(x, y, 0, 0, SamplePlaces.MIDDLE), rays);
         return new Vector3d(rays.dx[0], rays.dy[0], rays.dz[0]);
     }
 
@@ -85,6 +87,7 @@ final class ThinLensRays implements CameraRays {
         aim(places, rays);
         if (constantTime && apertureRadius == 0) {
             startInPinhole(rays);
+            delays.addTo(rays, places);
             return;
         }
         int made = 0;
@@ -95,6 +98,7 @@ final class ThinLensRays implements CameraRays {
             }
         }
         rays.keep(made);
+        delays.addTo(rays, places);
     }
 
     /**

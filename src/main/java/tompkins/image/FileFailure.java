@@ -2,6 +2,7 @@ package tompkins.image;
 
 import java.io.FileNotFoundException;
 import java.io.IOException;
+import java.nio.channels.ClosedChannelException;
 import java.nio.charset.Charset;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
@@ -11,6 +12,8 @@ import java.nio.file.NoSuchFileException;
 
 /** Says in words why a file cannot be read or written. */
 public final class FileFailure {
+
+    static final String STOPPED = "the program is being stopped";
 
     private FileFailure() {}
 
@@ -38,6 +41,10 @@ public final class FileFailure {
         }
         if (failure instanceof FileAlreadyExistsException) {
             return "there is a file of this name already";
+        }
+        if (failure instanceof ClosedChannelException) {
+            // nothing else closes a file while it is written
+            return STOPPED;
         }
         String message = failure instanceof FileSystemException system && system.getReason() != null
                 ? system.getReason()

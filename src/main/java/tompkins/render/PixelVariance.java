@@ -32,11 +32,11 @@ final class PixelVariance {
     private double lastPower;
 
     /**
-     * Whether one sample in each pixel tells nothing of their errors: it shows no blur of a wide aperture, and has
-     * second differences only where three pixels lie in a line.
+     * Whether one sample in each pixel tells nothing of their errors: it shows no blur of a wide aperture or a long
+     * exposure, and has second differences only where three pixels lie in a line.
      */
     static boolean needsSeveralSamples(RenderPlan plan) {
-        return plan.studio().camera().hasWideAperture() || Math.max(plan.width(), plan.height()) < 3;
+        return plan.blurs() || Math.max(plan.width(), plan.height()) < 3;
     }
 
     /**

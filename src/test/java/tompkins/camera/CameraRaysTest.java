@@ -220,10 +220,10 @@ class CameraRaysTest {
                         new ArbitraryPlaneShutter(0, new Vector3d(0, -1, 0), new Vector3d(0, 1, 0)))
                 .rays(4, 4, REST);
         SamplePlaces places = new SamplePlaces(4);
-        places.add(1, 2, 0, 0);
-        places.add(1, 1, 0, 0);
-        places.add(2, 2, 0, 0);
-        places.add(3, 3, 0, 0);
+        places.add(1, 2, 0, 0, 0.5);
+        places.add(1, 1, 0, 0, 0.5);
+        places.add(2, 2, 0, 0, 0.5);
+        places.add(3, 3, 0, 0, 0.5);
         RayPacket rays = new RayPacket(4);
         RayCounts counts = new RayCounts();
 

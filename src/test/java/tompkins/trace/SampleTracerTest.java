@@ -70,7 +70,7 @@ class SampleTracerTest {
         });
 
         assertThat(dark).containsExactly("7, 7: " + Colour.BLACK);
-        assertThat(tracer.sample(7.5, 7.5, 0, 0)).isEqualTo(Colour.BLACK);
+        assertThat(tracer.sample(7.5, 7.5, 0, 0, 0.5)).isEqualTo(Colour.BLACK);
         assertThat(counts.notFinite).isZero();
         assertThat(counts.samples).isEqualTo(15 * 15 + 1);
     }
