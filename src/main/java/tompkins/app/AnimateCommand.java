@@ -39,7 +39,7 @@ import tompkins.ui.Captions;
         versionProvider = ProgramVersion.class,
         description =
                 "Takes photographs while a number of the scene, such as the speed of the camera, runs from one value"
-                        + " to another, and saves them as an animation with 25 pictures a second.")
+                        + " to another, and saves them as an animation.")
 final class AnimateCommand implements Callable<Integer> {
 
     @Parameters(paramLabel = "SCENE", description = "scene file, or saved photograph")
@@ -80,6 +80,13 @@ final class AnimateCommand implements Callable<Integer> {
             description = "seconds that it plays, from 0.1 to 600; default: ${DEFAULT-VALUE}")
     private double seconds;
 
+    @Option(
+            names = "--fps",
+            defaultValue = "" + Animation.FRAME_RATE,
+            paramLabel = "N",
+            description = "pictures a second, from 1 to 60; default: ${DEFAULT-VALUE}")
+    private int frameRate;
+
     @Option(names = "--back", description = "go back to the first value in the same time, so that it can run in a loop")
     private boolean back;
 
@@ -109,7 +116,7 @@ final class AnimateCommand implements Callable<Integer> {
         long start = System.nanoTime();
         PrintWriter err = spec.commandLine().getErr();
         ProgressLine progress = new ProgressLine(err);
-        try (AnimationWriter writer = open()) {
+        try (AnimationWriter writer = open(animation)) {
             Function<Studio, String> caption = Captions.ofPictures(studio, animation.number(), captioned);
             warnings.addAll(AnimationRecorder.record(studio, animation, writer, caption, progress)
                     .sentences());
@@ -133,8 +140,10 @@ final class AnimateCommand implements Callable<Integer> {
         StudioNumber animated = MistakeException.inOption("--number", () -> StudioNumber.at(number, studio));
         double duration = MistakeException.inOption(
                 "--duration", () -> Require.within("duration", seconds, Animation.SHORTEST, Animation.LONGEST));
-        return new Animation(
-                animated, from, to, duration, back ? Animation.Course.THERE_AND_BACK : Animation.Course.FORWARDS);
+        int rate = MistakeException.inOption(
+                "--fps", () -> Require.within("fps", frameRate, 1, Animation.HIGHEST_FRAME_RATE));
+        Animation.Course course = back ? Animation.Course.THERE_AND_BACK : Animation.Course.FORWARDS;
+        return new Animation(animated, from, to, duration, course, rate);
     }
 
     /**
@@ -167,9 +176,9 @@ final class AnimateCommand implements Callable<Integer> {
         }
     }
 
-    private AnimationWriter open() {
+    private AnimationWriter open(Animation animation) {
         try {
-            return AnimationFormat.of(output).open(output, Animation.FRAME_RATE);
+            return AnimationFormat.of(output).open(output, animation.frameRate());
         } catch (FileException wrongPlace) {
             // no disk has failed yet: the user named the place
             throw new MistakeException(wrongPlace.getMessage());

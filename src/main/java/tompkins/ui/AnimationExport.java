@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
@@ -36,17 +37,16 @@ final class AnimationExport {
         List<FormatFilter<AnimationFormat>> formats = Stream.of(AnimationFormat.values())
                 .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
                 .toList();
+        AnimationOptions options = new AnimationOptions(studio, animation);
+        JFileChooser chooser = dialogs.chooser();
+        chooser.setAccessory(options.component());
         SaveDialog.ask(
                 frame,
-                dialogs.chooser(),
-                Texts.get(
-                        "play.exportTitle",
-                        animation.frames(),
-                        studio.settings().width(),
-                        studio.settings().height()),
-                "animation",
+                chooser,
+                Texts.get("play.exportTitle"),
+                dialogs.fileName(),
                 formats,
-                (file, format) -> save(studio, animation, file, format));
+                (file, format) -> save(options.studio(), options.animation(), file, format));
     }
 
     /** Saves an animation, with progress and cancel. */
@@ -65,7 +65,7 @@ final class AnimationExport {
     static FrameWarnings write(
             Studio studio, Animation animation, Path file, AnimationFormat format, boolean captioned, Progress progress)
             throws Exception {
-        try (AnimationWriter writer = format.open(file, Animation.FRAME_RATE)) {
+        try (AnimationWriter writer = format.open(file, animation.frameRate())) {
             Function<Studio, String> caption = Captions.ofPictures(studio, animation.number(), captioned);
             return AnimationRecorder.record(studio, animation, writer, caption, progress);
         }

@@ -3,7 +3,7 @@ package tompkins.ui;
 import java.awt.geom.Point2D;
 import java.util.Objects;
 import java.util.function.BooleanSupplier;
-import java.util.function.DoubleConsumer;
+import java.util.function.DoublePredicate;
 import javax.swing.SwingUtilities;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
@@ -219,13 +219,13 @@ final class PhotographView implements AutoCloseable {
     }
 
     /**
-     * Lets the next click on the picture give the distance of what is there; NaN if there is nothing.
+     * Lets clicks on the picture give the distance of what is there, until one is taken.
      *
-     * @param clicked called at the click: the distance may be long in coming, or never come
-     * @param taker takes the distance
+     * @param taker takes a distance, or none: of nothing it is NaN
+     * @param ended called when a distance was taken, or the picking was cancelled
      */
-    void startPicking(Runnable clicked, DoubleConsumer taker) {
-        picking = new Picking(clicked, taker);
+    void startPicking(DoublePredicate taker, Runnable ended) {
+        picking = new Picking(taker, ended);
         canvas.setPicking(true);
         listener.picking(true);
     }
@@ -237,17 +237,17 @@ final class PhotographView implements AutoCloseable {
         listener.picking(false);
     }
 
-    /** As a click that picks nothing; false if nothing was to be picked. */
-    boolean cancelPicking() {
+    /** Ends the picking; false if nothing was to be picked. */
+    boolean endPicking() {
         Picking ending = picking;
         stopPicking();
         if (ending != null) {
-            ending.clicked.run();
+            ending.ended.run();
         }
         return ending != null;
     }
 
-    private record Picking(Runnable clicked, DoubleConsumer taker) {}
+    private record Picking(DoublePredicate taker, Runnable ended) {}
 
     private final class ProbeMouse implements PictureCanvas.Mouse {
 
@@ -273,11 +273,14 @@ final class PhotographView implements AutoCloseable {
         @Override
         public void clicked(Point2D place, Picture seen) {
             if (picking != null) {
-                Picking ending = picking;
+                Picking asking = picking;
                 RenderPlan plan = canvas.shown().now().plan();
-                stopPicking();
-                ending.clicked.run();
-                picked.ask(plan, place, reading -> ending.taker.accept(PixelProbe.depth(plan, reading)));
+                picked.ask(plan, place, reading -> {
+                    // it may have been cancelled meanwhile
+                    if (picking == asking && asking.taker.test(PixelProbe.depth(plan, reading))) {
+                        endPicking();
+                    }
+                });
             } else {
                 setPin(place, seen != canvas.shown().now());
             }

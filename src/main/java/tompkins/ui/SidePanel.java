@@ -89,18 +89,20 @@ final class SidePanel {
 
     private void pick(StudioModel model, PhotographView view, Consumer<String> teller, boolean picking) {
         if (picking) {
-            view.startPicking(lens::endPicking, distance -> focus(model, teller, distance));
+            view.startPicking(distance -> focus(model, teller, distance), lens::endPicking);
         } else {
             view.stopPicking();
         }
     }
 
-    private static void focus(StudioModel model, Consumer<String> teller, double distance) {
+    /** Focuses at a distance; a click beside all objects gives none, and the next one may be better. */
+    private static boolean focus(StudioModel model, Consumer<String> teller, double distance) {
         if (distance > 0) {
             model.set(model.studio().withCamera(model.studio().camera().focusedAt(NumberText.rounded(distance, 6))));
         } else {
             teller.accept(Texts.get("lens.pickedNothing"));
         }
+        return distance > 0;
     }
 
     /** The width of a narrow panel, which it has at least. */

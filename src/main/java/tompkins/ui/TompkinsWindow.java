@@ -330,7 +330,7 @@ public final class TompkinsWindow {
         public void stop() {
             if (isPlaying()) {
                 pause();
-            } else if (!view.cancelPicking()) {
+            } else if (!view.endPicking()) {
                 view.stop();
             }
         }

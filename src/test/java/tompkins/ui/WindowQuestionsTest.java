@@ -383,6 +383,7 @@ class WindowQuestionsTest {
         driver.click(driver.find(PictureCanvas.class, "picture"));
         WindowDriver.await("the answer", () -> what.getText().equals(Texts.get("lens.pickedNothing")));
         assertThat(driver.studio()).isEqualTo(before);
+        assertThat(pick.isSelected()).as("the next click may be better").isTrue();
     }
 
     @Test

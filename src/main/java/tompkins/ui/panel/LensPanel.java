@@ -112,7 +112,7 @@ public final class LensPanel {
                 picture.isTooSharp() ? Texts.get("lens.oneSample") : wished ? Texts.get("lens.otherSamples") : "");
     }
 
-    /** The picture was clicked: nothing is to be picked any more. */
+    /** Nothing is to be picked any more. */
     public void endPicking() {
         pick.setSelected(false);
     }
