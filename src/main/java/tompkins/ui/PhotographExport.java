@@ -11,6 +11,7 @@ import tompkins.image.PictureFormat;
 import tompkins.io.SelfDescription;
 import tompkins.io.StudioWriter;
 import tompkins.render.PhotographTaker;
+import tompkins.render.Progress;
 import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.FormatFilter;
@@ -59,20 +60,13 @@ final class PhotographExport {
     /** Saves the complete photograph of a studio, with the scene inside. */
     private void save(Studio studio, Path file, PictureFormat format) {
         Picture onScreen = view.canvas().shown().now();
-        boolean ready =
-                onScreen != null && onScreen.complete() && onScreen.studio().equals(studio);
         BackgroundTask.start(
                 frame,
                 Texts.get("file.saving", file),
                 task -> {
                     PhotographInfo info = SelfDescription.of(studio);
-                    try (PhotographTaker taker = new PhotographTaker()) {
-                        LinearImage image = ready
-                                ? onScreen.image()
-                                : taker.take(studio, task, 0, 1).image();
-                        PhotographFile.write(
-                                file, image, format, studio.settings().toneCurve(), info);
-                    }
+                    LinearImage image = photograph(studio, onScreen, task);
+                    PhotographFile.write(file, image, format, studio.settings().toneCurve(), info);
                 },
                 () -> {
                     dialogs.saved(file);
@@ -83,5 +77,18 @@ final class PhotographExport {
                     }
                 },
                 () -> dialogs.sayNotSaved(file));
+    }
+
+    /** The photograph of a studio in its own size: the picture on the screen if that is it, or taken anew. */
+    static LinearImage photograph(Studio studio, Picture onScreen, Progress progress) throws InterruptedException {
+        if (onScreen != null
+                && onScreen.complete()
+                && onScreen.isOfOwnSize()
+                && onScreen.studio().equals(studio)) {
+            return onScreen.image();
+        }
+        try (PhotographTaker taker = new PhotographTaker()) {
+            return taker.take(studio, progress, 0, 1).image();
+        }
     }
 }

@@ -16,7 +16,6 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
-import tompkins.io.SelfDescription;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.ui.file.BackgroundTask;
@@ -29,7 +28,6 @@ import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.FocusFollower;
 import tompkins.ui.widget.Look;
-import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Screens;
 import tompkins.ui.widget.Texts;
 
@@ -58,11 +56,11 @@ public final class TompkinsWindow {
     private final Menus menus;
     private final LateParts late;
     private final EditorDialog editor;
+    private final FullScreen fullScreen;
     private final JPanel middle = new JPanel(new BorderLayout());
 
-    // made when they are first wanted
+    // made when it is first wanted
     private PlayPanel play;
-    private HelpWindow help;
 
     private TompkinsWindow(Studio studio, Path file, CommandLineWriter commandLine) {
         settings.look().install();
@@ -86,11 +84,16 @@ public final class TompkinsWindow {
                 new History(model, frame, this::pause, this::sayOtherScene),
                 settings,
                 captions,
+                view.canvas().zoom(),
+                new HelpCommands(frame, opener),
                 new WindowCommands());
         frame.setJMenuBar(menus.bar());
         editor = new EditorDialog(frame, model, dialogs, menus::bindKeys);
         late = new LateParts(this::furnish, menus::setExamples, frame::setIconImages);
-        menus.bindOtherRedo(frame.getRootPane());
+        // also while the menus are hidden
+        menus.bindKeys(frame.getRootPane());
+        fullScreen = new FullScreen(
+                frame, List.of(menus.bar(), side.component(), status.component()), frame.getRootPane()::revalidate);
         frame.getRootPane().setTransferHandler(opener.drop());
         PeekKey.bind(frame, view.canvas());
         FocusFollower.install(frame);
@@ -327,10 +330,15 @@ public final class TompkinsWindow {
         }
 
         @Override
+        public void toggleFullScreen() {
+            fullScreen.toggle();
+        }
+
+        @Override
         public void stop() {
             if (isPlaying()) {
                 pause();
-            } else if (!view.endPicking()) {
+            } else if (!view.endPicking() && !fullScreen.leave()) {
                 view.stop();
             }
         }
@@ -368,32 +376,6 @@ public final class TompkinsWindow {
             takeEntries();
             playPanel().setShown(true);
             playPanel().wanted().ifPresent(clipboard::copyCommandLine);
-        }
-
-        @Override
-        public void showDocument(String page) {
-            if (help == null) {
-                help = new HelpWindow(frame, opener::open);
-            }
-            help.show(HelpPage.of(page));
-        }
-
-        @Override
-        public void showKeys() {
-            Messages.tell(frame, Texts.get("menu.keys"), new KeyTable(menus.itemsWithKeys()).component());
-        }
-
-        @Override
-        public void showAbout() {
-            Messages.tell(
-                    frame,
-                    Texts.get("menu.about"),
-                    Texts.get("help.about", SelfDescription.program(), System.getProperty("java.version")));
-        }
-
-        @Override
-        public void showCitation() {
-            clipboard.offerCitation();
         }
     }
 }

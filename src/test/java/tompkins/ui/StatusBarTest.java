@@ -42,6 +42,7 @@ class StatusBarTest {
 
     private static Picture picture(Studio studio, String... warnings) {
         return new Picture(
+                studio,
                 RenderPlan.of(studio),
                 new LinearImage(1, 1, new float[3]),
                 true,

@@ -165,8 +165,18 @@ public final class WindowDriver implements AutoCloseable {
                 "the complete picture",
                 () -> picture() != null
                         && picture().complete()
+                        && picture().isOfSize(window.view().size())
                         && picture().studio().equals(window.model().studio()));
         return picture();
+    }
+
+    /** The current studio with a picture of the size that it has on the screen. */
+    Studio studioOnScreen() {
+        return onEventThread(() -> {
+            Dimension size = window.view().size();
+            Studio studio = window.model().studio();
+            return studio.withSettings(studio.settings().withSize(size.width, size.height));
+        });
     }
 
     <C extends Component> C find(Class<C> type, String name) {

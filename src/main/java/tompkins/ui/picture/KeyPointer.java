@@ -1,6 +1,5 @@
 package tompkins.ui.picture;
 
-import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.FocusAdapter;
@@ -24,8 +23,8 @@ final class KeyPointer {
 
     private final PictureCanvas canvas;
 
-    /** Column and row of the pixel in the ring, or null if there is none. */
-    private Point pixel;
+    /** The place of the photograph in the ring, or null if there is none. */
+    private Point2D at;
 
     /** A pointer that appears when the Tab key reaches the picture, or with the first arrow. */
     KeyPointer(PictureCanvas canvas) {
@@ -47,7 +46,7 @@ final class KeyPointer {
 
             @Override
             public void focusLost(FocusEvent event) {
-                if (pixel != null && !event.isTemporary()) {
+                if (at != null && !event.isTemporary()) {
                     forget();
                     canvas.tellPointed();
                 }
@@ -71,21 +70,30 @@ final class KeyPointer {
         if (picture == null) {
             return;
         }
-        Point from = pixel != null && picture.holds(pixel)
-                ? pixel
-                : new Point(picture.image().width() / 2, picture.image().height() / 2);
-        Point next = new Point(from.x + right, from.y + down);
-        pixel = picture.holds(next) ? next : from;
+        Point2D before = place();
+        Point2D from = before == null
+                ? new Point2D.Double(
+                        picture.image().width() / 2, picture.image().height() / 2)
+                : picture.inPixels(before);
+        Point next = new Point((int) from.getX() + right, (int) from.getY() + down);
+        if (new Rectangle(picture.image().width(), picture.image().height()).contains(next)) {
+            at = picture.middle(next.x, next.y);
+        } else if (before == null) {
+            at = picture.middle((int) from.getX(), (int) from.getY());
+        }
+        canvas.zoom().show(at);
         canvas.tellPointed();
         canvas.repaint();
     }
 
-    /** The middle of the pixel in the ring, as a place of the picture; null if there is none. */
+    /** The middle of the pixel in the ring, as a place of the photograph; null if there is none. */
     Point2D place() {
         Picture picture = canvas.shown().now();
-        return pixel != null && picture != null && picture.holds(pixel)
-                ? new Point2D.Double(pixel.x + 0.5, pixel.y + 0.5)
-                : null;
+        if (at == null || picture == null || !picture.holds(at)) {
+            return null;
+        }
+        Point2D pixel = picture.inPixels(at);
+        return picture.middle((int) pixel.getX(), (int) pixel.getY());
     }
 
     private void click() {
@@ -96,19 +104,9 @@ final class KeyPointer {
 
     /** The mouse points now. */
     void forget() {
-        if (pixel != null) {
-            pixel = null;
+        if (at != null) {
+            at = null;
             canvas.repaint();
-        }
-    }
-
-    /** Paints the ring, if there is one. */
-    void paint(Graphics2D g) {
-        Point2D place = place();
-        if (place != null) {
-            Rectangle bounds = canvas.pictureBounds();
-            double scale = (double) bounds.width / canvas.shown().now().image().width();
-            Mark.paintRing(g, bounds.x + place.getX() * scale, bounds.y + place.getY() * scale);
         }
     }
 }

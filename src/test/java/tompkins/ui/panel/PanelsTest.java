@@ -487,7 +487,7 @@ class PanelsTest {
 
     private static Picture picture(Studio studio) {
         LinearImage black = new LinearImage(1, 1, new float[3]);
-        return new Picture(RenderPlan.of(studio), black, true, Duration.ZERO, 1, Double.NaN, List.of());
+        return new Picture(studio, RenderPlan.of(studio), black, true, Duration.ZERO, 1, Double.NaN, List.of());
     }
 
     @Test
