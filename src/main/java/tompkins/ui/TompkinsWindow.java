@@ -238,7 +238,8 @@ public final class TompkinsWindow {
 
     private void showTitle() {
         String file = model.file() == null ? "" : " \u2013 " + model.file().getFileName();
-        frame.setTitle((model.isModified() ? "\u2022 " : "") + model.studio().title() + file + " \u2013 Tompkins");
+        String title = SidePanel.titled(model, model.studio().title());
+        frame.setTitle((model.isModified() ? "\u2022 " : "") + title + file + " \u2013 Tompkins");
     }
 
     private final class Closer extends WindowAdapter {

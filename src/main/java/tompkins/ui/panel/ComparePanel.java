@@ -49,7 +49,7 @@ public final class ComparePanel {
     private final Map<Comparison, JRadioButton> views = new EnumMap<>(Comparison.class);
     private final JButton peek = new JButton(Texts.get("compare.peek"));
     private final JButton keep = new JButton(Texts.get("compare.keep"));
-    private final Note hint = new Note("");
+    private final Note hint = Note.ofLines(2);
     private final StudioModel model;
     private final Consumer<Compared> changed;
     private String keptName;

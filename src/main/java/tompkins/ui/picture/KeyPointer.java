@@ -1,7 +1,6 @@
 package tompkins.ui.picture;
 
 import java.awt.Point;
-import java.awt.Rectangle;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
@@ -23,8 +22,8 @@ final class KeyPointer {
 
     private final PictureCanvas canvas;
 
-    /** The place of the photograph in the ring, or null if there is none. */
-    private Point2D at;
+    /** Column and row of the pixel of the photograph in the ring, or null if there is none. */
+    private Point pixel;
 
     /** A pointer that appears when the Tab key reaches the picture, or with the first arrow. */
     KeyPointer(PictureCanvas canvas) {
@@ -46,7 +45,7 @@ final class KeyPointer {
 
             @Override
             public void focusLost(FocusEvent event) {
-                if (at != null && !event.isTemporary()) {
+                if (pixel != null && !event.isTemporary()) {
                     forget();
                     canvas.tellPointed();
                 }
@@ -70,18 +69,12 @@ final class KeyPointer {
         if (picture == null) {
             return;
         }
-        Point2D before = place();
-        Point2D from = before == null
-                ? new Point2D.Double(
-                        picture.image().width() / 2, picture.image().height() / 2)
-                : picture.inPixels(before);
-        Point next = new Point((int) from.getX() + right, (int) from.getY() + down);
-        if (new Rectangle(picture.image().width(), picture.image().height()).contains(next)) {
-            at = picture.middle(next.x, next.y);
-        } else if (before == null) {
-            at = picture.middle((int) from.getX(), (int) from.getY());
-        }
-        canvas.zoom().show(at);
+        Point from = pixel != null && picture.holds(pixel)
+                ? pixel
+                : new Point(picture.ownWidth() / 2, picture.ownHeight() / 2);
+        Point next = new Point(from.x + right, from.y + down);
+        pixel = picture.holds(next) ? next : from;
+        canvas.zoom().show(place());
         canvas.tellPointed();
         canvas.repaint();
     }
@@ -89,11 +82,9 @@ final class KeyPointer {
     /** The middle of the pixel in the ring, as a place of the photograph; null if there is none. */
     Point2D place() {
         Picture picture = canvas.shown().now();
-        if (at == null || picture == null || !picture.holds(at)) {
-            return null;
-        }
-        Point2D pixel = picture.inPixels(at);
-        return picture.middle((int) pixel.getX(), (int) pixel.getY());
+        return pixel != null && picture != null && picture.holds(pixel)
+                ? new Point2D.Double(pixel.x + 0.5, pixel.y + 0.5)
+                : null;
     }
 
     private void click() {
@@ -104,8 +95,8 @@ final class KeyPointer {
 
     /** The mouse points now. */
     void forget() {
-        if (at != null) {
-            at = null;
+        if (pixel != null) {
+            pixel = null;
             canvas.repaint();
         }
     }
