@@ -7,16 +7,16 @@ import javax.swing.JFrame;
 
 /**
  * The picture on all of the screen, for the lecture room: no frame, no menus, no panel, no line at the bottom. The keys
- * of the menus work on, and what the user opens there stays.
+ * of the menus work on.
  */
 final class FullScreen {
 
     private final JFrame frame;
     private final List<JComponent> hidden;
-    private final Runnable changed;
+    private final SideRoom side;
 
-    /** What was hidden by it, and comes back with the window. */
-    private List<JComponent> hiding = List.of();
+    /** Whether the panel comes back with the window. */
+    private boolean withPanel;
 
     /** The screen that the window covers; null if it does not. */
     private GraphicsDevice covered;
@@ -24,13 +24,13 @@ final class FullScreen {
     /**
      * Nothing is covered yet.
      *
-     * @param hidden what is not to be seen beside the picture
-     * @param changed told after the window has covered the screen, or does not any more
+     * @param side the panel, which is not to be seen beside the picture unless somebody wants it there
+     * @param hidden what is not to be seen there at all
      */
-    FullScreen(JFrame frame, List<JComponent> hidden, Runnable changed) {
+    FullScreen(JFrame frame, SideRoom side, List<JComponent> hidden) {
         this.frame = frame;
+        this.side = side;
         this.hidden = hidden;
-        this.changed = changed;
     }
 
     /** Whether the window covers its screen. */
@@ -43,11 +43,12 @@ final class FullScreen {
         if (isOn()) {
             leave();
         } else {
-            hiding = hidden.stream().filter(JComponent::isVisible).toList();
-            hiding.forEach(component -> component.setVisible(false));
+            withPanel = side.isWanted();
+            side.setShown(false);
+            hidden.forEach(component -> component.setVisible(false));
             covered = frame.getGraphicsConfiguration().getDevice();
             covered.setFullScreenWindow(frame);
-            changed.run();
+            frame.revalidate();
         }
     }
 
@@ -58,9 +59,11 @@ final class FullScreen {
         }
         covered.setFullScreenWindow(null);
         covered = null;
-        hiding.forEach(component -> component.setVisible(true));
-        hiding = List.of();
-        changed.run();
+        hidden.forEach(component -> component.setVisible(true));
+        if (withPanel) {
+            side.setShown(true);
+        }
+        frame.revalidate();
         return true;
     }
 }

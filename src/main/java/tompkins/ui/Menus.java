@@ -20,8 +20,8 @@ import tompkins.ui.panel.NumberProperty;
 import tompkins.ui.picture.CanvasZoom;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
-import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Tips;
 
 /** The menus of the window. */
 final class Menus {
@@ -169,9 +169,9 @@ final class Menus {
     private void fillRecent(JMenu recent) {
         recent.removeAll();
         for (Path file : settings.recentFiles()) {
-            JMenuItem item = PlainText.in(new JMenuItem());
+            JMenuItem item = new JMenuItem();
             item.setText(file.getFileName().toString());
-            item.setToolTipText(file.toString());
+            item.setToolTipText(Tips.wrapped(file.toString()));
             item.addActionListener(event -> opener.open(file));
             recent.add(item);
         }

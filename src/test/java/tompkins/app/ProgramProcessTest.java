@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.image.PhotographFile;
@@ -16,6 +17,7 @@ import tompkins.image.PhotographFile;
 /**
  * The program as a process of its own, with what it can have there alone: little memory, and an output that is lost.
  */
+@Tag("slow")
 class ProgramProcessTest {
 
     private static final String PROGRAM = "\"$JAVA\" -Xmx64m -Xshare:auto -XX:-UsePerfData " + Main.class.getName();

@@ -13,7 +13,7 @@ import javax.swing.JComponent;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
-import tompkins.sceneobject.SceneObject;
+import tompkins.primitive.Described;
 import tompkins.studio.StudioPath;
 import tompkins.trace.Frame;
 import tompkins.trace.RayLife;
@@ -23,7 +23,6 @@ import tompkins.ui.picture.RayStory;
 import tompkins.ui.picture.SpaceTimeDiagram;
 import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.Naming;
-import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Section;
 import tompkins.ui.widget.Texts;
@@ -113,7 +112,7 @@ public final class RaySection {
     private Map<StudioPath, String> objects() {
         Map<StudioPath, String> objects = new LinkedHashMap<>();
         // glass is hit again and again, and to look for it in a large scene takes time
-        Set<SceneObject> sought = Collections.newSetFromMap(new IdentityHashMap<>());
+        Set<Described> sought = Collections.newSetFromMap(new IdentityHashMap<>());
         for (RayLife.Encounter hit : hits) {
             if (sought.add(hit.object())) {
                 StudioPath.to(model.studio(), hit.object())
@@ -136,7 +135,7 @@ public final class RaySection {
         }
         JPopupMenu menu = new JPopupMenu();
         objects.forEach((path, name) -> {
-            JMenuItem item = PlainText.in(new JMenuItem());
+            JMenuItem item = new JMenuItem();
             item.setText(name);
             item.addActionListener(event -> editor.accept(path));
             menu.add(item);

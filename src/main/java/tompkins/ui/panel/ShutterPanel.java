@@ -11,6 +11,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
+import javax.swing.JTextArea;
 import javax.swing.ListCellRenderer;
 import javax.swing.UIManager;
 import tompkins.property.Descriptions;
@@ -34,7 +35,7 @@ import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.Wording;
 
-/** Where the shutter is, when it opens, and where the aperture is in the scene then. */
+/** Where the shutter is, when and how it opens, and where the aperture is in the scene then. */
 public final class ShutterPanel {
 
     private final StudioModel model;
@@ -50,6 +51,7 @@ public final class ShutterPanel {
     private final Note note = new Note("");
     private final NumberRow time;
     private final JPanel timeRow = Rows.panel();
+    private final ShutterTimingPanel timing;
     private final CardPanel parameters = new CardPanel();
     private final Map<Class<?>, RecordForm> forms = new HashMap<>();
     private Class<?> shownModel;
@@ -74,10 +76,12 @@ public final class ShutterPanel {
                 note,
                 value -> withShutter(shutter().openedAt(requireFinite(value))));
         time.addTo(timeRow);
+        timing = new ShutterTimingPanel(model, size);
         panel.add(models, "wmin 0");
         Descriptions.members(Shutter.class).forEach(this::addModel);
         panel.add(meanings.component(), "wmin 0");
         panel.add(timeRow, "wmin 0, hidemode 0");
+        panel.add(timing.component(), "wmin 0");
         panel.add(parameters.component(), "wmin 0");
         panel.add(new MessageRoom(3, note, place).component(), "wmin 0");
         model.addListener(this::update);
@@ -134,6 +138,7 @@ public final class ShutterPanel {
             time.setRange(size.times(model.studio()));
             time.show(shutter.openingTime());
         }
+        timing.update();
         forms.get(shownModel).show(shutter);
     }
 
@@ -157,16 +162,19 @@ public final class ShutterPanel {
     private static final class ModelRenderer implements ListCellRenderer<Class<?>> {
 
         /** Width of a line in sizes of the type, so that it fits into the list beneath the narrowest panel. */
-        private static final double LINE = 10;
+        private static final double LINE = 13;
 
         private final JPanel cell = new JPanel(new BorderLayout(8, 0));
         private final JPanel words = new JPanel(new BorderLayout(0, 2));
         private final JLabel icon = new JLabel();
         private final JLabel name = new JLabel();
-        private final JLabel line = new JLabel();
+        private final JTextArea line = new JTextArea();
 
         ModelRenderer() {
             words.setOpaque(false);
+            line.setOpaque(false);
+            line.setLineWrap(true);
+            line.setWrapStyleWord(true);
             words.add(name, BorderLayout.CENTER);
             words.add(line, BorderLayout.SOUTH);
             cell.setBorder(BorderFactory.createEmptyBorder(4, 4, 4, 4));
@@ -184,14 +192,15 @@ public final class ShutterPanel {
             name.setText(model == null ? "" : Wording.label(model));
             cell.getAccessibleContext().setAccessibleName(name.getText());
             line.setVisible(inList);
-            line.setText(
-                    inList ? "<html><body style='width: " + Look.pixels(LINE) + "px'>" + Wording.meaning(model) : "");
+            line.setText(inList ? Wording.meaning(model) : "");
             cell.setOpaque(inList);
             cell.setBackground(marked ? list.getSelectionBackground() : list.getBackground());
             name.setForeground(ink);
             line.setForeground(ink);
             name.setFont(UIManager.getFont("Label.font"));
             line.setFont(UIManager.getFont("small.font"));
+            // the height of wrapped text is known only when its width is
+            line.setSize(Look.pixels(LINE), Short.MAX_VALUE);
             return cell;
         }
     }

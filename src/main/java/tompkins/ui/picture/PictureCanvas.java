@@ -38,6 +38,9 @@ public final class PictureCanvas extends JPanel {
 
     private static final int GRIP = 6;
 
+    /** How far a press may move and be a click: a hand shakes. */
+    private static final int STILL = 5;
+
     /** Between two pictures beside each other. */
     private static final int GAP = 8;
 
@@ -284,6 +287,9 @@ public final class PictureCanvas extends JPanel {
         /** By how much the wheel was turned since the last step: a touchpad takes many small turns for one. */
         private double turned;
 
+        /** Where the mouse was pressed; null where no click comes of it. */
+        private Point pressed;
+
         private boolean nearDivider(MouseEvent event) {
             return splits() && !picking && Math.abs(event.getX() - arrangement().dividerX() / scale()) <= GRIP;
         }
@@ -297,6 +303,7 @@ public final class PictureCanvas extends JPanel {
         @Override
         public void mousePressed(MouseEvent event) {
             requestFocusInWindow();
+            pressed = event.getPoint();
             draggingDivider = nearDivider(event);
         }
 
@@ -304,6 +311,9 @@ public final class PictureCanvas extends JPanel {
         public void mouseDragged(MouseEvent event) {
             Point before = mouseAt;
             mouseAt = event.getPoint();
+            if (pressed != null && pressed.distance(mouseAt) > STILL) {
+                pressed = null;
+            }
             if (SwingUtilities.isMiddleMouseButton(event) && before != null) {
                 zoom.pan(mouseAt.x - before.x, mouseAt.y - before.y);
             } else if (draggingDivider) {
@@ -347,10 +357,11 @@ public final class PictureCanvas extends JPanel {
 
         @Override
         public void mouseReleased(MouseEvent event) {
-            if (!draggingDivider && event.getButton() == MouseEvent.BUTTON1) {
+            if (!draggingDivider && pressed != null && event.getButton() == MouseEvent.BUTTON1) {
                 point(event);
                 click();
             }
+            pressed = null;
             draggingDivider = false;
         }
     }
