@@ -99,8 +99,8 @@ class MotionScenesTest {
         Studio measured = SceneFiles.read("motion-barn-measured");
         assertThat(measured.view()).isEqualTo(View.MEASURED);
 
-        assertThat(width(row(seen, row), frontOfRod())).isCloseTo(6, within(0.05));
-        assertThat(width(row(measured, row), frontOfRod())).isCloseTo(6, within(0.05));
+        assertThat(width(row(seen, row), frontOfRod())).isCloseTo(6, within(0.1));
+        assertThat(width(row(measured, row), frontOfRod())).isCloseTo(6, within(0.1));
     }
 
     /** An end at x seen at time T left its light at T - |way|; both ends move with 0.8 and are 6 apart at one time. */
@@ -136,12 +136,13 @@ class MotionScenesTest {
     @Test
     void blobSeemsFasterThanLight() throws Exception {
         Studio studio = SceneFiles.read("motion-superluminal");
-        assertThat(direction(studio, 62.01).angle(direction(studio, 62)) * 60 / 0.01)
-                .isCloseTo(3.04, within(0.15));
+        Vector3d place = place(studio, 62);
+        double angle = place(studio, 62.01).angle(place);
+        assertThat(angle * place.length() / 0.01).isCloseTo(3.04, within(0.1));
     }
 
-    /** Direction in which the middle of the first blob is seen, by the retarded time of its centre. */
-    private static Vector3d direction(Studio studio, double time) {
+    /** Where the middle of the first blob is seen, by the retarded time of its centre. */
+    private static Vector3d place(Studio studio, double time) {
         Vector3d velocity = new Vector3d(0.29664, 0, -0.90249);
         Vector3d start = new Vector3d(-8, 0, 60);
         double early = 0;
@@ -159,6 +160,6 @@ class MotionScenesTest {
         assertThat(life.end().object().description()).isEqualTo("blob");
         // its front is seen as it was up to ten times as much later as it is nearer
         assertThat(life.end().event().position().distance(place)).isLessThan(1.6);
-        return place.normalize();
+        return place;
     }
 }
