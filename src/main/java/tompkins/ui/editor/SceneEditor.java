@@ -1,5 +1,6 @@
 package tompkins.ui.editor;
 
+import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
@@ -25,6 +26,7 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Column;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Keys;
+import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Texts;
@@ -33,6 +35,11 @@ import tompkins.ui.widget.Wording;
 
 /** All of the studio: a tree of its parts, and a form for the chosen one. */
 public final class SceneEditor {
+
+    /** Widths in sizes of the type that the divider leaves. */
+    private static final int NARROWEST_TREE = 10;
+
+    private static final int NARROWEST_FORM = 16;
 
     private final StudioModel model;
     private final JPanel panel = new JPanel(
@@ -60,6 +67,9 @@ public final class SceneEditor {
                 ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         forms.setBorder(BorderFactory.createEmptyBorder());
         JSplitPane split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, trees, forms);
+        // neither can be pushed out of sight
+        trees.setMinimumSize(new Dimension(Look.pixels(NARROWEST_TREE), 0));
+        forms.setMinimumSize(new Dimension(Look.pixels(NARROWEST_FORM), 0));
         split.setResizeWeight(0.4);
         panel.add(split, "w 720, h 520");
         panel.add(buttons());
