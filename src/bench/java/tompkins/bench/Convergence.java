@@ -96,7 +96,8 @@ final class Convergence {
                     pixel % plan.width() + random.nextDouble(),
                     pixel / plan.width() + random.nextDouble(),
                     radius * Math.cos(angle),
-                    radius * Math.sin(angle));
+                    radius * Math.sin(angle),
+                    random.nextDouble());
             add(sums, colour);
             squares += colour.red() * colour.red() + colour.green() * colour.green() + colour.blue() * colour.blue();
         }

@@ -21,17 +21,17 @@ import tompkins.camera.SamplePlaces;
 import tompkins.light.AmbientLight;
 import tompkins.light.Illumination;
 import tompkins.light.PointLight;
+import tompkins.primitive.Primitive;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Cone;
 import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Plane;
-import tompkins.sceneobject.Primitive;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -123,16 +123,16 @@ public class HotMethodsBenchmark {
 
     private final SpaceTimeTransformation sceneFromCamera =
             TransformationLaw.LORENTZ.sceneFromCamera(PaperStudios.VELOCITY);
-    private final PixelSampler sampler = new PixelSampler(1, true);
-    private final RayBlock block = new RayBlock(RayBlock.MOST);
-    private final SamplePlaces places = new SamplePlaces(RayBlock.MOST);
+    private final PixelSampler sampler = new PixelSampler(1, true, false);
+    private final RayPacket block = new RayPacket(RayPacket.MOST);
+    private final SamplePlaces places = new SamplePlaces(RayPacket.MOST);
 
     /** A block is filled and takes the change of frame in its place. */
     @Benchmark
-    @OperationsPerInvocation(RayBlock.MOST)
-    public RayBlock transformation(Rays rays) {
-        block.begin(RayBlock.MOST);
-        for (int i = 0; i < RayBlock.MOST; i++) {
+    @OperationsPerInvocation(RayPacket.MOST)
+    public RayPacket transformation(Rays rays) {
+        block.begin(RayPacket.MOST);
+        for (int i = 0; i < RayPacket.MOST; i++) {
             block.set(i, rays.rays[i]);
         }
         sceneFromCamera.transform(block);
@@ -156,10 +156,10 @@ public class HotMethodsBenchmark {
     }
 
     @Benchmark
-    @OperationsPerInvocation(RayBlock.MOST)
+    @OperationsPerInvocation(RayPacket.MOST)
     public SamplePlaces sampler() {
         places.clear();
-        for (int i = 0; i < RayBlock.MOST; i++) {
+        for (int i = 0; i < RayPacket.MOST; i++) {
             places.addPixel(i, 3);
         }
         sampler.choose(places, 37);

@@ -11,6 +11,7 @@ import tompkins.image.FileException;
 import tompkins.image.PhotographFile;
 import tompkins.io.SceneFileException;
 import tompkins.io.StudioReader;
+import tompkins.render.Quality;
 import tompkins.studio.Studio;
 
 /** Looks for mistakes in scene files, and for damage in saved photographs. */
@@ -43,6 +44,8 @@ final class CheckCommand implements Callable<Integer>, SceneCommand {
                 ScenePlan.of(studio, scene)
                         .warnings()
                         .forEach(warning -> spec.commandLine().getErr().println(scene + ": warning: " + warning));
+                Photographer.info(studio, scene);
+                Photographer.requireMemory(studio.settings(), Quality.of(studio));
                 PhotographFile.requireWhole(scene);
                 spec.commandLine().getOut().println(scene + ": no mistakes");
             } catch (SceneFileException | MistakeException mistakes) {

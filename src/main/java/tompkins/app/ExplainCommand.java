@@ -8,6 +8,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import tompkins.camera.Camera;
 import tompkins.io.StudioReader;
 import tompkins.property.NumberText;
 import tompkins.property.OneLine;
@@ -56,15 +57,20 @@ final class ExplainCommand implements Callable<Integer>, SceneCommand {
             spec.commandLine().getOut().println("- " + sentence);
         }
         spec.commandLine().getOut().println("- " + wish.sentence(plan));
-        spec.commandLine().getOut().println("- " + cost(plan, wish));
+        spec.commandLine().getOut().println("- " + cost("On this machine it will", plan, wish));
+        if (plan.blursInTime()) {
+            Camera instant = studio.camera().withExposureTime(0);
+            RenderPlan sharp = RenderPlan.of(studio.withCamera(instant));
+            spec.commandLine().getOut().println("- " + cost("Opened for an instant it would", sharp, wish));
+        }
         return 0;
     }
 
-    private static String cost(RenderPlan plan, Quality quality) throws InterruptedException {
+    private static String cost(String beginning, RenderPlan plan, Quality quality) throws InterruptedException {
         try (Renderer renderer = new Renderer()) {
             return CostForecast.of(plan, quality, renderer)
-                    .map(forecast -> cost(plan, quality, forecast))
-                    .orElse("On this machine it will take too long to predict:"
+                    .map(forecast -> beginning + cost(plan, quality, forecast))
+                    .orElse(beginning + " take too long to predict:"
                             + " after several seconds not one sample was complete.");
         }
     }
@@ -73,7 +79,7 @@ final class ExplainCommand implements Callable<Integer>, SceneCommand {
         double samples = forecast.samplesPerPixel() * plan.width() * plan.height();
         return String.format(
                 Locale.ROOT,
-                "On this machine it will take about %s s with %s samples, %s per pixel.",
+                " take about %s s with %s samples, %s per pixel.",
                 NumberText.plain(forecast.seconds(), 2),
                 samples < MILLION
                         ? NumberText.plain(samples, quality instanceof Quality.Samples ? 6 : 3)

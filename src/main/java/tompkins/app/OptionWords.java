@@ -6,6 +6,7 @@ import java.util.stream.Stream;
 import tompkins.image.PictureFormat;
 import tompkins.image.ToneCurve;
 import tompkins.light.ColourLaw;
+import tompkins.shutter.SweepDirection;
 
 /** The words that an option takes for the values of an enum, as they are typed: in small letters. */
 abstract class OptionWords implements Iterable<String> {
@@ -39,6 +40,14 @@ abstract class OptionWords implements Iterable<String> {
 
         ToneCurves() {
             super(ToneCurve.values());
+        }
+    }
+
+    /** The words of {@code --rolling}. */
+    static final class SweepDirections extends OptionWords {
+
+        SweepDirections() {
+            super(SweepDirection.values());
         }
     }
 

@@ -117,6 +117,7 @@ final class RenderCommand implements Callable<Integer>, SceneCommand {
             }
             Photographer.requirePossible(order.studio, order.quality, order.target, target -> force);
             ScenePlan.of(order.studio, scene);
+            Photographer.info(order.studio, scene);
         }
     }
 

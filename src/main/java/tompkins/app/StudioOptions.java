@@ -3,18 +3,23 @@ package tompkins.app;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Option;
+import tompkins.camera.Camera;
 import tompkins.light.ColourLaw;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
 import tompkins.property.Require;
+import tompkins.shutter.RollingShutter;
 import tompkins.shutter.Shutter;
+import tompkins.shutter.SweepDirection;
+import tompkins.spacetime.MetricSpeed;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.FrontWindow;
@@ -33,8 +38,9 @@ final class StudioOptions {
         @Option(
                 names = "--beta",
                 paramLabel = "B|X,Y,Z",
-                description = "speed of the camera in units of c, which keeps its direction, along z if the scene gives"
-                        + " none; or its velocity; a Lorentz window in front of the lens that has the same keeps it")
+                description =
+                        "speed of the camera in units of c, or as \"150000 km/s\"; it keeps its direction, along z if the scene"
+                                + " gives none; or its velocity; a Lorentz window in front of the lens that has the same keeps it")
         private String beta;
 
         @Option(
@@ -57,6 +63,25 @@ final class StudioOptions {
 
     @Option(names = "--time", paramLabel = "T", description = "opening time of the shutter")
     private Double time;
+
+    @Option(
+            names = "--exposure",
+            paramLabel = "T",
+            description = "time for which the shutter stays open; the picture is the mean over it")
+    private Double exposure;
+
+    @Option(
+            names = "--sweep",
+            paramLabel = "T",
+            description = "time in which a rolling shutter runs from edge to edge; with 0 all lines open together")
+    private Double sweep;
+
+    @Option(
+            names = "--rolling",
+            paramLabel = "DIRECTION",
+            completionCandidates = OptionWords.SweepDirections.class,
+            description = "the way in which the shutter rolls: ${COMPLETION-CANDIDATES}")
+    private SweepDirection rolling;
 
     @Option(
             names = "--colours",
@@ -87,13 +112,24 @@ final class StudioOptions {
             }
             model = MistakeException.inOption("--time", () -> closed.openedAt(time));
         }
-        return changed.withCamera(changed.camera().withShutter(model));
+        return changed.withCamera(timed(changed.camera().withShutter(model)));
+    }
+
+    private Camera timed(Camera camera) {
+        Camera exposed = exposure == null
+                ? camera
+                : MistakeException.inOption("--exposure", () -> camera.withExposureTime(exposure));
+        RollingShutter present = camera.rollingShutter();
+        SweepDirection direction = rolling == null ? present.direction() : rolling;
+        RollingShutter wanted = MistakeException.inOption(
+                "--sweep", () -> new RollingShutter(direction, sweep == null ? present.sweep() : sweep));
+        return exposed.withRollingShutter(wanted);
     }
 
     private Studio withVelocity(Studio studio) {
         Vector3dc direction = studio.velocity().givenDirection();
         if (motion.beta != null) {
-            double[] beta = numbers("--beta", motion.beta, "0.9", "0,0,0.9");
+            double[] beta = beta(motion.beta);
             String hint = SpeedScale.roundingHint(Stream.of(motion.beta.split(",")));
             String fasterSpeeds = hint.isEmpty() ? "" : hint + ", and --gamma";
             return MistakeException.inOption(
@@ -111,6 +147,18 @@ final class StudioOptions {
             return FrontWindow.withVelocity(studio, Velocity.of(SpeedScale.GAMMA, gamma, direction));
         }
         return studio;
+    }
+
+    private static double[] beta(String text) {
+        try {
+            OptionalDouble metric = MetricSpeed.parse(text);
+            if (metric.isPresent()) {
+                return new double[] {metric.getAsDouble()};
+            }
+        } catch (NumberFormatException notANumber) {
+            // the message below says what is allowed
+        }
+        return numbers("--beta", text, "0.9", "0,0,0.9");
     }
 
     private RenderSettings sized(RenderSettings settings) {
@@ -145,7 +193,13 @@ final class StudioOptions {
 
     /** Numbers with commas between them, as many as one of the examples has. */
     static double[] numbers(String option, String text, String... examples) {
+        List<Integer> counts =
+                Stream.of(examples).map(example -> example.split(",").length).toList();
         String[] parts = text.split(",", -1);
+        if (!counts.contains(parts.length) && counts.contains(1)) {
+            // such as 0,9
+            parts = new String[] {text};
+        }
         double[] numbers = new double[parts.length];
         try {
             for (int i = 0; i < parts.length; i++) {
@@ -154,8 +208,6 @@ final class StudioOptions {
         } catch (NumberFormatException notANumber) {
             numbers = new double[0];
         }
-        List<Integer> counts =
-                Stream.of(examples).map(example -> example.split(",").length).toList();
         if (!counts.contains(numbers.length) || !Arrays.stream(numbers).allMatch(Double::isFinite)) {
             throw new MistakeException(option + " must be " + either(counts.stream())
                     + " numbers with commas between them, such as "

@@ -53,8 +53,9 @@ final class StudyCommand implements Callable<Integer>, SceneCommand {
             index = "1",
             arity = "0..1",
             paramLabel = "SCENE",
-            description = "scene file or saved photograph to measure instead of the program's own scenes (aperture,"
-                    + " antialiasing, preview)")
+            description =
+                    "scene file or saved photograph to measure instead of the program's own scenes (aperture, exposure,"
+                            + " antialiasing, preview)")
     private Path scene;
 
     @Option(

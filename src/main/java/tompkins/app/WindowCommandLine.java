@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.joml.Vector3dc;
 import tompkins.animation.Animation;
 import tompkins.animation.StudioNumber;
+import tompkins.camera.Camera;
 import tompkins.math.Vectors;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
@@ -113,6 +114,7 @@ final class WindowCommandLine implements CommandLineWriter {
             line.append(" --tone ").append(OptionWords.of(settings.toneCurve()));
         }
         appendShutter(line, studio.camera().shutter(), opened.camera().shutter());
+        appendTiming(line, studio.camera(), opened.camera());
         return Optional.of(line.toString());
     }
 
@@ -152,6 +154,19 @@ final class WindowCommandLine implements CommandLineWriter {
         }
     }
 
+    private static void appendTiming(StringBuilder line, Camera now, Camera before) {
+        if (now.exposureTime() != before.exposureTime()) {
+            line.append(" --exposure=").append(NumberText.of(now.exposureTime()));
+        }
+        if (now.rollingShutter().sweep() != before.rollingShutter().sweep()) {
+            line.append(" --sweep=").append(NumberText.of(now.rollingShutter().sweep()));
+        }
+        if (now.rollingShutter().direction() != before.rollingShutter().direction()) {
+            line.append(" --rolling ")
+                    .append(OptionWords.of(now.rollingShutter().direction()));
+        }
+    }
+
     /** The shutter that the command has before it reads an opening time. */
     private static Shutter withoutTime(Shutter now, Shutter before) {
         return now.getClass() == before.getClass() ? before : (Shutter) Descriptions.standard(now.getClass());
@@ -164,7 +179,10 @@ final class WindowCommandLine implements CommandLineWriter {
         RenderSettings settings = studio.settings();
         Studio said = FrontWindow.withVelocity(opened, studio.velocity())
                 .withColours(studio.colours())
-                .withCamera(opened.camera().withShutter(start.openedAt(now.openingTime())))
+                .withCamera(opened.camera()
+                        .withShutter(start.openedAt(now.openingTime()))
+                        .withExposureTime(studio.camera().exposureTime())
+                        .withRollingShutter(studio.camera().rollingShutter()))
                 .withSettings(opened.settings()
                         .withSize(settings.width(), settings.height())
                         .withSamples(settings.samples())

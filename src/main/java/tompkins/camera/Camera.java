@@ -1,6 +1,8 @@
 package tompkins.camera;
 
 import org.joml.Vector3dc;
+import tompkins.property.Descriptions;
+import tompkins.shutter.RollingShutter;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpaceTimeTransformation;
 
@@ -12,6 +14,25 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
 
     /** The same camera with another shutter. */
     Camera withShutter(Shutter shutter);
+
+    /**
+     * For how long the shutter stays open; 0 for an instant. Light crosses the lens from the time that the shutter
+     * model gives until so much later, and the picture is the mean over it.
+     */
+    double exposureTime();
+
+    /** The same camera with another exposure time. */
+    default Camera withExposureTime(double time) {
+        return Descriptions.with(this, "exposureTime", time);
+    }
+
+    /** How much later than the shutter model says each line of the picture opens. */
+    RollingShutter rollingShutter();
+
+    /** The same camera whose shutter runs across the picture in another way. */
+    default Camera withRollingShutter(RollingShutter rolling) {
+        return Descriptions.with(this, "rollingShutter", rolling);
+    }
 
     /** Centre of the lens. */
     Vector3dc position();

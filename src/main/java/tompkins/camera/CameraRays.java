@@ -2,8 +2,8 @@ package tompkins.camera;
 
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
-import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
+import tompkins.ray.RayPacket;
 import tompkins.shutter.LensRay;
 
 /** A camera that is ready to take one picture. Immutable, shared by all threads. */
@@ -17,12 +17,17 @@ public interface CameraRays {
      * @param rays receives the rays, which know their samples
      * @param counts takes note of rays without focus or shutter
      */
-    void make(SamplePlaces places, RayBlock rays, RayCounts counts);
+    void make(SamplePlaces places, RayPacket rays, RayCounts counts);
+
+    /** The ray of a single sample in the middle of the exposure time, or null. */
+    default Ray ray(double x, double y, double lensX, double lensY, RayCounts counts) {
+        return ray(x, y, lensX, lensY, SamplePlaces.MIDDLE, counts);
+    }
 
     /** The ray of a single sample, or null; for the place see {@link SamplePlaces#add}. */
-    default Ray ray(double x, double y, double lensX, double lensY, RayCounts counts) {
-        RayBlock rays = new RayBlock(1);
-        make(SamplePlaces.single(x, y, lensX, lensY), rays, counts);
+    default Ray ray(double x, double y, double lensX, double lensY, double moment, RayCounts counts) {
+        RayPacket rays = new RayPacket(1);
+        make(SamplePlaces.single(x, y, lensX, lensY, moment), rays, counts);
         return rays.count() == 0 ? null : rays.ray(0);
     }
 

@@ -2,9 +2,9 @@ package tompkins.camera;
 
 import java.util.List;
 import org.joml.Vector3dc;
+import tompkins.primitive.Placement;
+import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
-import tompkins.sceneobject.Placement;
-import tompkins.sceneobject.Primitive;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
 
@@ -22,7 +22,7 @@ final class FocusSurface {
      * @throws tompkins.property.InvalidPropertyException if it is too large or too small to work with
      */
     FocusSurface(SceneObject object) {
-        PrimitiveCollector collector = new PrimitiveCollector(point -> point);
+        PrimitiveCollector collector = new PrimitiveCollector();
         collector.add("focus", object, Placement.NONE);
         primitives = collector.primitives();
     }

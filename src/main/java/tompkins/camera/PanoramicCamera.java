@@ -2,12 +2,14 @@ package tompkins.camera;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.property.Descriptions;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
-import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
+import tompkins.ray.RayPacket;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.LensRay;
+import tompkins.shutter.RollingShutter;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpaceTimeTransformation;
 
@@ -38,7 +40,14 @@ public record PanoramicCamera(
         @Meaning(value = "Exposure compensation, -100 to 100; 1 stop doubles the light", unit = "stops")
         double exposureStops,
 
-        @Meaning("Where the shutter is and when it opens") Shutter shutter)
+        @Meaning("Where the shutter is and when it opens") Shutter shutter,
+
+        @Meaning(
+                value = "Time for which the shutter stays open, 0 to 1e50; the picture is the mean over it",
+                unit = "time")
+        double exposureTime,
+
+        @Meaning("How the shutter runs across the picture") RollingShutter rollingShutter)
         implements Camera {
 
     /** The whole sky. */
@@ -52,6 +61,29 @@ public record PanoramicCamera(
             0,
             AperturePlaneShutter.DEFAULT);
 
+    /** A camera whose shutter opens for an instant, all of it at once. */
+    public PanoramicCamera(
+            Vector3dc position,
+            Vector3dc viewDirection,
+            Vector3dc topDirection,
+            double horizontalAngleDegrees,
+            double verticalAngleDegrees,
+            double focusDistance,
+            double exposureStops,
+            Shutter shutter) {
+        this(
+                position,
+                viewDirection,
+                topDirection,
+                horizontalAngleDegrees,
+                verticalAngleDegrees,
+                focusDistance,
+                exposureStops,
+                shutter,
+                0,
+                RollingShutter.DEFAULT);
+    }
+
     /** Checks all values. */
     public PanoramicCamera {
         position = Require.place("position", position);
@@ -62,11 +94,13 @@ public record PanoramicCamera(
         Require.distance("focusDistance", focusDistance);
         Require.within("exposureStops", exposureStops, -100.0, 100.0);
         Require.present("shutter", shutter);
+        Require.duration("exposureTime", exposureTime);
+        Require.present("rollingShutter", rollingShutter);
     }
 
     @Override
     public PanoramicCamera withShutter(Shutter newShutter) {
-        return with(focusDistance, newShutter);
+        return Descriptions.with(this, "shutter", newShutter);
     }
 
     @Override
@@ -80,7 +114,9 @@ public record PanoramicCamera(
                 Math.min(180, verticalAngleDegrees * degrees / horizontalAngleDegrees),
                 focusDistance,
                 exposureStops,
-                shutter);
+                shutter,
+                exposureTime,
+                rollingShutter);
     }
 
     @Override
@@ -90,19 +126,7 @@ public record PanoramicCamera(
 
     @Override
     public PanoramicCamera focusedAt(double distance) {
-        return with(distance, shutter);
-    }
-
-    private PanoramicCamera with(double newFocusDistance, Shutter newShutter) {
-        return new PanoramicCamera(
-                position,
-                viewDirection,
-                topDirection,
-                horizontalAngleDegrees,
-                verticalAngleDegrees,
-                newFocusDistance,
-                exposureStops,
-                newShutter);
+        return Descriptions.with(this, "focusDistance", distance);
     }
 
     @Override
@@ -119,6 +143,7 @@ public record PanoramicCamera(
 
         private final PanoramicCamera camera;
         private final CameraAxes axes;
+        private final ShutterDelays delays;
         private final SpaceTimeTransformation sceneFromCamera;
         private final double longitudePerPixel;
         private final double latitudePerPixel;
@@ -128,6 +153,7 @@ public record PanoramicCamera(
         Rays(PanoramicCamera camera, int width, int height, SpaceTimeTransformation sceneFromCamera) {
             this.camera = camera;
             this.sceneFromCamera = sceneFromCamera;
+            delays = new ShutterDelays(camera, width, height);
             axes = CameraAxes.of(camera.viewDirection, camera.topDirection);
             longitudePerPixel = Math.toRadians(camera.horizontalAngleDegrees) / width;
             latitudePerPixel = Math.toRadians(camera.verticalAngleDegrees) / height;
@@ -152,7 +178,7 @@ public record PanoramicCamera(
         }
 
         @Override
-        public void make(SamplePlaces places, RayBlock rays, RayCounts counts) {
+        public void make(SamplePlaces places, RayPacket rays, RayCounts counts) {
             rays.begin(places.count());
             int made = 0;
             for (int i = 0; i < places.count(); i++) {
@@ -175,6 +201,7 @@ public record PanoramicCamera(
                 made++;
             }
             rays.keep(made);
+            delays.addTo(rays, places);
         }
     }
 }

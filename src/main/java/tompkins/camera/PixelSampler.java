@@ -1,48 +1,52 @@
 package tompkins.camera;
 
 import java.util.Arrays;
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 
 /**
- * Places in the pixel and on the lens for each sample of a pixel. They depend on the seed, the pixel and the number of
- * the sample alone, so that a picture does not depend on which thread took which sample. One for each thread.
+ * Places in the pixel, on the lens and in the exposure time for each sample of a pixel. They depend on the seed, the
+ * pixel and the number of the sample alone, so that a picture does not depend on which thread took which sample. One
+ * for each thread.
  *
- * <p>The places are the points of a four-dimensional Sobol sequence, scrambled differently in each pixel (Owen
- * scrambling by hashing: Laine and Karras 2011): every power of two of first samples fills pixel and lens evenly. Of
- * the samplers that were compared it needs the least time for the same error of a picture (see the charts of the
- * aperture in docs/speed-and-accuracy.md). It works through a block in short loops, of which the compiler makes
- * instructions for several pixels at once: two thirds of the time of one pixel after the other, most of which goes into
- * the lens.
+ * <p>The places are the points of a five-dimensional Sobol sequence, scrambled differently in each pixel (Owen
+ * scrambling by hashing: Laine and Karras 2011): every power of two of first samples fills pixel, lens and exposure
+ * time evenly. Of the samplers that were compared it needs the least time for the same error of a picture (see the
+ * charts of the aperture in docs/speed-and-accuracy.md). It works through a block in short loops, of which the compiler
+ * makes instructions for several pixels at once: two thirds of the time of one pixel after the other, most of which
+ * goes into the lens.
  */
 public final class PixelSampler {
 
     /**
-     * The number of the sample in the centre of the pixel and of the lens: the one that stands for all where one is
-     * enough.
+     * The number of the sample in the centre of the pixel and of the lens, in the middle of the exposure time: the one
+     * that stands for all where one is enough.
      */
     public static final int CENTRE = -1;
 
     private final int seed;
     private final boolean wideAperture;
+    private final boolean blursInTime;
 
-    private final int[] pixels = new int[RayBlock.MOST];
-    private final int[] points = new int[RayBlock.MOST];
-    private final int[] seeds = new int[RayBlock.MOST];
-    private final int[] fractions = new int[RayBlock.MOST];
+    private final int[] pixels = new int[RayPacket.MOST];
+    private final int[] points = new int[RayPacket.MOST];
+    private final int[] seeds = new int[RayPacket.MOST];
+    private final int[] fractions = new int[RayPacket.MOST];
 
     /**
      * A sampler for one picture.
      *
      * @param seed other seeds give other places
      * @param wideAperture whether the place on the lens matters; for a pinhole it stays in the centre
+     * @param blursInTime whether the moment matters; otherwise it stays in the middle of the exposure time
      */
-    public PixelSampler(long seed, boolean wideAperture) {
+    public PixelSampler(long seed, boolean wideAperture, boolean blursInTime) {
         int[] halves = {(int) (seed >>> 32)};
         hash(halves, 1);
         halves[0] ^= (int) seed;
         hash(halves, 1);
         this.seed = halves[0];
         this.wideAperture = wideAperture;
+        this.blursInTime = blursInTime;
     }
 
     /** The number of a pixel's first sample, if it gets this many: a single one is taken in the centre. */
@@ -53,13 +57,14 @@ public final class PixelSampler {
     /**
      * Chooses the places of one sample of each pixel.
      *
-     * @param places the pixels, at most {@link RayBlock#MOST}; gets the places
+     * @param places the pixels, at most {@link RayPacket#MOST}; gets the places
      * @param sample {@link #CENTRE}, or the number of the sample from 0 upwards
      */
     public void choose(SamplePlaces places, int sample) {
         int count = places.count();
         Arrays.fill(places.lensX, 0, count, 0);
         Arrays.fill(places.lensY, 0, count, 0);
+        Arrays.fill(places.moments, 0, count, SamplePlaces.MIDDLE);
         if (sample == CENTRE) {
             for (int i = 0; i < count; i++) {
                 places.x[i] = places.columns[i] + 0.5;
@@ -69,14 +74,25 @@ public final class PixelSampler {
         }
         hashPixels(places, count);
         SobolPoints.shuffle(sample, pixels, points, count);
-        // the first two dimensions fill their square best; they go to the lens, over which more is blurred
+        // the first dimensions fill their square or cube best; they go to what blurs most
         if (wideAperture) {
             coordinates(0, places.lensX, count);
             coordinates(1, places.lensY, count);
             toLens(places, count);
         }
-        coordinates(2, places.x, count);
-        coordinates(3, places.y, count);
+        if (!blursInTime) {
+            coordinates(2, places.x, count);
+            coordinates(3, places.y, count);
+        } else if (wideAperture) {
+            // of the last three, 2 and 4 go together worst: neither is the moment, which blurs more than the pixel
+            coordinates(3, places.moments, count);
+            coordinates(2, places.x, count);
+            coordinates(4, places.y, count);
+        } else {
+            coordinates(0, places.moments, count);
+            coordinates(1, places.x, count);
+            coordinates(2, places.y, count);
+        }
         for (int i = 0; i < count; i++) {
             places.x[i] += places.columns[i];
             places.y[i] += places.rows[i];

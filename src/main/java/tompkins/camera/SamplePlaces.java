@@ -1,10 +1,13 @@
 package tompkins.camera;
 
 /**
- * The samples of a block: their pixels, and where they lie in the picture and on the lens. One for each thread, filled
- * again for each block.
+ * The samples of a block: their pixels, and where they lie in the picture, on the lens and in the exposure time. One
+ * for each thread, filled again for each block.
  */
 public final class SamplePlaces {
+
+    /** The moment in the middle of the exposure time. */
+    public static final double MIDDLE = 0.5;
 
     final int[] columns;
     final int[] rows;
@@ -12,6 +15,7 @@ public final class SamplePlaces {
     final double[] y;
     final double[] lensX;
     final double[] lensY;
+    final double[] moments;
     private int count;
 
     /** Without places, with room for {@code most}. */
@@ -22,12 +26,13 @@ public final class SamplePlaces {
         y = new double[most];
         lensX = new double[most];
         lensY = new double[most];
+        moments = new double[most];
     }
 
     /** A single place, as {@link #add}. */
-    static SamplePlaces single(double pictureX, double pictureY, double pupilX, double pupilY) {
+    static SamplePlaces single(double pictureX, double pictureY, double pupilX, double pupilY, double moment) {
         SamplePlaces single = new SamplePlaces(1);
-        single.add(pictureX, pictureY, pupilX, pupilY);
+        single.add(pictureX, pictureY, pupilX, pupilY, moment);
         return single;
     }
 
@@ -55,12 +60,14 @@ public final class SamplePlaces {
      * @param pictureY place in the picture in pixels, from 0 at the upper edge
      * @param pupilX place on the lens in units of its radius, to the right; a point of the unit disc
      * @param pupilY place on the lens in units of its radius, up
+     * @param moment the part of the exposure time that has passed, from 0 to 1
      */
-    public void add(double pictureX, double pictureY, double pupilX, double pupilY) {
+    public void add(double pictureX, double pictureY, double pupilX, double pupilY, double moment) {
         x[count] = pictureX;
         y[count] = pictureY;
         lensX[count] = pupilX;
         lensY[count] = pupilY;
+        moments[count] = moment;
         addPixel((int) pictureX, (int) pictureY);
     }
 
@@ -92,5 +99,10 @@ public final class SamplePlaces {
     /** Where a place lies on the lens, in units of its radius, up. */
     public double lensY(int place) {
         return lensY[place];
+    }
+
+    /** The part of the exposure time that has passed at a place's moment, from 0 to 1. */
+    public double moment(int place) {
+        return moments[place];
     }
 }

@@ -4,12 +4,12 @@ import java.util.Arrays;
 import org.hipparchus.random.SobolSequenceGenerator;
 
 /**
- * Points of a four-dimensional Sobol sequence with Owen's scrambling. The sequence itself comes from a library, as
+ * Points of a five-dimensional Sobol sequence with Owen's scrambling. The sequence itself comes from a library, as
  * 32-bit fractions; each use scrambles it by its own hash, which keeps every power of two of points evenly spread.
  */
 final class SobolPoints {
 
-    private static final int DIMENSIONS = 4;
+    private static final int DIMENSIONS = 5;
     private static final double TWO_TO_32 = 0x1p32;
 
     /**

@@ -3,6 +3,7 @@ package tompkins.camera;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
+import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 import tompkins.property.NumberText;
@@ -10,6 +11,7 @@ import tompkins.property.Require;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.AperturePlaneShutter;
+import tompkins.shutter.RollingShutter;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.surface.ColouredSurface;
@@ -43,7 +45,14 @@ public record ThinLensCamera(
         @Meaning(value = "Exposure compensation, -100 to 100; 1 stop doubles the light", unit = "stops")
         double exposureStops,
 
-        @Meaning("Where the shutter is and when it opens") Shutter shutter)
+        @Meaning("Where the shutter is and when it opens") Shutter shutter,
+
+        @Meaning(
+                value = "Time for which the shutter stays open, 0 to 1e50; the picture is the mean over it",
+                unit = "time")
+        double exposureTime,
+
+        @Meaning("How the shutter runs across the picture") RollingShutter rollingShutter)
         implements Camera {
 
     /** Digits of an angle that follows another one; what comes after them is rounding. */
@@ -61,6 +70,31 @@ public record ThinLensCamera(
             0,
             AperturePlaneShutter.DEFAULT);
 
+    /** A camera whose shutter opens for an instant, all of it at once. */
+    public ThinLensCamera(
+            Vector3dc position,
+            Vector3dc viewDirection,
+            Vector3dc topDirection,
+            double horizontalAngleDegrees,
+            double verticalAngleDegrees,
+            double apertureRadius,
+            SceneObject focus,
+            double exposureStops,
+            Shutter shutter) {
+        this(
+                position,
+                viewDirection,
+                topDirection,
+                horizontalAngleDegrees,
+                verticalAngleDegrees,
+                apertureRadius,
+                focus,
+                exposureStops,
+                shutter,
+                0,
+                RollingShutter.DEFAULT);
+    }
+
     /**
      * Checks all values; a plane in focus must not pass through the lens centre, and no surface may be of an unusable
      * size.
@@ -73,6 +107,7 @@ public record ThinLensCamera(
         Require.notNegativeBelow("verticalAngleDegrees", verticalAngleDegrees, 180);
         Require.notNegative("apertureRadius", apertureRadius);
         Require.present("focus", focus);
+        SceneObject.requireAtRest("focus", focus);
         if (focus instanceof Plane plane
                 && plane.point().sub(position, new Vector3d()).dot(plane.normal()) == 0) {
             throw new InvalidPropertyException(
@@ -90,11 +125,13 @@ public record ThinLensCamera(
         new FocusSurface(focus);
         Require.within("exposureStops", exposureStops, -100.0, 100.0);
         Require.present("shutter", shutter);
+        Require.duration("exposureTime", exposureTime);
+        Require.present("rollingShutter", rollingShutter);
     }
 
     @Override
     public ThinLensCamera withShutter(Shutter newShutter) {
-        return with(focus, newShutter);
+        return Descriptions.with(this, "shutter", newShutter);
     }
 
     @Override
@@ -116,7 +153,7 @@ public record ThinLensCamera(
         }
         Vector3d view = Vectors.unit(viewDirection);
         Vector3d point = new Vector3d(view).mul(distance).add(position);
-        return with(new Plane("focus", point, view, ColouredSurface.DEFAULT), shutter);
+        return Descriptions.with(this, "focus", new Plane("focus", point, view, ColouredSurface.DEFAULT));
     }
 
     @Override
@@ -133,20 +170,9 @@ public record ThinLensCamera(
                 apertureRadius,
                 focus,
                 exposureStops,
-                shutter);
-    }
-
-    private ThinLensCamera with(SceneObject newFocus, Shutter newShutter) {
-        return new ThinLensCamera(
-                position,
-                viewDirection,
-                topDirection,
-                horizontalAngleDegrees,
-                verticalAngleDegrees,
-                apertureRadius,
-                newFocus,
-                exposureStops,
-                newShutter);
+                shutter,
+                exposureTime,
+                rollingShutter);
     }
 
     @Override

@@ -3,8 +3,8 @@ package tompkins.camera;
 import java.util.Arrays;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
+import tompkins.ray.RayPacket;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.LensRay;
 import tompkins.shutter.Shutter;
@@ -18,6 +18,7 @@ final class ThinLensRays implements CameraRays {
     private final double apertureRadius;
     private final Shutter shutter;
     private final boolean constantTime;
+    private final ShutterDelays delays;
     private final FocusSurface focus;
     private final SpaceTimeTransformation sceneFromCamera;
     private final double middleX;
@@ -43,6 +44,7 @@ final class ThinLensRays implements CameraRays {
         apertureRadius = camera.apertureRadius();
         shutter = camera.shutter();
         constantTime = shutter instanceof AperturePlaneShutter;
+        delays = new ShutterDelays(camera, width, height);
         // a pinhole needs its focus only where the shutter does
         boolean focused = camera.hasWideAperture() || shutter.needsFocus();
         focus = focused ? new FocusSurface(camera.focus()) : null;
@@ -69,8 +71,8 @@ final class ThinLensRays implements CameraRays {
 
     @Override
     public Vector3d chiefDirection(double x, double y) {
-        RayBlock rays = new RayBlock(1);
-        aim(SamplePlaces.single(x, y, 0, 0), rays);
+        RayPacket rays = new RayPacket(1);
+        aim(SamplePlaces.single(x, y, 0, 0, SamplePlaces.MIDDLE), rays);
         return new Vector3d(rays.dx[0], rays.dy[0], rays.dz[0]);
     }
 
@@ -80,11 +82,12 @@ final class ThinLensRays implements CameraRays {
     }
 
     @Override
-    public void make(SamplePlaces places, RayBlock rays, RayCounts counts) {
+    public void make(SamplePlaces places, RayPacket rays, RayCounts counts) {
         rays.begin(places.count());
         aim(places, rays);
         if (constantTime && apertureRadius == 0) {
             startInPinhole(rays);
+            delays.addTo(rays, places);
             return;
         }
         int made = 0;
@@ -95,13 +98,14 @@ final class ThinLensRays implements CameraRays {
             }
         }
         rays.keep(made);
+        delays.addTo(rays, places);
     }
 
     /**
      * Sets all directions to those through the centre of the lens. Several short loops: the compiler makes no
      * instructions for several rays at once of a long one.
      */
-    private void aim(SamplePlaces places, RayBlock rays) {
+    private void aim(SamplePlaces places, RayPacket rays) {
         int count = places.count();
         // slopes and scales first, where the directions will be
         double[] right = rays.dx;
@@ -130,7 +134,7 @@ final class ThinLensRays implements CameraRays {
         }
     }
 
-    private void startInPinhole(RayBlock rays) {
+    private void startInPinhole(RayPacket rays) {
         Arrays.fill(rays.x, 0, rays.count(), centre.x());
         Arrays.fill(rays.y, 0, rays.count(), centre.y());
         Arrays.fill(rays.z, 0, rays.count(), centre.z());
@@ -138,7 +142,7 @@ final class ThinLensRays implements CameraRays {
     }
 
     /** Lets a ray that was aimed start at a place on the lens; false if it never crosses the shutter. */
-    private boolean startOnLens(double lensX, double lensY, RayBlock rays, int place, RayCounts counts) {
+    private boolean startOnLens(double lensX, double lensY, RayPacket rays, int place, RayCounts counts) {
         Vector3d chief = new Vector3d(rays.dx[place], rays.dy[place], rays.dz[place]);
         double inverseFocusDistance = inverseFocusDistance(chief, counts);
         Vector3d pupilPoint = offset(lensX, lensY).add(centre);

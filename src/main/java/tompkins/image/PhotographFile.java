@@ -153,26 +153,37 @@ public final class PhotographFile {
      */
     public static void requireWhole(Path file) throws FileException {
         try {
-            Optional<PictureEncoding> encoding = encoding(file);
-            if (encoding.isPresent()) {
-                readLastRow(encoding.get(), file);
+            PictureEncoding encoding = encoding(file).orElse(null);
+            if (encoding == PictureEncoding.HDR) {
+                requireWholeRadiance(file);
+            } else if (encoding != null) {
+                readLastRow(encoding, file);
             }
+        } catch (FileException e) {
+            throw e;
         } catch (IOException | RuntimeException e) {
             throw new FileException(file + ": the picture is damaged: " + FileException.reason(e), e);
+        }
+    }
+
+    private static void requireWholeRadiance(Path file) throws IOException {
+        try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {
+            RadianceReader.requireWhole(in, file.toString());
         }
     }
 
     private static void readLastRow(PictureEncoding encoding, Path file) throws IOException {
         ImageReader reader = ImageProviders.reader(encoding);
         try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
-            reader.setInput(stream, true, true);
-            int width = reader.getWidth(0);
-            // there is no reader for the rows of a Radiance picture that is very narrow or very wide
-            if (encoding != PictureEncoding.HDR || RadianceFile.isPacked(width)) {
-                ImageReadParam lastRow = reader.getDefaultReadParam();
-                lastRow.setSourceRegion(new Rectangle(0, reader.getHeight(0) - 1, width, 1));
-                reader.read(0, lastRow);
+            if (encoding == PictureEncoding.TIFF) {
+                // Another program may have packed it anew, in a way that is not read.
+                TiffKind.of(TiffDirectory.read(stream), file.toString());
+                stream.seek(0);
             }
+            reader.setInput(stream, true, true);
+            ImageReadParam lastRow = reader.getDefaultReadParam();
+            lastRow.setSourceRegion(new Rectangle(0, reader.getHeight(0) - 1, reader.getWidth(0), 1));
+            reader.read(0, lastRow);
         } finally {
             reader.dispose();
         }

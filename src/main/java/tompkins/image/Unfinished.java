@@ -3,7 +3,6 @@ package tompkins.image;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.InterruptedIOException;
-import java.io.UncheckedIOException;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
@@ -56,7 +55,7 @@ final class Unfinished {
         for (Closeable work : open) {
             try {
                 work.close();
-            } catch (IOException | UncheckedIOException kept) {
+            } catch (IOException | RuntimeException kept) {
                 // there is nobody left to tell
             }
         }

@@ -89,6 +89,11 @@ public final class Require {
         return within(property, value, -LARGEST_COORDINATE, LARGEST_COORDINATE);
     }
 
+    /** A span of such times: a number from 0 to 1e50. */
+    public static double duration(String property, double value) {
+        return within(property, value, 0, LARGEST_COORDINATE);
+    }
+
     /** A distance that light covers in such a time: a number above 0 and at most 1e50. */
     public static double distance(String property, double value) {
         return positive(property, value, LARGEST_COORDINATE);

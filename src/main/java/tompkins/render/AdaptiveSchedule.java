@@ -86,7 +86,7 @@ final class AdaptiveSchedule implements Schedule {
         hasLooked = true;
         BitSet looked = new BitSet(pixels);
         for (int row = 0; row < film.height(); row++) {
-            Roughness.stopIf(stopped);
+            PixelVariance.stopIf(stopped);
             for (int column = 0; column < film.width(); column++) {
                 int pixel = film.pixel(column, row);
                 boolean isBorder = row == 0 || column == 0 || row == film.height() - 1 || column == film.width() - 1;
@@ -101,7 +101,7 @@ final class AdaptiveSchedule implements Schedule {
     }
 
     private void plan(Film film, BooleanSupplier stopped) {
-        Roughness roughness = new Roughness(film, stopped);
+        PixelVariance roughness = new PixelVariance(film, stopped);
         if (roughness.rootMeanSquare() <= targetError) {
             return;
         }

@@ -12,7 +12,7 @@ import java.util.function.BooleanSupplier;
  */
 final class Allocation {
 
-    private static final double POWER = Roughness.POWER;
+    private static final double POWER = PixelVariance.POWER;
     private static final int STEPS_PER_OCTAVE = 8;
     private static final int OCTAVES = 160;
     private static final int STEPS = OCTAVES * STEPS_PER_OCTAVE;
@@ -36,11 +36,11 @@ final class Allocation {
      * @param stopped whether nobody wants it any more
      * @throws java.util.concurrent.CancellationException if nobody does
      */
-    Allocation(Film film, Roughness roughness, int mostSamples, BooleanSupplier stopped) {
+    Allocation(Film film, PixelVariance roughness, int mostSamples, BooleanSupplier stopped) {
         gains = new float[film.width() * film.height()];
         double highest = 0;
         for (int row = 0; row < film.height(); row++) {
-            Roughness.stopIf(stopped);
+            PixelVariance.stopIf(stopped);
             for (int pixel = film.pixel(0, row); pixel < film.pixel(0, row + 1); pixel++) {
                 int count = Math.max(1, film.samples(pixel));
                 gains[pixel] = count >= mostSamples ? 0 : (float) (roughness.variance(pixel) / count);
@@ -49,7 +49,7 @@ final class Allocation {
         }
         largest = highest;
         for (int row = 0; row < film.height(); row++) {
-            Roughness.stopIf(stopped);
+            PixelVariance.stopIf(stopped);
             for (int pixel = film.pixel(0, row); pixel < film.pixel(0, row + 1); pixel++) {
                 int step = step(gains[pixel]);
                 variances[step] += roughness.variance(pixel);

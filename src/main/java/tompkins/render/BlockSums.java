@@ -3,20 +3,20 @@ package tompkins.render;
 import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 import tompkins.ray.Colour;
-import tompkins.ray.RayBlock;
-import tompkins.trace.SampleTaker;
+import tompkins.ray.RayPacket;
+import tompkins.trace.SampleSink;
 
 /**
  * Adds up the samples that a pass takes of a block of pixels, in double precision, and then gives the film their sums.
  * The film has single precision, and would lose the last digits of each of many samples. It gets a single sample at
  * once: coarse passes take no more. One for each thread.
  */
-final class BlockSums implements SampleTaker {
+final class BlockSums implements SampleSink {
 
     private final Film film;
     private final BooleanSupplier stopped;
-    private final double[] sums = new double[3 * RayBlock.MOST];
-    private final int[] counts = new int[RayBlock.MOST];
+    private final double[] sums = new double[3 * RayPacket.MOST];
+    private final int[] counts = new int[RayPacket.MOST];
     private Pass pass;
     private int left;
     private int top;
@@ -54,7 +54,7 @@ final class BlockSums implements SampleTaker {
             film.add(film.pixel(column, row), colour.red(), colour.green(), colour.blue(), 1);
             return;
         }
-        int place = (row - top) * RayBlock.SIDE + column - left;
+        int place = (row - top) * RayPacket.SIDE + column - left;
         sums[3 * place] += colour.red();
         sums[3 * place + 1] += colour.green();
         sums[3 * place + 2] += colour.blue();
@@ -68,8 +68,8 @@ final class BlockSums implements SampleTaker {
         }
         for (int place = 0; place < counts.length; place++) {
             if (counts[place] > 0) {
-                int column = left + place % RayBlock.SIDE;
-                int row = top + place / RayBlock.SIDE;
+                int column = left + place % RayPacket.SIDE;
+                int row = top + place / RayPacket.SIDE;
                 film.add(
                         film.pixel(column, row),
                         sums[3 * place],

@@ -3,7 +3,7 @@ package tompkins.render;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 import tompkins.trace.RenderPlan;
 
 /**
@@ -92,7 +92,7 @@ public record CostForecast(double samplesPerPixel, double seconds) {
 
     /** The blocks of a picture in an order in which any number of first ones lie all over it. */
     private static List<Tile> spread(RenderPlan plan) {
-        int side = RayBlock.SIDE;
+        int side = RayPacket.SIDE;
         return Tile.of(plan.width(), plan.height(), side).stream()
                 .sorted(Comparator.comparingDouble(
                         block -> (ACROSS * (block.column() / side) + DOWN * (block.row() / side)) % 1))

@@ -19,15 +19,17 @@ public sealed interface Quality {
     String sentence(RenderPlan plan);
 
     private static String spread(RenderPlan plan) {
-        return plan.studio().camera().hasWideAperture()
-                ? "spread evenly over pixel and lens"
-                : "spread evenly over the pixel";
+        boolean overLens = plan.studio().camera().hasWideAperture();
+        if (plan.blursInTime()) {
+            return "spread evenly over pixel" + (overLens ? ", lens" : "") + " and exposure time";
+        }
+        return overLens ? "spread evenly over pixel and lens" : "spread evenly over the pixel";
     }
 
     /**
      * The same number of samples per pixel.
      *
-     * @param samples 1 is taken in the centre of the pixel and of the lens
+     * @param samples 1 is taken in the centre of the pixel and of the lens, in the middle of the exposure time
      */
     record Samples(int samples) implements Quality {
 
@@ -41,9 +43,10 @@ public sealed interface Quality {
             if (samples > 1) {
                 return samples + " samples per pixel, " + spread(plan) + ".";
             }
-            return plan.studio().camera().hasWideAperture()
-                    ? "One sample per pixel, in its centre and through the centre of the lens: blur needs more samples."
-                    : "One sample per pixel, in its centre.";
+            return "One sample per pixel, in its centre"
+                    + (plan.studio().camera().hasWideAperture() ? " and through the centre of the lens" : "")
+                    + (plan.blursInTime() ? ", in the middle of the exposure time" : "")
+                    + (plan.blurs() ? ": blur needs more samples." : ".");
         }
     }
 

@@ -12,8 +12,8 @@ import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Consumer;
 import tompkins.image.LinearImage;
 import tompkins.light.ColourLaw;
-import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
+import tompkins.ray.RayPacket;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleTracer;
@@ -98,7 +98,7 @@ public final class RenderJob {
 
     private void renderTile(Pass pass, Tile tile, SampleTracer tracer, BlockSums sums) {
         tracer.shareBetween(pass.inAll());
-        int side = RayBlock.SIDE * pass.stride();
+        int side = RayPacket.SIDE * pass.stride();
         int end = pass.firstSample() + pass.samples();
         for (int row = 0; row < tile.height(); row += side) {
             for (int column = 0; column < tile.width(); column += side) {
@@ -268,7 +268,7 @@ public final class RenderJob {
     public RenderReport report() {
         long until = end.getCount() == 0 ? endTime : System.nanoTime();
         int sampledPixels = film.sampledPixels();
-        double error = Roughness.estimatedError(film, sampledPixels, plan, this::isCancelled);
+        double error = PixelVariance.estimatedError(film, sampledPixels, plan, this::isCancelled);
         Clipping clipping = clipping();
         synchronized (counts) {
             return RenderReport.of(

@@ -104,7 +104,7 @@ public final class Renderer implements AutoCloseable {
             return new FixedSchedule(Pass.of(fixed.samples(), fixed.samples(), coarseFirst));
         }
         int pixels = plan.width() * plan.height();
-        boolean severalFirst = Roughness.needsSeveralSamples(plan);
+        boolean severalFirst = PixelVariance.needsSeveralSamples(plan);
         if (quality instanceof Quality.TimeLimit limit) {
             return new AdaptiveSchedule(pixels, severalFirst, true, 0, new TimeBudget(limit.seconds()));
         }

@@ -2,6 +2,8 @@ package tompkins.sceneobject;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.primitive.BoxPrimitive;
+import tompkins.primitive.Placement;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
@@ -40,6 +42,6 @@ public record Box(
 
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
-        collector.add(new BoxPrimitive(this, placement));
+        collector.add(new BoxPrimitive(this, surface, from, to, placement));
     }
 }

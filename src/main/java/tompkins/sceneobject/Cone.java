@@ -2,6 +2,8 @@ package tompkins.sceneobject;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.primitive.ConePrimitive;
+import tompkins.primitive.Placement;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.surface.ColouredSurface;
@@ -48,7 +50,7 @@ public record Cone(
 
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
-        collector.add(new ConePrimitive(this, placement));
+        collector.add(new ConePrimitive(this, surface, tip, baseCentre, baseRadius, placement));
         if (base) {
             Vector3d outwards = baseCentre.sub(tip, new Vector3d());
             Disc disc = new Disc(description, baseCentre, outwards, baseRadius, surface);

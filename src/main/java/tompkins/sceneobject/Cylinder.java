@@ -2,6 +2,8 @@ package tompkins.sceneobject;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.primitive.CylinderPrimitive;
+import tompkins.primitive.Placement;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
@@ -51,6 +53,6 @@ public record Cylinder(
 
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
-        collector.add(new CylinderPrimitive(this, this, placement));
+        collector.add(new CylinderPrimitive(this, surface, start, end, radius, caps, placement));
     }
 }

@@ -4,6 +4,8 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import org.joml.Vector3i;
 import org.joml.Vector3ic;
+import tompkins.primitive.CylinderPrimitive;
+import tompkins.primitive.Placement;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
@@ -102,8 +104,7 @@ public record CylinderLattice(
                 start.setComponent(inner, coordinate(inner, j));
                 Vector3d end = new Vector3d(start);
                 end.setComponent(along, to.get(along));
-                Cylinder rod = new Cylinder(description, start, end, radius, true, surface);
-                collector.add(new CylinderPrimitive(this, rod, placement));
+                collector.add(new CylinderPrimitive(this, surface, start, end, radius, true, placement));
             }
         }
     }

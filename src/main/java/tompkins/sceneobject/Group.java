@@ -1,6 +1,7 @@
 package tompkins.sceneobject;
 
 import java.util.List;
+import tompkins.primitive.Placement;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 
@@ -22,6 +23,11 @@ public record Group(
     @Override
     public double primitiveCount() {
         return objects.stream().mapToDouble(SceneObject::primitiveCount).sum();
+    }
+
+    @Override
+    public boolean moves() {
+        return objects.stream().anyMatch(SceneObject::moves);
     }
 
     @Override

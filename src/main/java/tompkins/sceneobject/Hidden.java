@@ -1,5 +1,6 @@
 package tompkins.sceneobject;
 
+import tompkins.primitive.Placement;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 

@@ -4,6 +4,7 @@ import org.joml.Matrix3d;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
+import tompkins.primitive.Placement;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 
@@ -43,6 +44,11 @@ public record Placed(
     @Override
     public double primitiveCount() {
         return object.primitiveCount();
+    }
+
+    @Override
+    public boolean moves() {
+        return object.moves();
     }
 
     @Override

@@ -2,6 +2,8 @@ package tompkins.sceneobject;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.primitive.Placement;
+import tompkins.primitive.PlanePrimitive;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.surface.ColouredSurface;
@@ -36,6 +38,6 @@ public record Plane(
 
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
-        collector.add(new PlanePrimitive(this, placement));
+        collector.add(new PlanePrimitive(this, surface, point, normal, placement));
     }
 }

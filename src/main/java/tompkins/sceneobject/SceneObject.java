@@ -1,7 +1,11 @@
 package tompkins.sceneobject;
 
+import tompkins.primitive.Described;
+import tompkins.primitive.Placement;
+import tompkins.property.InvalidPropertyException;
+
 /** Something in the scene: a shape, or several of them. Descriptions, immutable, checked when they are made. */
-public sealed interface SceneObject
+public sealed interface SceneObject extends Described
         permits Sphere,
                 Plane,
                 Disc,
@@ -15,20 +19,38 @@ public sealed interface SceneObject
                 Silhouette,
                 Group,
                 Placed,
+                Moving,
                 ImagePointGrid,
                 Hidden {
 
     /** The most primitives of a picture, so that copies of copies fill neither the memory nor the day. */
     double MOST_PRIMITIVES = 10_000_000;
 
-    /** What the user calls the object. */
-    String description();
-
     /**
      * The number of primitives that the object becomes, or a few more; no whole number holds that of copies of copies.
      */
     default double primitiveCount() {
         return 1;
+    }
+
+    /**
+     * The object, where only what rests means something.
+     *
+     * @throws InvalidPropertyException if something in it moves
+     */
+    static SceneObject requireAtRest(String property, SceneObject object) {
+        if (object.moves()) {
+            throw new InvalidPropertyException(
+                    property,
+                    "at rest with the camera, without Moving in it",
+                    '"' + object.description() + "\", which moves");
+        }
+        return object;
+    }
+
+    /** Whether something in it moves in the frame of the object. */
+    default boolean moves() {
+        return false;
     }
 
     /** Adds the primitives of this object, placed, in the order in which they are listed. */

@@ -2,6 +2,7 @@ package tompkins.sceneobject;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.primitive.Placement;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.Colour;

@@ -2,6 +2,8 @@ package tompkins.sceneobject;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.primitive.Placement;
+import tompkins.primitive.SpherePrimitive;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.surface.ColouredSurface;
@@ -30,6 +32,6 @@ public record Sphere(
 
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
-        collector.add(new SpherePrimitive(this, placement));
+        collector.add(new SpherePrimitive(this, surface, centre, radius, placement));
     }
 }

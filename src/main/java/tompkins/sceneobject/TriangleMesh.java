@@ -3,6 +3,8 @@ package tompkins.sceneobject;
 import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import tompkins.math.Vectors;
+import tompkins.primitive.FlatPrimitive;
+import tompkins.primitive.Placement;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 import tompkins.property.Require;

@@ -7,7 +7,7 @@ import tompkins.spacetime.SpaceTimeTransformation;
 /** A shutter in the lens: all light crosses the lens at the same time. */
 @Meaning("A shutter in the plane of the aperture: all light crosses the lens at the same time")
 public record AperturePlaneShutter(
-        @Meaning(value = "Time at which the shutter opens for an instant", unit = "time")
+        @Meaning(value = "Time at which the shutter opens", unit = "time")
         double openingTime) implements Shutter {
 
     /** Opens at time 0. */

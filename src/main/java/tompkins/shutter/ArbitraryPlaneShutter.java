@@ -13,7 +13,7 @@ import tompkins.spacetime.SpaceTimeTransformation;
  */
 @Meaning("A shutter in any plane that moves with the camera")
 public record ArbitraryPlaneShutter(
-        @Meaning(value = "Time at which the shutter opens for an instant", unit = "time")
+        @Meaning(value = "Time at which the shutter opens", unit = "time")
         double openingTime,
 
         @Meaning(value = "A point of the plane, in the camera frame", unit = "length")

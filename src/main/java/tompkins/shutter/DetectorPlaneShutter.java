@@ -17,7 +17,7 @@ import tompkins.spacetime.SpaceTimeTransformation;
  */
 @Meaning("A shutter at the detector, behind an ideal lens that delays light so that images stay sharp in motion")
 public record DetectorPlaneShutter(
-        @Meaning(value = "Time at which the shutter opens for an instant", unit = "time")
+        @Meaning(value = "Time at which the shutter opens", unit = "time")
         double openingTime,
 
         @Meaning(value = "Distance of the detector behind the lens", unit = "length")

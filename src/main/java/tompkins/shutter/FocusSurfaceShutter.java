@@ -10,7 +10,7 @@ import tompkins.spacetime.SpaceTimeTransformation;
  */
 @Meaning("A shutter on the surface that is in focus: light leaves all its points at the same camera time")
 public record FocusSurfaceShutter(
-        @Meaning(value = "Time at which the shutter opens for an instant", unit = "time")
+        @Meaning(value = "Time at which the shutter opens", unit = "time")
         double openingTime) implements Shutter {
 
     /** Opens at time -10: light from a focus at distance 10 then crosses the lens at time 0. */

@@ -11,7 +11,7 @@ import tompkins.spacetime.SpaceTimeTransformation;
  */
 @Meaning("A shutter at the detector, behind a hologram of a lens, which does not delay light")
 public record LensHologramShutter(
-        @Meaning(value = "Time at which the shutter opens for an instant", unit = "time")
+        @Meaning(value = "Time at which the shutter opens", unit = "time")
         double openingTime,
 
         @Meaning(value = "Distance of the detector behind the lens", unit = "length")

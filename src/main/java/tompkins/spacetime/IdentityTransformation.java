@@ -3,7 +3,7 @@ package tompkins.spacetime;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 
 /** No change: both frames are one. */
 public record IdentityTransformation() implements SpaceTimeTransformation {
@@ -19,12 +19,22 @@ public record IdentityTransformation() implements SpaceTimeTransformation {
     }
 
     @Override
+    public PreciseEvent transform(PreciseEvent event) {
+        return event;
+    }
+
+    @Override
     public Ray transform(Ray ray) {
         return ray;
     }
 
     @Override
-    public void transform(RayBlock rays) {}
+    public Ray transform(Ray ray, Ray memory) {
+        return memory == ray ? ray : memory.set(ray);
+    }
+
+    @Override
+    public void transform(RayPacket rays) {}
 
     /** 0: every event keeps its place, so the time is free; 0 is the limit of small velocities. */
     @Override

@@ -5,7 +5,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
 import tompkins.ray.Ray;
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 
 /**
  * The change of frame of special relativity (Courtial et al. 2016, Eq. 1, with the time): with u = gamma beta,
@@ -74,11 +74,21 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
 
     @Override
     public Vector3d placeFrom(Vector3dc near, Event event) {
-        return new PreciseTransformation(velocity, sign).placeFrom(near, event);
+        return transform(PreciseEvent.of(event))
+                .minus(new Event(near.x(), near.y(), near.z(), 0))
+                .position();
     }
 
     @Override
-    public Ray transform(Ray ray) {
+    public PreciseEvent transform(PreciseEvent event) {
+        return new PreciseTransformation(velocity, sign).transform(event);
+    }
+
+    @Override
+    public Ray transform(Ray ray, Ray memory) {
+        if (ray.slowness != 1) {
+            return transformSlow(ray, memory);
+        }
         double side = alongDirection(ray.dx, ray.dy, ray.dz) > 0 ? 1 : -1;
         double wx = ray.dx - side * nx;
         double wy = ray.dy - side * ny;
@@ -90,7 +100,8 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
         double scale = 1 / length;
         double event = alongProper(ray.x, ray.y, ray.z);
         double factor = event * shrink + ray.time;
-        return ray.inFrame(
+        return memory.setInFrame(
+                ray,
                 ray.x + ux * factor,
                 ray.y + uy * factor,
                 ray.z + uz * factor,
@@ -104,11 +115,44 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
     }
 
     /**
-     * The formulas of {@link #transform(Ray)} again, so that no ray is made that lives for a moment only. Several short
-     * loops without branches: the compiler makes instructions for several rays at once of them.
+     * Light in a medium, or a line of events, has the tangent (d, -s) with a slowness s other than 1: {@code d' = d + u
+     * ((u.d)/(gamma + 1) - s)}, {@code s' = (gamma s - u.d)/|d'|}, which is Fizeau's drag. The phase of a wave is the
+     * same in both frames: its frequency is {@code gamma - s u.d} of what it is here.
+     */
+    private Ray transformSlow(Ray ray, Ray memory) {
+        double slowness = ray.slowness;
+        double along = alongProper(ray.dx, ray.dy, ray.dz);
+        double push = along * shrink - slowness;
+        double dx = ray.dx + ux * push;
+        double dy = ray.dy + uy * push;
+        double dz = ray.dz + uz * push;
+        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        double event = alongProper(ray.x, ray.y, ray.z);
+        double factor = event * shrink + ray.time;
+        return memory.setInFrame(
+                ray,
+                ray.x + ux * factor,
+                ray.y + uy * factor,
+                ray.z + uz * factor,
+                dx / length,
+                dy / length,
+                dz / length,
+                gamma * ray.time + event,
+                (gamma * slowness - along) / length,
+                gamma - slowness * along,
+                length);
+    }
+
+    /**
+     * The formulas of {@link #transform(Ray, Ray)} again, so that no ray is made that lives for a moment only. Several
+     * short loops without branches: the compiler makes instructions for several rays at once of them.
      */
     @Override
-    public void transform(RayBlock rays) {
+    public void transform(RayPacket rays) {
+        if (!rays.isInVacuum()) {
+            SpaceTimeTransformation.super.transform(rays);
+            return;
+        }
         int count = rays.count();
         transformStarts(rays, count);
         int ahead = 0;
@@ -124,7 +168,7 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
         }
     }
 
-    private void transformStarts(RayBlock rays, int count) {
+    private void transformStarts(RayPacket rays, int count) {
         for (int i = 0; i < count; i++) {
             double event = alongProper(rays.x[i], rays.y[i], rays.z[i]);
             double factor = event * shrink + rays.time[i];
@@ -135,12 +179,12 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
         }
     }
 
-    private boolean isAhead(RayBlock rays, int place) {
+    private boolean isAhead(RayPacket rays, int place) {
         return alongDirection(rays.dx[place], rays.dy[place], rays.dz[place]) > 0;
     }
 
     /** Transforms directions that all lie ahead, or all behind. */
-    private void transformDirections(RayBlock rays, int from, int to, boolean ahead) {
+    private void transformDirections(RayPacket rays, int from, int to, boolean ahead) {
         double side = ahead ? 1 : -1;
         double sideX = side * nx;
         double sideY = side * ny;
@@ -169,6 +213,9 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
         }
         for (int i = from; i < to; i++) {
             rays.frequency[i] *= lengthMiddle + lengthSlope * halves[i];
+        }
+        for (int i = from; i < to; i++) {
+            rays.stretch[i] *= lengthMiddle + lengthSlope * halves[i];
         }
         for (int i = from; i < to; i++) {
             rays.spread[i] /= lengthMiddle + lengthSlope * halves[i];
@@ -206,7 +253,7 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
     }
 
     /**
-     * Turns a direction alone, by the formulas of {@link #transform(Ray)}.
+     * Turns a direction alone, by the formulas of {@link #transform(Ray, Ray)}.
      *
      * @param velocity its speed counts
      * @param along unit vector of the motion

@@ -9,6 +9,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.primitive.Described;
 import tompkins.property.Descriptions;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.ImagePointGrid;
@@ -44,12 +45,12 @@ public record StudioPath(List<Object> steps) {
     /**
      * The way to an object of a studio, to that very one and not to its equal; empty if the studio does not hold it.
      */
-    public static Optional<StudioPath> to(Studio studio, SceneObject object) {
+    public static Optional<StudioPath> to(Studio studio, Described object) {
         Optional<StudioPath> inScene = ROOT.then("scene").to(studio.scene(), object);
         return inScene.isPresent() ? inScene : ROOT.then("cameraFrame").to(studio.cameraFrame(), object);
     }
 
-    private Optional<StudioPath> to(List<SceneObject> objects, SceneObject wanted) {
+    private Optional<StudioPath> to(List<SceneObject> objects, Described wanted) {
         for (int i = 0; i < objects.size(); i++) {
             Optional<StudioPath> path = toPart(i, objects.get(i), wanted);
             if (path.isPresent()) {
@@ -59,7 +60,7 @@ public record StudioPath(List<Object> steps) {
         return Optional.empty();
     }
 
-    private Optional<StudioPath> toPart(Object step, SceneObject part, SceneObject wanted) {
+    private Optional<StudioPath> toPart(Object step, SceneObject part, Described wanted) {
         if (part == wanted) {
             return Optional.of(then(step));
         }

@@ -98,13 +98,13 @@ final class ApertureFindings {
                 "%.3f",
                 random.slope()));
         PowerLaw own = law(problem.key(), program, all);
-        double steep = problem.pixelToo() ? STEEP_IN_PIXEL : STEEP_ON_LENS;
+        double steep = problem.space().hasPixel() ? STEEP_IN_PIXEL : STEEP_ON_LENS;
         findings.add(Finding.of(
                 own.slope() <= steep && own.rSquared() > STRAIGHT,
                 problem.title() + ": slope of the program's places",
                 Finding.text(
                         "at most %.2f (theory: %s), R² above %.2f",
-                        steep, problem.pixelToo() ? "-5/8" : "-3/4", STRAIGHT),
+                        steep, problem.space().hasPixel() ? "-5/8" : "-3/4", STRAIGHT),
                 "%.3f, R² = %.4f",
                 own.slope(),
                 own.rSquared()));
@@ -147,7 +147,7 @@ final class ApertureFindings {
                 ratio < MOST_CORRELATION,
                 "Pixels that see the same err independently: variance of their mean error, divided by that of independent"
                         + " pixels",
-                Finding.text("below %.0f (%d if all err alike)", MOST_CORRELATION, ApertureStudy.PIXELS_OF_INSTANCE),
+                Finding.text("below %.0f (%d if all err alike)", MOST_CORRELATION, ExactTrials.PIXELS_OF_INSTANCE),
                 "%.2f",
                 ratio);
     }

@@ -4,23 +4,14 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.SplittableRandom;
-import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import tompkins.studio.Studio;
-import tompkins.study.ExactProblem.Instance;
 
 /** How best to choose places on the lens, and in the pixel. */
 final class ApertureStudy implements Study {
 
     static final String INDEPENDENCE = "independence";
 
-    private static final int INSTANCES = 60;
-
-    /** The pixels of an instance form a square, so that neighbours in either direction are compared. */
-    private static final int SIDE_OF_INSTANCE = 4;
-
-    static final int PIXELS_OF_INSTANCE = SIDE_OF_INSTANCE * SIDE_OF_INSTANCE;
     private static final int SAMPLES_OF_INDEPENDENCE = 16;
     private static final int SCENE_PIXELS = 768;
     private static final int SCENE_REPEATS = 3;
@@ -28,6 +19,7 @@ final class ApertureStudy implements Study {
     private final long seed;
     private final int mostSamples;
     private final int repeats;
+    private final ExactTrials exact;
     private final Map<String, ScenePixels> scenes;
     private final String sceneSettings;
     private final Map<String, SamplingMethod.Factory> methods;
@@ -53,6 +45,7 @@ final class ApertureStudy implements Study {
         this.seed = seed;
         this.mostSamples = mostSamples;
         this.repeats = repeats;
+        exact = new ExactTrials(seed, mostSamples, repeats);
         this.methods = methods;
         this.program = program;
         sceneSettings = StudySetup.settings(studios);
@@ -79,50 +72,19 @@ final class ApertureStudy implements Study {
     public List<Trial> trials() {
         List<Trial> trials = new ArrayList<>();
         for (ExactProblem problem : ExactProblem.values()) {
-            methods.forEach((title, factory) -> counts().forEach(samples ->
-                    trials.add(new Trial(problem.key(), title, samples, () -> exact(problem, factory, samples)))));
+            methods.forEach((title, factory) -> exact.counts()
+                    .forEach(samples -> trials.add(new Trial(
+                            problem.key(),
+                            title,
+                            samples,
+                            () -> exact.figures(problem::instance, problem.space(), factory, samples)))));
         }
         methods.forEach((title, factory) ->
                 trials.add(new Trial(INDEPENDENCE, title, SAMPLES_OF_INDEPENDENCE, () -> independence(factory))));
-        scenes.forEach((name, pixels) -> methods.forEach((title, factory) -> counts().forEach(samples ->
-                trials.add(new Trial(name, title, samples, () -> scene(pixels, factory, samples))))));
+        scenes.forEach((name, pixels) -> methods.forEach((title, factory) -> exact.counts()
+                .forEach(samples ->
+                        trials.add(new Trial(name, title, samples, () -> scene(pixels, factory, samples))))));
         return trials;
-    }
-
-    /** Numbers of samples that are measured. */
-    private IntStream counts() {
-        return IntStream.iterate(4, samples -> samples <= mostSamples, samples -> 4 * samples);
-    }
-
-    private Figures exact(ExactProblem problem, SamplingMethod.Factory factory, int samples) {
-        double[] errors = new double[INSTANCES * PIXELS_OF_INSTANCE];
-        Stopwatch.warmUp(() -> errors(problem, factory.pattern(0, samples, problem.pixelToo()), samples, errors));
-        List<Figures> runs = new ArrayList<>();
-        for (int run = 0; run < repeats; run++) {
-            SamplePattern pattern = factory.pattern(seed + run, samples, problem.pixelToo());
-            double seconds = Stopwatch.seconds(() -> errors(problem, pattern, samples, errors));
-            runs.add(Figures.of((double) samples * errors.length, seconds, ErrorNorm.of(errors), 0));
-        }
-        return Figures.of(runs);
-    }
-
-    /** The errors of all pixels; those of one instance stand together. */
-    private void errors(ExactProblem problem, SamplePattern pattern, int samples, double[] errors) {
-        SplittableRandom random = new SplittableRandom(seed);
-        for (int i = 0; i < INSTANCES; i++) {
-            Instance instance = problem.instance(random);
-            for (int j = 0; j < PIXELS_OF_INSTANCE; j++) {
-                pattern.startPixel(j % SIDE_OF_INSTANCE, i * SIDE_OF_INSTANCE + j / SIDE_OF_INSTANCE);
-                double sum = 0;
-                double weights = 0;
-                for (int sample = 0; sample < samples; sample++) {
-                    pattern.goTo(sample);
-                    sum += pattern.weight * instance.integrand().value(pattern);
-                    weights += pattern.weight;
-                }
-                errors[i * PIXELS_OF_INSTANCE + j] = sum / weights - instance.exact();
-            }
-        }
     }
 
     /**
@@ -131,28 +93,29 @@ final class ApertureStudy implements Study {
      */
     private Figures independence(SamplingMethod.Factory factory) {
         int samples = SAMPLES_OF_INDEPENDENCE;
-        double[] errors = new double[INSTANCES * PIXELS_OF_INSTANCE];
-        errors(ExactProblem.EDGE, factory.pattern(seed, samples, false), samples, errors);
+        SamplePattern pattern = factory.pattern(seed, samples, SampledSpace.LENS);
+        double[] errors = exact.errors(ExactProblem.EDGE::instance, pattern, samples);
         double ofMeans = 0;
         double ofAll = 0;
-        for (int i = 0; i < INSTANCES; i++) {
+        for (int i = 0; i < ExactTrials.INSTANCES; i++) {
             double mean = 0;
-            for (int j = 0; j < PIXELS_OF_INSTANCE; j++) {
-                double error = errors[i * PIXELS_OF_INSTANCE + j];
-                mean += error / PIXELS_OF_INSTANCE;
+            for (int j = 0; j < ExactTrials.PIXELS_OF_INSTANCE; j++) {
+                double error = errors[i * ExactTrials.PIXELS_OF_INSTANCE + j];
+                mean += error / ExactTrials.PIXELS_OF_INSTANCE;
                 ofAll += error * error / errors.length;
             }
-            ofMeans += mean * mean / INSTANCES;
+            ofMeans += mean * mean / ExactTrials.INSTANCES;
         }
-        return Figures.of((double) samples * errors.length, Spread.exact(0), ofMeans / ofAll * PIXELS_OF_INSTANCE);
+        return Figures.of(
+                (double) samples * errors.length, Spread.exact(0), ofMeans / ofAll * ExactTrials.PIXELS_OF_INSTANCE);
     }
 
     private Figures scene(ScenePixels pixels, SamplingMethod.Factory factory, int samples) {
         if (samples <= 16) {
-            Stopwatch.warmUp(() -> pixels.light(factory.pattern(0, samples, true), samples));
+            Stopwatch.warmUp(() -> pixels.light(factory.pattern(0, samples, pixels.space()), samples));
         }
         List<SamplePattern> patterns = LongStream.range(seed, seed + SCENE_REPEATS)
-                .mapToObj(run -> factory.pattern(run, samples, true))
+                .mapToObj(run -> factory.pattern(run, samples, pixels.space()))
                 .toList();
         return pixels.placed(patterns, samples);
     }

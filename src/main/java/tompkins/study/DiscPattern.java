@@ -28,12 +28,12 @@ final class DiscPattern extends SamplePattern {
             IntToDoubleFunction radius,
             IntToDoubleFunction angle,
             IntToDoubleFunction weight,
-            boolean pixelToo) {
+            SampledSpace space) {
         super(seed);
         discX = table(samples, i -> radius.applyAsDouble(i) * Math.cos(angle.applyAsDouble(i)));
         discY = table(samples, i -> radius.applyAsDouble(i) * Math.sin(angle.applyAsDouble(i)));
         weights = table(samples, weight);
-        pixelPlaces = pixelToo ? ShiftedPattern.additive(seed, samples, true) : null;
+        pixelPlaces = space.hasPixel() ? ShiftedPattern.additive(seed, samples, space) : null;
     }
 
     private static double[] table(int samples, IntToDoubleFunction value) {
@@ -41,13 +41,13 @@ final class DiscPattern extends SamplePattern {
     }
 
     /** {@link SamplingMethod#VOGEL} (Vogel 1979). */
-    static DiscPattern vogel(long seed, int samples, boolean pixelToo) {
+    static DiscPattern vogel(long seed, int samples, SampledSpace space) {
         return new DiscPattern(
-                seed, samples, i -> Math.sqrt((i + 0.5) / samples), i -> i * GOLDEN_ANGLE, i -> 1, pixelToo);
+                seed, samples, i -> Math.sqrt((i + 0.5) / samples), i -> i * GOLDEN_ANGLE, i -> 1, space);
     }
 
     /** {@link SamplingMethod#GAUSS}: four times as many angles as radii, at least. */
-    static DiscPattern gauss(long seed, int samples, boolean pixelToo) {
+    static DiscPattern gauss(long seed, int samples, SampledSpace space) {
         int rings = Math.max(1, (int) Math.round(Math.sqrt(samples) / 2));
         int spokes = samples / rings;
         GaussIntegrator rule = new GaussIntegratorFactory().legendre(rings, 0, 1);
@@ -57,7 +57,7 @@ final class DiscPattern extends SamplePattern {
                 i -> Math.sqrt(rule.getPoint(i % rings)),
                 i -> 2 * Math.PI * (i / rings) / spokes,
                 i -> rule.getWeight(i % rings),
-                pixelToo);
+                space);
     }
 
     @Override
@@ -81,6 +81,7 @@ final class DiscPattern extends SamplePattern {
             pixelPlaces.goTo(pairs[sample]);
             x = pixelPlaces.x;
             y = pixelPlaces.y;
+            moment = pixelPlaces.moment;
         }
     }
 }

@@ -7,7 +7,7 @@ import java.util.function.Function;
 enum ExactProblem {
 
     /** A straight edge across the lens. */
-    EDGE("edge", "An edge seen through the lens", false, random -> {
+    EDGE("edge", "An edge seen through the lens", SampledSpace.LENS, random -> {
         double angle = 2 * Math.PI * random.nextDouble();
         double cosine = Math.cos(angle);
         double sine = Math.sin(angle);
@@ -16,7 +16,7 @@ enum ExactProblem {
     }),
 
     /** A disc that covers a part of the lens. */
-    DISC("disc", "A disc seen through the lens", false, random -> {
+    DISC("disc", "A disc seen through the lens", SampledSpace.LENS, random -> {
         double angle = 2 * Math.PI * random.nextDouble();
         double distance = random.nextDouble(1);
         double centreX = distance * Math.cos(angle);
@@ -32,7 +32,7 @@ enum ExactProblem {
     }),
 
     /** A chequerboard. */
-    CHEQUER("chequer", "A chequerboard seen through the lens", false, random -> {
+    CHEQUER("chequer", "A chequerboard seen through the lens", SampledSpace.LENS, random -> {
         double angle = 2 * Math.PI * random.nextDouble();
         double cosine = Math.cos(angle);
         double sine = Math.sin(angle);
@@ -49,7 +49,7 @@ enum ExactProblem {
     }),
 
     /** An edge that sweeps over the lens from one side of the pixel to the other. */
-    SWEEP("edge-in-pixel", "An edge seen through the lens and the pixel", true, random -> {
+    SWEEP("edge-in-pixel", "An edge seen through the lens and the pixel", SampledSpace.LENS_AND_PIXEL, random -> {
         double angle = 2 * Math.PI * random.nextDouble();
         double cosine = Math.cos(angle);
         double sine = Math.sin(angle);
@@ -83,13 +83,13 @@ enum ExactProblem {
 
     private final String key;
     private final String title;
-    private final boolean pixelToo;
+    private final SampledSpace space;
     private final Function<SplittableRandom, Instance> instances;
 
-    ExactProblem(String key, String title, boolean pixelToo, Function<SplittableRandom, Instance> instances) {
+    ExactProblem(String key, String title, SampledSpace space, Function<SplittableRandom, Instance> instances) {
         this.key = key;
         this.title = title;
-        this.pixelToo = pixelToo;
+        this.space = space;
         this.instances = instances;
     }
 
@@ -105,8 +105,8 @@ enum ExactProblem {
         return title;
     }
 
-    boolean pixelToo() {
-        return pixelToo;
+    SampledSpace space() {
+        return space;
     }
 
     private static double chequer(double left, double bottom, double side) {

@@ -8,7 +8,7 @@ import java.util.SplittableRandom;
  */
 final class LatticePattern extends SamplePattern {
 
-    private static final long[] GENERATOR = {1, 182667, 469891, 498753};
+    private static final long[] GENERATOR = {1, 182667, 469891, 498753, 110745};
 
     private final double[] shift = new double[GENERATOR.length];
 
@@ -30,5 +30,6 @@ final class LatticePattern extends SamplePattern {
         lens(wrapped(place * GENERATOR[0], shift[0]), wrapped(place * GENERATOR[1], shift[1]));
         x = wrapped(place * GENERATOR[2], shift[2]);
         y = wrapped(place * GENERATOR[3], shift[3]);
+        moment = wrapped(place * GENERATOR[4], shift[4]);
     }
 }

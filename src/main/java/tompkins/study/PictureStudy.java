@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import java.util.stream.LongStream;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
 
 /** Speed against accuracy of one picture, made smaller, for each quality that can be chosen and for other samples. */
 public final class PictureStudy {
@@ -26,7 +27,7 @@ public final class PictureStudy {
     private final String name;
     private final long seed;
     private final List<Studio> seeded;
-    private final boolean pinhole;
+    private final boolean sharp;
     private final ScenePixels pixels;
 
     /**
@@ -54,7 +55,7 @@ public final class PictureStudy {
         seeded = LongStream.range(seed, seed + SEEDS)
                 .mapToObj(run -> small.withSettings(small.settings().withSeed(run)))
                 .toList();
-        pinhole = !studio.camera().hasWideAperture();
+        sharp = !RenderPlan.of(small).blurs();
         pixels = new ScenePixels(small, ScenePixels.ALL, referenceSamples, Double.POSITIVE_INFINITY, cancelled);
     }
 
@@ -65,15 +66,15 @@ public final class PictureStudy {
      */
     List<Trial> trials(boolean others) {
         List<Trial> trials = new ArrayList<>();
-        // places in the centre of the lens make another picture if the lens is wide
-        if (pinhole) {
+        // the centre of the lens in the middle of the exposure makes another picture if that blurs
+        if (sharp) {
             trials.add(photographed(CENTRE, 1, new Quality.Samples(1)));
         }
-        if (pinhole && others) {
-            trials.add(placed(ANYWHERE, new ProgramPattern(seed, true), 1));
+        if (sharp && others) {
+            trials.add(placed(ANYWHERE, new ProgramPattern(seed, SampledSpace.LENS_AND_PIXEL), 1));
         }
         for (int samples = 4; samples <= MOST_SAMPLES; samples *= 4) {
-            if (pinhole && others) {
+            if (sharp && others) {
                 trials.add(placed(GRID, new GridPattern(samples), samples));
             }
             trials.add(photographed(FIXED, samples, new Quality.Samples(samples)));

@@ -8,14 +8,14 @@ final class ProgramPattern extends SamplePattern {
 
     private final SamplePlaces place = new SamplePlaces(1);
     private final PixelSampler sampler;
-    private final boolean pixelToo;
+    private final SampledSpace space;
     private int column;
     private int row;
 
-    ProgramPattern(long seed, boolean pixelToo) {
+    ProgramPattern(long seed, SampledSpace space) {
         super(seed);
-        sampler = new PixelSampler(seed, true);
-        this.pixelToo = pixelToo;
+        sampler = new PixelSampler(seed, space.hasLens(), space.hasTime());
+        this.space = space;
     }
 
     @Override
@@ -31,7 +31,8 @@ final class ProgramPattern extends SamplePattern {
         sampler.choose(place, sample);
         lensX = place.lensX(0);
         lensY = place.lensY(0);
-        if (pixelToo) {
+        moment = place.moment(0);
+        if (space.hasPixel()) {
             x = place.x(0) - column;
             y = place.y(0) - row;
         }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
 
 /** Whether photographs err by what {@link Quality.TargetError} promises: all scenes, several promises and seeds. */
 final class PromisedErrors {
@@ -42,20 +43,27 @@ final class PromisedErrors {
         small.forEach((name, studio) -> {
             ScenePixels pixels =
                     new ScenePixels(studio, ScenePixels.ALL, referenceSamples, WANTED_REFERENCE_ERROR, () -> false);
-            String lens = studio.camera().hasWideAperture() ? "wide apertures" : "pinholes";
+            String kind = kind(studio);
             for (double promise : PROMISES) {
                 for (long run = seed; run < seed + SEEDS; run++) {
                     String problem = PROBLEM + ":" + name + ":seed " + run;
                     Studio seeded = studio.withSettings(studio.settings().withSeed(run));
                     trials.add(new Trial(
                             problem,
-                            lens,
+                            kind,
                             promise,
                             () -> pixels.photographed(List.of(seeded), new Quality.TargetError(promise))));
                 }
             }
         });
         return trials;
+    }
+
+    private static String kind(Studio studio) {
+        if (RenderPlan.of(studio).blursInTime()) {
+            return "long exposures";
+        }
+        return studio.camera().hasWideAperture() ? "wide apertures" : "pinholes";
     }
 
     Chart chart() {

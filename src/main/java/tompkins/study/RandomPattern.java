@@ -5,12 +5,12 @@ import java.util.SplittableRandom;
 /** {@link SamplingMethod#RANDOM}. */
 final class RandomPattern extends SamplePattern {
 
-    private final boolean pixelToo;
+    private final SampledSpace space;
     private SplittableRandom random;
 
-    RandomPattern(long seed, boolean pixelToo) {
+    RandomPattern(long seed, SampledSpace space) {
         super(seed);
-        this.pixelToo = pixelToo;
+        this.space = space;
     }
 
     @Override
@@ -20,10 +20,19 @@ final class RandomPattern extends SamplePattern {
 
     @Override
     void goTo(int sample) {
-        if (pixelToo) {
+        if (space.hasPixel()) {
             x = random.nextDouble();
             y = random.nextDouble();
         }
+        if (space.hasTime()) {
+            moment = random.nextDouble();
+        }
+        if (space.hasLens()) {
+            throughLens();
+        }
+    }
+
+    private void throughLens() {
         do {
             lensX = 2 * random.nextDouble() - 1;
             lensY = 2 * random.nextDouble() - 1;

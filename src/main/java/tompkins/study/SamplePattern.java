@@ -4,8 +4,8 @@ import java.util.SplittableRandom;
 import tompkins.camera.ConcentricMap;
 
 /**
- * Places in a pixel and on the lens, and how much each counts. Like the program's own sampler, a pattern depends on the
- * seed and the pixel, never on what was asked before.
+ * Places in a pixel, on the lens and in the exposure time, and how much each counts. Like the program's own sampler, a
+ * pattern depends on the seed and the pixel, never on what was asked before.
  */
 abstract class SamplePattern {
 
@@ -20,6 +20,9 @@ abstract class SamplePattern {
 
     /** Place on the lens, in units of its radius. */
     double lensY;
+
+    /** The part of the exposure time that has passed, from 0 to 1. */
+    double moment = 0.5;
 
     /** Weight of the sample; the mean is the weighted one. */
     double weight = 1;

@@ -2,12 +2,13 @@ package tompkins.study;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Set;
 
-/** A way to choose places in the pixel and on the lens. */
+/** A way to choose places in the pixel and on the lens, and moments. */
 enum SamplingMethod {
 
     /** Independent random places; on the lens by rejection, as in Dr TIM. */
-    RANDOM("random (as in Dr TIM)", (seed, samples, pixelToo) -> new RandomPattern(seed, pixelToo)),
+    RANDOM("random (as in Dr TIM)", (seed, samples, space) -> new RandomPattern(seed, space)),
 
     /** One random place in each cell of a grid, on the lens by the concentric map. */
     JITTERED("jittered", JitteredPattern::new),
@@ -16,7 +17,7 @@ enum SamplingMethod {
     ADDITIVE("R2", ShiftedPattern::additive),
 
     /** The program's own: Sobol points with Owen's scrambling. */
-    SOBOL("Sobol, Owen-scrambled", (seed, samples, pixelToo) -> new ProgramPattern(seed, pixelToo)),
+    SOBOL("Sobol, Owen-scrambled", (seed, samples, space) -> new ProgramPattern(seed, space)),
 
     /** Halton points, shifted for each pixel. */
     HALTON("Halton", ShiftedPattern::halton),
@@ -53,9 +54,9 @@ enum SamplingMethod {
          * A pattern for one thread.
          *
          * @param samples samples per pixel
-         * @param pixelToo whether the place in the pixel varies too, or stays in its centre
+         * @param space what the samples are spread over; the rest stays in its centre
          */
-        SamplePattern pattern(long seed, int samples, boolean pixelToo);
+        SamplePattern pattern(long seed, int samples, SampledSpace space);
     }
 
     /** All methods, by title. */
@@ -65,5 +66,12 @@ enum SamplingMethod {
             all.put(method.title, method.factory);
         }
         return all;
+    }
+
+    /** The methods that can spread samples over time, by title. */
+    static Map<String, Factory> inTime() {
+        Map<String, Factory> inTime = all();
+        inTime.keySet().removeAll(Set.of(VOGEL.title, GAUSS.title));
+        return inTime;
     }
 }

@@ -55,6 +55,14 @@ final class ScenePixels {
         exposure = plan.exposure();
     }
 
+    /** What the samples of the picture have to be spread over. */
+    SampledSpace space() {
+        if (!plan.blursInTime()) {
+            return SampledSpace.LENS_AND_PIXEL;
+        }
+        return plan.studio().camera().hasWideAperture() ? SampledSpace.ALL : SampledSpace.TIME_AND_PIXEL;
+    }
+
     private int count() {
         return columns * rows;
     }
@@ -116,7 +124,8 @@ final class ScenePixels {
             int place = 3 * (row * columns + column);
             for (int sample = 0; sample < samples; sample++) {
                 pattern.goTo(sample);
-                Colour colour = tracer.sample(x + pattern.x, y + pattern.y, pattern.lensX, pattern.lensY);
+                Colour colour =
+                        tracer.sample(x + pattern.x, y + pattern.y, pattern.lensX, pattern.lensY, pattern.moment);
                 weights += pattern.weight;
                 light[place] += pattern.weight * colour.red();
                 light[place + 1] += pattern.weight * colour.green();

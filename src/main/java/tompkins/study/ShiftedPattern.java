@@ -9,12 +9,12 @@ final class ShiftedPattern extends SamplePattern {
 
     private final double[][] points;
     private final double[] shift;
-    private final boolean pixelToo;
+    private final SampledSpace space;
 
-    private ShiftedPattern(long seed, int samples, boolean pixelToo, Supplier<double[]> sequence) {
+    private ShiftedPattern(long seed, int samples, SampledSpace space, Supplier<double[]> sequence) {
         super(seed);
-        this.pixelToo = pixelToo;
-        shift = new double[pixelToo ? 4 : 2];
+        this.space = space;
+        shift = new double[space.dimensions()];
         points = new double[samples][];
         for (int i = 0; i < samples; i++) {
             points[i] = sequence.get();
@@ -22,13 +22,13 @@ final class ShiftedPattern extends SamplePattern {
     }
 
     /** {@link SamplingMethod#HALTON}. */
-    static ShiftedPattern halton(long seed, int samples, boolean pixelToo) {
-        return new ShiftedPattern(seed, samples, pixelToo, new HaltonSequenceGenerator(pixelToo ? 4 : 2)::nextVector);
+    static ShiftedPattern halton(long seed, int samples, SampledSpace space) {
+        return new ShiftedPattern(seed, samples, space, new HaltonSequenceGenerator(space.dimensions())::nextVector);
     }
 
     /** {@link SamplingMethod#ADDITIVE}: steps 1/p, 1/p^2, ..., where p^(d+1) = p + 1 in d dimensions. */
-    static ShiftedPattern additive(long seed, int samples, boolean pixelToo) {
-        int dimensions = pixelToo ? 4 : 2;
+    static ShiftedPattern additive(long seed, int samples, SampledSpace space) {
+        int dimensions = space.dimensions();
         double base = 1;
         for (int i = 0; i < 60; i++) {
             base = Math.pow(1 + base, 1.0 / (dimensions + 1));
@@ -38,7 +38,7 @@ final class ShiftedPattern extends SamplePattern {
             steps[i] = Math.pow(base, -i - 1);
         }
         double[] last = new double[dimensions];
-        return new ShiftedPattern(seed, samples, pixelToo, () -> {
+        return new ShiftedPattern(seed, samples, space, () -> {
             for (int i = 0; i < dimensions; i++) {
                 last[i] = wrapped(last[i], steps[i]);
             }
@@ -57,10 +57,18 @@ final class ShiftedPattern extends SamplePattern {
     @Override
     void goTo(int sample) {
         double[] point = points[sample];
-        lens(wrapped(point[0], shift[0]), wrapped(point[1], shift[1]));
-        if (pixelToo) {
-            x = wrapped(point[2], shift[2]);
-            y = wrapped(point[3], shift[3]);
+        int next = 0;
+        if (space.hasLens()) {
+            lens(wrapped(point[0], shift[0]), wrapped(point[1], shift[1]));
+            next = 2;
+        }
+        if (space.hasTime()) {
+            moment = wrapped(point[next], shift[next]);
+            next++;
+        }
+        if (space.hasPixel()) {
+            x = wrapped(point[next], shift[next]);
+            y = wrapped(point[next + 1], shift[next + 1]);
         }
     }
 }

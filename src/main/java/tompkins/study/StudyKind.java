@@ -16,6 +16,15 @@ public enum StudyKind {
             SamplingMethod.all(),
             SamplingMethod.SOBOL.title())),
 
+    /** See {@link ExposureStudy}. */
+    EXPOSURE(setup -> new ExposureStudy(
+            setup.studios(List.of("rolling-slit")),
+            setup.seed(),
+            4096,
+            5,
+            SamplingMethod.inTime(),
+            SamplingMethod.SOBOL.title())),
+
     /** See {@link AntialiasingStudy}. */
     ANTIALIASING(setup -> new AntialiasingStudy(
             setup.studios(List.of("fig1a", "fig2a")), setup.studios(setup.names()), setup.seed(), 144, 4096)),
@@ -48,7 +57,7 @@ public enum StudyKind {
 
     /** Whether a user's scene can be measured. */
     public boolean takesScene() {
-        return this == APERTURE || this == ANTIALIASING || this == PREVIEW;
+        return this == APERTURE || this == EXPOSURE || this == ANTIALIASING || this == PREVIEW;
     }
 
     /** The name on the command line and of the files. */

@@ -12,7 +12,7 @@ import tompkins.image.FileException;
 import tompkins.image.PendingFile;
 import tompkins.ray.Ray;
 import tompkins.render.Quality;
-import tompkins.sceneobject.ObjectTree;
+import tompkins.search.ObjectTree;
 
 /**
  * A page with the charts of studies, what follows from them, and whether they are as they must be, in Markdown, beside
@@ -71,6 +71,7 @@ public final class StudyPage {
                 | choice | default | study |
                 |---|---|---|
                 | places in pixel and on the lens | Sobol points, Owen-scrambled in each pixel | [aperture](#aperture) |
+                | moments while the shutter is open | one more dimension of these points | [exposure](#exposure) |
                 | samples per pixel | one in the centre, unless the scene says another number | [antialiasing](#antialiasing) |
                 | how good a picture `--error` makes | %s, half a step of an 8-bit picture, with samples where they are needed | [antialiasing](#antialiasing) |
                 | form of the Lorentz transformation | half angles in double precision | [precision](#precision) |

@@ -43,14 +43,14 @@ public record Refractive(
         boolean entering = along < 0;
         double before = entering ? 1 : indexRatio;
         double behind = entering ? indexRatio : 1;
-        double slowness = ray.slowness * behind / before;
+        double slowness = ray.lightSlowness() * behind / before;
         Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz);
         Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
         double cosineBehind = Refraction.bend(direction, normal, before, behind, direction);
         double reflected = Refraction.reflectance(before, behind, Math.abs(along), cosineBehind);
         double transmitted = 1 - reflected;
-        boolean caught = !entering && ray.generation >= LONGEST_CAPTURE && cosineBehind > 0;
-        if (caught || ray.weight * Math.min(reflected, transmitted) < Ray.FAINTEST) {
+        boolean caught = !entering && ray.depth >= LONGEST_CAPTURE && cosineBehind > 0;
+        if (caught || ray.throughput * Math.min(reflected, transmitted) < Ray.FAINTEST) {
             // all to the stronger part, so that the least light goes the wrong way
             return Response.goesOn(
                     caught || reflected < transmitted

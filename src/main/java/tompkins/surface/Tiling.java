@@ -1,5 +1,6 @@
 package tompkins.surface;
 
+import java.util.stream.Stream;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.Colour;
@@ -62,7 +63,7 @@ public record Tiling(
 
     /** Each surface answers for its share of the bundle; the tracer loops over the larger share. */
     private Response respondBoth(Ray ray, Hit hit, Tracer tracer, double share) {
-        if (continuesRays() && ray.weight * Math.min(share, 1 - share) < Ray.FAINTEST) {
+        if (continuesRays() && ray.throughput * Math.min(share, 1 - share) < Ray.FAINTEST) {
             // what would not be followed is given to the larger share
             return (share < 0.5 ? first : second).respond(ray, hit, tracer);
         }
@@ -127,6 +128,16 @@ public record Tiling(
         boolean odd =
                 SquareWave.isOdd(Math.floor(hit.coordinates.u() / width) + Math.floor(hit.coordinates.v() / height));
         return (odd ? second : first).throwsShadowAt(hit);
+    }
+
+    @Override
+    public Stream<Surface> parts() {
+        return Stream.of(first, second).flatMap(Surface::parts);
+    }
+
+    @Override
+    public boolean showsTime() {
+        return first.showsTime() || second.showsTime();
     }
 
     @Override

@@ -2,7 +2,7 @@ package tompkins.trace;
 
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 
 /** What becomes of a ray that leaves the objects of its frame. */
 @FunctionalInterface
@@ -12,7 +12,7 @@ interface Beyond {
     Colour colour(Ray ray);
 
     /** The same for a ray of a block. */
-    default Colour colour(RayBlock rays, int place) {
+    default Colour colour(RayPacket rays, int place) {
         return colour(rays.ray(place));
     }
 }

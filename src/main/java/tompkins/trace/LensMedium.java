@@ -8,9 +8,9 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
-import tompkins.sceneobject.Primitive;
 import tompkins.surface.Refractive;
 
 /**

@@ -1,22 +1,33 @@
 package tompkins.trace;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.camera.Camera;
 import tompkins.camera.CameraRays;
 import tompkins.camera.PixelSampler;
+import tompkins.camera.SamplePlaces;
+import tompkins.light.LightSource;
 import tompkins.math.Vectors;
+import tompkins.primitive.Placement;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
-import tompkins.sceneobject.LightGrid;
-import tompkins.sceneobject.ObjectTree;
-import tompkins.sceneobject.Placement;
 import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.search.LampShadows;
+import tompkins.search.NearestHit;
+import tompkins.search.ObjectTree;
 import tompkins.shutter.LensRay;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.IdentityTransformation;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.studio.Studio;
+import tompkins.studio.View;
+import tompkins.world.FrameCrossing;
+import tompkins.world.FrameRoutes;
+import tompkins.world.ObjectPreparation;
+import tompkins.world.World;
 
 /**
  * What a picture needs, and no more: worked out once from a studio, used by all threads, and thrown away with the
@@ -30,25 +41,38 @@ public final class RenderPlan {
     private final CameraRays cameraRays;
     private final FrameCrossing crossing;
     private final LightShift shift;
-    private final PreparedScene scene;
+    private final World world;
+
+    /** Null if nothing moves in the scene. */
+    private final FrameRoutes routes;
+
     private final ObjectTree cameraFrame;
     private final double lensSlowness;
+
+    /** Null if the lens is in vacuum, or in a medium that moves with it. */
+    private final MovingMedium sceneMedium;
+
+    private final List<LightSource> cameraLights;
 
     private RenderPlan(Studio studio, RenderPlan previous, boolean plain) {
         this.studio = studio;
         sceneFromCamera = studio.sceneFromCamera();
         cameraRays = studio.camera()
                 .rays(studio.settings().width(), studio.settings().height(), sceneFromCamera);
-        crossing = new FrameCrossing(sceneFromCamera, lensEvent());
-        scene = previous != null && previous.scene.isOf(studio, crossing.origin())
-                ? previous.scene
-                : new PreparedScene(
-                        studio, crossing.origin(), point -> imagePoint(point).position(), plain);
-        PrimitiveCollector collector = new PrimitiveCollector(point -> point);
+        crossing = new FrameCrossing(sceneFromCamera, studio.transformation(), lensEvent());
+        world = previous != null && previous.world.isOf(studio, crossing)
+                ? previous.world
+                : new World(studio, crossing, this::imagePoint, plain);
+        routes = world.frameCount() > 1 ? world.routes(crossing) : null;
+        PrimitiveCollector collector = new PrimitiveCollector();
         ObjectPreparation.add("cameraFrame", studio.cameraFrame(), collector, Placement.NONE);
         cameraFrame = new ObjectTree(collector.primitives(), plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE);
         lensSlowness =
                 LensMedium.slowness(cameraFrame.primitives(), studio.camera().position());
+        sceneMedium = lensSlowness == 1
+                ? MovingMedium.around(lensEvent(), world, studio.transformation(), crossing, routes)
+                : null;
+        cameraLights = World.atRest(studio.lights());
         // last, for it follows a ray by this plan
         shift = studio.shiftsColours() ? new LightShift(studio.colours(), middleDopplerFactor()) : null;
     }
@@ -100,7 +124,7 @@ public final class RenderPlan {
 
     /**
      * The event, in the scene frame, at which a point that is fixed to the camera is photographed through the lens
-     * centre.
+     * centre, in the middle of the exposure time and of the sweep.
      */
     private Event imagePoint(Vector3dc point) {
         Vector3d fromLens = point.sub(studio.camera().position(), new Vector3d());
@@ -108,7 +132,10 @@ public final class RenderPlan {
             return lensInScene();
         }
         LensRay ray = cameraRays.chiefRay(Vectors.unit(fromLens));
-        double time = studio.camera().shutter().transmissionTime(ray, sceneFromCamera) - fromLens.length();
+        Camera camera = studio.camera();
+        double later = camera.exposureTime() * SamplePlaces.MIDDLE
+                + camera.rollingShutter().sweep() / 2;
+        double time = camera.shutter().transmissionTime(ray, sceneFromCamera) + later - fromLens.length();
         return sceneFromCamera.transform(new Event(point.x(), point.y(), point.z(), time));
     }
 
@@ -134,7 +161,16 @@ public final class RenderPlan {
 
     /** Whether anything stands in the scene that a ray can meet. */
     public boolean hasObjectsInScene() {
-        return scene.objects().size() > 0;
+        return world.hasObjects();
+    }
+
+    /** Whether nothing changes with time: all rests in one frame, and there are no clocks. */
+    public boolean isStill() {
+        return isAtRest()
+                && world.frameCount() == 1
+                && Stream.of(world.objects(0), cameraFrame)
+                        .flatMap(objects -> objects.primitives().stream())
+                        .noneMatch(primitive -> primitive.surface().showsTime());
     }
 
     /** Whether the camera and the scene share one frame. */
@@ -144,7 +180,19 @@ public final class RenderPlan {
 
     /** The places of the samples, for one thread. */
     PixelSampler sampler() {
-        return new PixelSampler(studio.settings().seed(), studio.camera().hasWideAperture());
+        return new PixelSampler(studio.settings().seed(), studio.camera().hasWideAperture(), blursInTime());
+    }
+
+    /** Whether the shutter stays open while what it sees changes. */
+    public boolean blursInTime() {
+        return studio.camera().exposureTime() > 0 && !isStill();
+    }
+
+    /**
+     * Whether different samples of a pixel differ by more than their places in it: one of them tells nothing of that.
+     */
+    public boolean blurs() {
+        return studio.camera().hasWideAperture() || blursInTime();
     }
 
     /**
@@ -165,29 +213,63 @@ public final class RenderPlan {
         return tracer(counts, null);
     }
 
-    /** As {@link #tracer(RayCounts)}, watched by a witness. */
-    SampleTracer tracer(RayCounts counts, RayWitness witness) {
+    /** As {@link #tracer(RayCounts)}, watched by an observer. */
+    SampleTracer tracer(RayCounts counts, PathObserver observer) {
         int depth = studio.settings().maximumDepth();
+        LampShadows[] lampShadows = new LampShadows[world.lights().size()];
+        Arrays.setAll(lampShadows, world::lampShadows);
+        NearestHit nearest = new NearestHit(counts);
         RayTracer sceneTracer = new RayTracer(
                 Frame.SCENE,
-                scene.objects(),
-                scene.lights(),
-                scene.lightGrids(),
-                new BeyondScene(studio.background()),
+                world.objects(0),
+                world.lights(),
+                lampShadows,
+                routes == null ? null : new MovingWorld(world, routes, studio.transformation(), shift, nearest, counts),
+                new BackgroundTracer(studio.background()),
                 depth,
                 counts,
-                witness);
-        SceneEntry entry = new SceneEntry(crossing, sceneTracer, shift, witness);
+                nearest,
+                observer);
+        SceneEntry entry = new SceneEntry(crossing, sceneTracer, shift, observer);
         RayTracer cameraTracer = cameraFrame.size() == 0
                 ? null
                 : new RayTracer(
-                        Frame.CAMERA, cameraFrame, studio.lights(), new LightGrid[0], entry, depth, counts, witness);
-        return new SampleTracer(sampler(), cameraRays, lensSlowness, cameraTracer, entry, counts, witness);
+                        Frame.CAMERA,
+                        cameraFrame,
+                        cameraLights,
+                        new LampShadows[cameraLights.size()],
+                        null,
+                        entry,
+                        depth,
+                        counts,
+                        new NearestHit(counts),
+                        observer);
+        return new SampleTracer(
+                sampler(),
+                cameraRays,
+                lensSlowness,
+                sceneMedium,
+                studio.view() == View.MEASURED,
+                cameraTracer,
+                entry,
+                counts,
+                observer);
     }
 
     /** The place from which the tracer describes the scene; usually the origin of the scene frame. */
-    Vector3dc sceneOrigin() {
+    Event sceneOrigin() {
         return crossing.origin();
+    }
+
+    /** The frames of the scene. */
+    World world() {
+        return world;
+    }
+
+    /** An event of a frame of the scene, in the coordinates of the scene itself. */
+    Event inScene(int frame, Event event) {
+        Event traced = frame == 0 ? event : routes.transform(frame, 0, event);
+        return traced.plus(crossing.origin());
     }
 
     /**
@@ -208,6 +290,6 @@ public final class RenderPlan {
     }
 
     private PlanSentences inSentences() {
-        return new PlanSentences(studio, scene.objects(), cameraFrame, isAtRest(), shift);
+        return new PlanSentences(this, world, cameraFrame, cameraRays, shift);
     }
 }

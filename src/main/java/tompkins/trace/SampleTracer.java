@@ -7,10 +7,10 @@ import tompkins.camera.PixelSampler;
 import tompkins.camera.SamplePlaces;
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
-import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
-import tompkins.sceneobject.BlockSearch;
-import tompkins.sceneobject.EntryNodes;
+import tompkins.ray.RayPacket;
+import tompkins.search.EntryNodes;
+import tompkins.search.PacketSearch;
 
 /** Takes samples of a picture. One for each thread. */
 public final class SampleTracer {
@@ -20,26 +20,28 @@ public final class SampleTracer {
      * the row of a place is the column of half its number.
      */
     private static final int[] MORTON_COLUMNS =
-            IntStream.range(0, RayBlock.MOST).map(SampleTracer::mortonColumn).toArray();
+            IntStream.range(0, RayPacket.MOST).map(SampleTracer::mortonColumn).toArray();
 
     private final PixelSampler sampler;
     private final CameraRays cameraRays;
     private final double lensSlowness;
+    private final MovingMedium sceneMedium;
+    private final boolean measures;
     private final RayTracer cameraTracer;
     private final SceneEntry sceneEntry;
     private final RayCounts counts;
-    private final RayWitness witness;
+    private final PathObserver observer;
 
-    private final SamplePlaces places = new SamplePlaces(RayBlock.MOST);
-    private final RayBlock rays = new RayBlock(RayBlock.MOST);
-    private final Colour[] colours = new Colour[RayBlock.MOST];
+    private final SamplePlaces places = new SamplePlaces(RayPacket.MOST);
+    private final RayPacket rays = new RayPacket(RayPacket.MOST);
+    private final Colour[] colours = new Colour[RayPacket.MOST];
 
     /** The samples whose colours are known: clearing references instead would cost the collector time. */
-    private final boolean[] known = new boolean[RayBlock.MOST];
+    private final boolean[] known = new boolean[RayPacket.MOST];
 
-    private final Colour[] sums = new Colour[RayBlock.MOST];
-    private final Colour[] factors = new Colour[RayBlock.MOST];
-    private final BlockSearch search = new BlockSearch();
+    private final Colour[] sums = new Colour[RayPacket.MOST];
+    private final Colour[] factors = new Colour[RayPacket.MOST];
+    private final PacketSearch search = new PacketSearch();
     private final EntryNodes entries = new EntryNodes(search);
     private double narrowing = 1;
     private int column;
@@ -48,25 +50,31 @@ public final class SampleTracer {
     /**
      * A tracer.
      *
-     * @param lensSlowness slowness of light at the lens
+     * @param lensSlowness slowness of light in a medium that moves with the lens
+     * @param sceneMedium a medium of the scene in which the lens is; may be null
+     * @param measures whether to measure where things are, instead of following light
      * @param cameraTracer the tracer of the camera frame, or null if no objects move with the camera
-     * @param witness watches the rays; may be null
+     * @param observer watches the rays; may be null
      */
     SampleTracer(
             PixelSampler sampler,
             CameraRays cameraRays,
             double lensSlowness,
+            MovingMedium sceneMedium,
+            boolean measures,
             RayTracer cameraTracer,
             SceneEntry sceneEntry,
             RayCounts counts,
-            RayWitness witness) {
+            PathObserver observer) {
         this.sampler = sampler;
         this.cameraRays = cameraRays;
         this.lensSlowness = lensSlowness;
+        this.sceneMedium = sceneMedium;
+        this.measures = measures;
         this.cameraTracer = cameraTracer;
         this.sceneEntry = sceneEntry;
         this.counts = counts;
-        this.witness = witness;
+        this.observer = observer;
     }
 
     /**
@@ -90,23 +98,28 @@ public final class SampleTracer {
     }
 
     /**
-     * The colour that a point of the picture gets through a point of the lens.
+     * The colour that a point of the picture gets through a point of the lens at a moment.
      *
      * @param x place in the picture in pixels
      * @param y place in the picture in pixels
      * @param lensX place on the lens in units of its radius
      * @param lensY place on the lens in units of its radius
+     * @param moment the part of the exposure time that has passed, from 0 to 1
      */
-    public Colour sample(double x, double y, double lensX, double lensY) {
+    public Colour sample(double x, double y, double lensX, double lensY, double moment) {
         places.clear();
-        places.add(x, y, lensX, lensY);
+        places.add(x, y, lensX, lensY, moment);
         return single();
     }
 
     private void start() {
         cameraRays.make(places, rays, counts);
-        if (lensSlowness != 1) {
+        if (measures) {
+            rays.measure();
+        } else if (lensSlowness != 1) {
             rays.startIn(lensSlowness);
+        } else if (sceneMedium != null) {
+            sceneMedium.fill(rays);
         }
         if (narrowing != 1) {
             rays.narrow(narrowing);
@@ -120,8 +133,8 @@ public final class SampleTracer {
             return Colour.BLACK;
         }
         Ray ray = rays.ray(0);
-        if (witness != null) {
-            witness.starts(ray);
+        if (observer != null) {
+            observer.starts(ray);
         }
         return finite(cameraTracer == null ? sceneEntry.colour(ray) : cameraTracer.colourOf(ray));
     }
@@ -135,11 +148,11 @@ public final class SampleTracer {
      * @param top first row
      * @param width columns of the block
      * @param height rows of the block
-     * @param stride distance between the pixels that are sampled; at most {@link RayBlock#SIDE} of them each way
+     * @param stride distance between the pixels that are sampled; at most {@link RayPacket#SIDE} of them each way
      * @param sample number of the sample of each pixel
      * @param taker says which pixels are wanted, and gets their colours
      */
-    public void sampleBlock(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
+    public void sampleBlock(int left, int top, int width, int height, int stride, int sample, SampleSink taker) {
         column = left;
         row = top;
         sceneEntry.sceneTracer().beginBlock();
@@ -173,7 +186,7 @@ public final class SampleTracer {
     }
 
     /** Keeps the rays that leave what moves with the camera. */
-    private void followInCameraFrame(SampleTaker taker) {
+    private void followInCameraFrame(SampleSink taker) {
         int leaving = 0;
         for (int i = 0; i < rays.count() && goesTo(i, taker); i++) {
             Ray left = cameraTracer.follow(rays, i);
@@ -189,12 +202,19 @@ public final class SampleTracer {
         rays.keep(leaving);
     }
 
-    private void followInScene(SampleTaker taker) {
+    private void followInScene(SampleSink taker) {
         RayTracer tracer = sceneEntry.sceneTracer();
         int count = rays.count();
+        if (tracer.movingWorld() != null) {
+            tracer.movingWorld().search().begin(rays);
+            for (int i = 0; i < count && goesTo(i, taker); i++) {
+                takeFromScene(i, Double.isNaN(rays.dx[i]) ? Colour.BLACK : tracer.movingColour(rays, i));
+            }
+            return;
+        }
         if (tracer.find(search, rays)) {
             for (int i = 0; i < count && goesTo(i, taker); i++) {
-                takeFromScene(i, tracer.colour(rays, i, search));
+                takeFromScene(i, tracer.packetColour(rays, i, search));
             }
             return;
         }
@@ -203,18 +223,18 @@ public final class SampleTracer {
             if (i % EntryNodes.RAYS == 0) {
                 found = tracer.find(entries, rays, i, Math.min(count, i + EntryNodes.RAYS));
             }
-            takeFromScene(i, found ? tracer.colour(rays, i, entries) : colourWithoutHelp(i, tracer));
+            takeFromScene(i, found ? tracer.entryColour(rays, i, entries) : colourWithoutHelp(i, tracer));
         }
     }
 
     /** A ray without a direction, whose light stands still in the scene, keeps all around it from being bounded. */
     private Colour colourWithoutHelp(int index, RayTracer tracer) {
-        return Double.isNaN(rays.dx[index]) ? Colour.BLACK : tracer.colour(rays, index);
+        return Double.isNaN(rays.dx[index]) ? Colour.BLACK : tracer.singleColour(rays, index);
     }
 
-    private void choosePlaces(int left, int top, int width, int height, int stride, int sample, SampleTaker taker) {
+    private void choosePlaces(int left, int top, int width, int height, int stride, int sample, SampleSink taker) {
         places.clear();
-        for (int place = 0; place < RayBlock.MOST; place++) {
+        for (int place = 0; place < RayPacket.MOST; place++) {
             int across = stride * MORTON_COLUMNS[place];
             int down = stride * MORTON_COLUMNS[place >> 1];
             int nextColumn = left + across;
@@ -230,7 +250,7 @@ public final class SampleTracer {
         return place & 1 | place >> 1 & 2 | place >> 2 & 4 | place >> 3 & 8;
     }
 
-    private boolean goesTo(int index, SampleTaker taker) {
+    private boolean goesTo(int index, SampleSink taker) {
         column = places.column(rays.sample(index));
         row = places.row(rays.sample(index));
         return !taker.isStopped();

@@ -42,6 +42,7 @@ final class StatusBar {
     private String pictureHint = Texts.get("status.idle");
 
     private boolean picking;
+    private boolean panelFolded;
 
     /** The picture on the screen, if it is said that it becomes better; else null. */
     private Picture refining;
@@ -96,7 +97,10 @@ final class StatusBar {
 
     /** What is said if there is nothing else to say. */
     private String hint() {
-        return picking ? Texts.get("lens.picking") : pictureHint;
+        if (picking) {
+            return Texts.get("lens.picking");
+        }
+        return panelFolded ? Texts.get("status.panelFolded") : pictureHint;
     }
 
     /** A line that is too long for the window is read in its tip. */
@@ -192,7 +196,7 @@ final class StatusBar {
                         shown.image().height(),
                         Texts.get(samples.equals("1") ? "status.sample" : "status.samples", samples),
                         milliseconds < 1000 ? milliseconds + " ms" : Numbers.brief(milliseconds / 1000.0, 3) + " s",
-                        Double.isNaN(shown.error()) ? "?" : Numbers.brief(shown.error(), 2))
+                        Double.isNaN(shown.error()) ? "" : Texts.get("status.error", Numbers.brief(shown.error(), 2)))
                 + (shown.plan().isTooFaint() ? Texts.get("status.tooFaint") : "")
                 + (shown.isTooSharp() ? Texts.get("status.tooSharp") : ""));
         picture.setToolTipText(Tips.wrapped(Texts.get("status.errorTip")));
@@ -227,6 +231,12 @@ final class StatusBar {
             picking = isPicking;
             showIdle();
         }
+    }
+
+    /** Says how to get at the panel, as long as it is folded for want of room. */
+    void showPanelFolded(boolean isFolded) {
+        panelFolded = isFolded;
+        showIdle();
     }
 
     /** Shows one line of text, until there is something else to read under the mouse. */

@@ -5,11 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What {@code tompkins study} writes and says, and that figures which are not as they must be make it fail. */
+@Tag("slow")
 class StudyCommandTest {
 
     @TempDir
@@ -58,7 +59,7 @@ class StudyCommandTest {
         Path file = Files.writeString(folder.resolve("stability"), "a file where the folder of the charts goes");
 
         assertThat(refusal(folder, Failures.FAILURE))
-                .isEqualTo(file + ": cannot be read or written: there is a file of this name already");
+                .isEqualTo(file + ": cannot be written: it is a file, not a folder");
     }
 
     @Test
@@ -80,13 +81,22 @@ class StudyCommandTest {
     }
 
     @Test
-    void aFolderThatDoesNotExistIsAMistake() throws IOException {
+    void aFolderThatCannotBeMadeIsAMistake() throws IOException {
         Path file = Files.writeString(folder.resolve("mine.txt"), "mine");
-        for (Path none : List.of(file, file.resolve("x"), folder.resolve("none"))) {
-            assertThat(refusal(none, Failures.MISTAKE)).isEqualTo("-o must name an existing folder, was " + none);
-        }
+        Path none = folder.resolve("none");
+        assertThat(refusal(file, Failures.MISTAKE)).isEqualTo(file + ": cannot be written: it is a file, not a folder");
+        assertThat(refusal(file.resolve("x"), Failures.MISTAKE)).endsWith("there is no folder " + file);
+        assertThat(refusal(none.resolve("x"), Failures.MISTAKE)).endsWith("there is no folder " + none);
         assertThat(folder).isDirectoryContaining(file::equals).isDirectoryNotContaining(path -> !path.equals(file));
         assertThat(Files.readString(file)).isEqualTo("mine");
+    }
+
+    @Test
+    void aNewFolderIsMadeWhereItsParentIs() {
+        Path made = folder.resolve("made");
+        assertThat(ProgramRun.of("study", "stability", "-o", made).code()).isZero();
+        assertThat(made.resolve("stability.md")).exists();
+        assertThat(made.resolve("stability/stability.csv")).exists();
     }
 
     @Test
@@ -187,7 +197,7 @@ class StudyCommandTest {
         assertThat(run.code()).isEqualTo(Failures.MISTAKE);
         assertThat(run.err().strip())
                 .isEqualTo(
-                        "NAME must be one of aperture, antialiasing, precision, tree, depth, preview, stability, all;"
+                        "NAME must be one of aperture, exposure, antialiasing, precision, tree, depth, preview, stability, all;"
                                 + " was speed");
         assertThat(folder).isEmptyDirectory();
     }

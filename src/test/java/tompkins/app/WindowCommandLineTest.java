@@ -31,7 +31,9 @@ import tompkins.sceneobject.Sphere;
 import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.FixedPointSurfaceShutter;
 import tompkins.shutter.FocusSurfaceShutter;
+import tompkins.shutter.RollingShutter;
 import tompkins.shutter.Shutter;
+import tompkins.shutter.SweepDirection;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
@@ -61,6 +63,10 @@ class WindowCommandLineTest {
         return OPENED.withCamera(OPENED.camera().withShutter(shutter));
     }
 
+    private static Studio exposed(double time, RollingShutter rolling) {
+        return OPENED.withCamera(OPENED.camera().withExposureTime(time).withRollingShutter(rolling));
+    }
+
     static Stream<Studio> sayable() {
         return Stream.of(
                 OPENED,
@@ -71,6 +77,9 @@ class WindowCommandLineTest {
                 OPENED.withColours(ColourLaw.SEARCHLIGHT),
                 with(OPENED.camera().shutter().openedAt(-1.5)),
                 with(FocusSurfaceShutter.DEFAULT),
+                exposed(0.25, RollingShutter.DEFAULT),
+                exposed(0, new RollingShutter(SweepDirection.LEFT, 0)),
+                exposed(3, new RollingShutter(SweepDirection.UP, 2.5)),
                 with(FixedPointSurfaceShutter.DEFAULT),
                 with(DetectorPlaneShutter.DEFAULT.openedAt(0.125))
                         .withVelocity(Velocity.of(0, 0, -0.5))

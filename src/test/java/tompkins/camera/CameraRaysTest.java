@@ -15,8 +15,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Ray;
-import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
+import tompkins.ray.RayPacket;
 import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Plane;
@@ -220,11 +220,11 @@ class CameraRaysTest {
                         new ArbitraryPlaneShutter(0, new Vector3d(0, -1, 0), new Vector3d(0, 1, 0)))
                 .rays(4, 4, REST);
         SamplePlaces places = new SamplePlaces(4);
-        places.add(1, 2, 0, 0);
-        places.add(1, 1, 0, 0);
-        places.add(2, 2, 0, 0);
-        places.add(3, 3, 0, 0);
-        RayBlock rays = new RayBlock(4);
+        places.add(1, 2, 0, 0, 0.5);
+        places.add(1, 1, 0, 0, 0.5);
+        places.add(2, 2, 0, 0, 0.5);
+        places.add(3, 3, 0, 0, 0.5);
+        RayPacket rays = new RayPacket(4);
         RayCounts counts = new RayCounts();
 
         cameraRays.make(places, rays, counts);

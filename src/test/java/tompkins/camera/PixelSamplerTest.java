@@ -9,7 +9,7 @@ import java.util.function.ToIntFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 
 /** The places of samples: in their pixel and on the lens, evenly spread, the same again for the same seed. */
 class PixelSamplerTest {
@@ -18,7 +18,7 @@ class PixelSamplerTest {
 
     @Test
     void placesLieInThePixelAndOnTheLens() {
-        PixelSampler sampler = new PixelSampler(1, true);
+        PixelSampler sampler = new PixelSampler(1, true, true);
         for (int sample = 0; sample < SAMPLES; sample++) {
             SamplePlaces place = place(sampler, 17, 39, sample);
             assertThat(place.x(0)).isGreaterThanOrEqualTo(17).isLessThan(18);
@@ -29,7 +29,7 @@ class PixelSamplerTest {
 
     @Test
     void centreIsTheCentre() {
-        PixelSampler sampler = new PixelSampler(1, true);
+        PixelSampler sampler = new PixelSampler(1, true, true);
         SamplePlaces place = place(sampler, 17, 39, 5);
         sampler.choose(place, PixelSampler.firstOf(1));
         assertThat(place.x(0)).isEqualTo(17.5);
@@ -43,7 +43,7 @@ class PixelSamplerTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 16, 64, 256})
     void powersOfTwoFillEveryInterval(int count) {
-        PixelSampler sampler = new PixelSampler(5, true);
+        PixelSampler sampler = new PixelSampler(5, true, true);
         for (int column = 0; column < 4; column++) {
             int pixel = column;
             assertThat(intervals(sampler, pixel, count, each -> (int) ((each.x(0) - pixel) * count)))
@@ -81,7 +81,7 @@ class PixelSamplerTest {
 
     @Test
     void discIsFilledEvenly() {
-        PixelSampler sampler = new PixelSampler(3, true);
+        PixelSampler sampler = new PixelSampler(3, true, true);
         double sumX = 0;
         double sumY = 0;
         double squares = 0;
@@ -129,7 +129,7 @@ class PixelSamplerTest {
 
     @Test
     void pinholesHaveNoPlaceOnTheLens() {
-        PixelSampler sampler = new PixelSampler(3, false);
+        PixelSampler sampler = new PixelSampler(3, false, true);
         SamplePlaces place = place(sampler, 1, 2, 3);
         assertThat(place.lensX(0)).isZero();
         assertThat(place.lensY(0)).isZero();
@@ -138,8 +138,8 @@ class PixelSamplerTest {
 
     @Test
     void placesDependOnSeedAndPixelAlone() {
-        PixelSampler one = new PixelSampler(42, true);
-        PixelSampler same = new PixelSampler(42, true);
+        PixelSampler one = new PixelSampler(42, true, true);
+        PixelSampler same = new PixelSampler(42, true, true);
         place(same, 100, 200, 77);
         SamplePlaces ofOne = place(one, 8, 9, 10);
         SamplePlaces ofSame = place(same, 8, 9, 10);
@@ -149,7 +149,7 @@ class PixelSamplerTest {
         for (long seed : new long[] {1, 2, 3, -1, 1L << 32, 1L << 40}) {
             Set<Double> places = new HashSet<>();
             for (int pixel = 0; pixel < 64; pixel++) {
-                PixelSampler sampler = new PixelSampler(seed, true);
+                PixelSampler sampler = new PixelSampler(seed, true, true);
                 double x = place(sampler, pixel % 8, pixel / 8, 0).x(0);
                 places.add(x - pixel % 8);
                 if (pixel == 9) {
@@ -184,14 +184,14 @@ class PixelSamplerTest {
     /** A block gives each pixel the places that it gets alone. */
     @Test
     void placesDoNotDependOnTheBlock() {
-        PixelSampler sampler = new PixelSampler(7, true);
-        SamplePlaces block = new SamplePlaces(RayBlock.MOST);
-        for (int i = 0; i < RayBlock.MOST; i++) {
+        PixelSampler sampler = new PixelSampler(7, true, true);
+        SamplePlaces block = new SamplePlaces(RayPacket.MOST);
+        for (int i = 0; i < RayPacket.MOST; i++) {
             block.addPixel(i % 17, i / 17);
         }
         sampler.choose(block, 12);
         Set<Double> different = new HashSet<>();
-        for (int i = 0; i < RayBlock.MOST; i++) {
+        for (int i = 0; i < RayPacket.MOST; i++) {
             SamplePlaces single = place(sampler, i % 17, i / 17, 12);
             assertThat(block.x(i)).isEqualTo(single.x(0));
             assertThat(block.y(i)).isEqualTo(single.y(0));
@@ -199,7 +199,7 @@ class PixelSamplerTest {
             assertThat(block.lensY(i)).isEqualTo(single.lensY(0));
             different.add(block.lensX(i));
         }
-        assertThat(different).hasSize(RayBlock.MOST);
+        assertThat(different).hasSize(RayPacket.MOST);
     }
 
     private static SamplePlaces place(PixelSampler sampler, int column, int row, int sample) {

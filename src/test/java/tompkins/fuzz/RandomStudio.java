@@ -14,6 +14,7 @@ import tompkins.image.ToneCurve;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
+import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Colour;
@@ -27,6 +28,7 @@ import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.ImagePointGrid;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.Plane;
@@ -41,7 +43,9 @@ import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.FixedPointSurfaceShutter;
 import tompkins.shutter.FocusSurfaceShutter;
 import tompkins.shutter.LensHologramShutter;
+import tompkins.shutter.RollingShutter;
 import tompkins.shutter.Shutter;
+import tompkins.shutter.SweepDirection;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
@@ -51,7 +55,10 @@ import tompkins.studio.RenderSettings;
 import tompkins.studio.SkyBackground;
 import tompkins.studio.Studio;
 import tompkins.studio.UniformBackground;
+import tompkins.studio.View;
+import tompkins.surface.Blinking;
 import tompkins.surface.Clear;
+import tompkins.surface.Clock;
 import tompkins.surface.ColourFilter;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.CutOut;
@@ -140,7 +147,8 @@ public final class RandomStudio {
 
     private Studio studio() {
         List<SceneObject> scene = several(random.nextInt(5) == 0 ? 150 : 6, this::anyObject);
-        List<SceneObject> cameraFrame = random.nextInt(3) == 0 ? several(2, this::anyObject) : List.of();
+        List<SceneObject> cameraFrame =
+                random.nextInt(3) == 0 ? several(2, () -> valid(() -> atRest(anyObject()))) : List.of();
         return valid(() -> new Studio(
                 "",
                 "",
@@ -152,9 +160,14 @@ public final class RandomStudio {
                 camera(),
                 velocity(),
                 pick(TransformationLaw.values()),
+                random.nextInt(5) == 0 ? View.MEASURED : View.SEEN,
                 pick(ColourLaw.values()),
                 new RenderSettings(
                         16, 12, 1 + random.nextInt(2), 0, random.nextLong(), pick(10, 100, 1000), ToneCurve.LINEAR)));
+    }
+
+    private static SceneObject atRest(SceneObject object) {
+        return SceneObject.requireAtRest("object", object);
     }
 
     private SceneObject anyObject() {
@@ -195,6 +208,13 @@ public final class RandomStudio {
             case "ImagePointGrid" ->
                 new ImagePointGrid(
                         name, objectWithin(depth), place(), place(), place(), new Vector2i(1 + random.nextInt(3), 2));
+            case "Moving" ->
+                new Moving(
+                        name,
+                        velocity(),
+                        place(),
+                        number(),
+                        depth == 0 ? List.of() : several(2, () -> objectWithin(depth)));
             case "Hidden" -> new Hidden(objectWithin(depth));
             default -> throw missing(type, "object");
         };
@@ -218,6 +238,8 @@ public final class RandomStudio {
             case "Tiling" ->
                 new Tiling(surfaceWithin(depth), surfaceWithin(depth), size(), size(), random.nextInt(4) > 0);
             case "CutOut" -> new CutOut(picture(), surfaceWithin(depth), surfaceWithin(depth));
+            case "Clock" -> new Clock(size(), surfaceWithin(depth), surfaceWithin(depth), random.nextBoolean());
+            case "Blinking" -> new Blinking(size(), surfaceWithin(depth), surfaceWithin(depth));
             case "Clear" -> Clear.DEFAULT;
             case "ColourFilter" ->
                 new ColourFilter(new Colour(random.nextDouble(), random.nextDouble(), random.nextDouble()));
@@ -234,6 +256,9 @@ public final class RandomStudio {
     }
 
     private LightSource light() {
+        if (random.nextInt(6) == 0) {
+            return new MovingLights(velocity(), place(), several(2, this::light));
+        }
         return random.nextBoolean()
                 ? new AmbientLight(colour())
                 : new PointLight(place(), colour(), colour(), 100 * random.nextDouble());
@@ -250,7 +275,7 @@ public final class RandomStudio {
     private Camera camera() {
         Vector3d position = random.nextInt(3) == 0 ? place() : new Vector3d();
         double angle = pick(1e-6, 1.0, 20.0, 90.0, 179.9);
-        return random.nextInt(4) == 0
+        Camera instant = random.nextInt(4) == 0
                 ? new PanoramicCamera(position, direction(), direction(), 360, 180, size(), 0, shutter())
                 : new ThinLensCamera(
                         position,
@@ -262,6 +287,10 @@ public final class RandomStudio {
                         objectWithin(1),
                         random.nextInt(3) - 1,
                         shutter());
+        Camera exposed = random.nextInt(3) == 0 ? instant.withExposureTime(Math.abs(number())) : instant;
+        return random.nextInt(3) == 0
+                ? exposed.withRollingShutter(new RollingShutter(pick(SweepDirection.values()), Math.abs(number())))
+                : exposed;
     }
 
     private Shutter shutter() {

@@ -68,7 +68,7 @@ class HorizonTest {
         for (int i = 0; i < samples; i++) {
             double x = column + (i * 0.7548776662466927) % 1;
             double y = row + (i * 0.5698402909980532) % 1;
-            mean += sharp.sample(x, y, 0, 0).red() / samples;
+            mean += sharp.sample(x, y, 0, 0, 0.5).red() / samples;
         }
         return mean;
     }
@@ -83,8 +83,9 @@ class HorizonTest {
         for (int row = 0; row < HEIGHT; row += 3) {
             for (int column = 1; column < WIDTH; column += 5) {
                 double mean = mean(sharp, column, row, FINE * FINE);
-                double smooth = filtered.sample(column + 0.5, row + 0.5, 0, 0).red();
-                double single = sharp.sample(column + 0.5, row + 0.5, 0, 0).red();
+                double smooth =
+                        filtered.sample(column + 0.5, row + 0.5, 0, 0, 0.5).red();
+                double single = sharp.sample(column + 0.5, row + 0.5, 0, 0, 0.5).red();
                 filteredSum += (smooth - mean) * (smooth - mean);
                 sharpSum += (single - mean) * (single - mean);
                 pixels++;

@@ -14,6 +14,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicLong;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -24,6 +25,10 @@ import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
+import tompkins.shutter.AperturePlaneShutter;
+import tompkins.shutter.RollingShutter;
+import tompkins.shutter.SweepDirection;
+import tompkins.spacetime.Velocity;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.studio.UniformBackground;
@@ -32,6 +37,8 @@ import tompkins.surface.LuminousSurface;
 import tompkins.trace.RenderPlan;
 
 /** Samples go where they are needed, and the error is what the report says. */
+@Tag("slow")
+@Tag("alone")
 class AdaptiveRenderTest {
 
     private static final Renderer RENDERER = new Renderer(2);
@@ -108,6 +115,53 @@ class AdaptiveRenderTest {
         assertThat(job.report().sampledPixels()).isEqualTo(48);
         assertThat(job.report().warnings())
                 .containsExactly("3024 of 3072 pixels got no sample and are interpolated between the others");
+    }
+
+    /** The camera goes past at half the speed of light; the nearest sphere moves by tens of pixels meanwhile. */
+    @ParameterizedTest
+    @CsvSource({"0.01, 0.1, 0", "0.003, 0.1, 0", "0.01, 2, 0", "0.003, 2, 0", "0.003, 0.5, 3"})
+    void longExposureIsHonest(double target, double exposure, double sweep) throws InterruptedException {
+        Studio studio = exposed(studio(spheres(), 0), 0.5, exposure, sweep);
+        RenderJob job = render(studio, new Quality.TargetError(target));
+        assertThat(job.report().samplesPerPixel()).isGreaterThanOrEqualTo(AdaptiveSchedule.FIRST_SAMPLES);
+        assertThat(job.report().error()).isLessThanOrEqualTo(target);
+        assertThat(trueError(studio, job)).isLessThan(1.25 * target);
+    }
+
+    /**
+     * A ball of two pixels flies over 40 of 64 pixels while nothing else moves. Its light is spread over its way and
+     * stays the same in all: the area of the ball.
+     */
+    @Test
+    void smallFastBallIsFound() throws InterruptedException {
+        double pixel = 2 * 10 * Math.tan(Math.toRadians(10)) / 64;
+        Sphere ball = new Sphere("ball", new Vector3d(0, 0.6, 10), pixel, new LuminousSurface(Colour.WHITE, false));
+        double slow = 0.001;
+        Studio studio = exposed(studio(List.of(ball), 0), slow, 40 * pixel / slow, 0);
+        studio = studio.withCamera(studio.camera().withShutter(new AperturePlaneShutter(-20 * pixel / slow)));
+        double background = ((UniformBackground) studio.background()).colour().red();
+
+        RenderJob job = render(studio, new Quality.TargetError(0.0005));
+
+        assertThat(lightAbove(background, job)).isCloseTo(Math.PI * (1 - background), withinPercentage(2));
+        assertThat(trueError(studio, job)).isLessThan(1.25 * 0.0005);
+        assertThat(job.report().samplesPerPixel()).isLessThan(64);
+    }
+
+    @Test
+    void stillPictureCostsNothingMore() throws InterruptedException {
+        Studio still = studio(spheres(), 0);
+        RenderJob instant = render(still, new Quality.TargetError(0.004));
+        RenderJob exposed = render(exposed(still, 0, 3, 2), new Quality.TargetError(0.004));
+        assertThat(exposed.report().samples()).isEqualTo(instant.report().samples());
+        assertThat(exposed.image().rgb()).isEqualTo(instant.image().rgb());
+    }
+
+    private static Studio exposed(Studio studio, double speed, double exposure, double sweep) {
+        return studio.withVelocity(Velocity.of(speed, 0, 0))
+                .withCamera(studio.camera()
+                        .withExposureTime(exposure)
+                        .withRollingShutter(new RollingShutter(SweepDirection.DOWN, sweep)));
     }
 
     @Test

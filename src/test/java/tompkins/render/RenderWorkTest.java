@@ -12,13 +12,14 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3i;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.ray.Colour;
-import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
+import tompkins.ray.RayPacket;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -27,13 +28,14 @@ import tompkins.studio.PaperStudios;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
 import tompkins.trace.RenderPlan;
-import tompkins.trace.SampleTaker;
+import tompkins.trace.SampleSink;
 import tompkins.trace.SampleTracer;
 
 /**
  * Holds the work that pictures need, without a clock: it is counted exactly and must not grow. Rays and shadow rays
  * follow from the scene; nodes and tests are what the search makes of them. Who makes it better lowers the numbers.
  */
+@Tag("slow")
 class RenderWorkTest {
 
     private static final long BYTES_PER_SAMPLE = 200;
@@ -130,8 +132,8 @@ class RenderWorkTest {
         assertThat(bytes / taker.count).isLessThanOrEqualTo(BYTES_PER_SAMPLE);
     }
 
-    private static void takeAll(SampleTracer tracer, Studio studio, SampleTaker taker) {
-        int side = RayBlock.SIDE;
+    private static void takeAll(SampleTracer tracer, Studio studio, SampleSink taker) {
+        int side = RayPacket.SIDE;
         for (int row = 0; row < studio.settings().height(); row += side) {
             for (int column = 0; column < studio.settings().width(); column += side) {
                 tracer.sampleBlock(column, row, side, side, 1, 0, taker);
@@ -143,7 +145,7 @@ class RenderWorkTest {
         return studio.withSettings(studio.settings().withSamples(samples));
     }
 
-    private static final class Taker implements SampleTaker {
+    private static final class Taker implements SampleSink {
 
         private long count;
 

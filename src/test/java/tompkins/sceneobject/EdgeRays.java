@@ -5,23 +5,25 @@ import java.util.List;
 import java.util.function.Predicate;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
+import tompkins.search.RandomAims;
 import tompkins.surface.ColouredSurface;
 
 /** Rays that meet a primitive only just: the next number beside them misses. Rounding alone decides about them. */
-final class EdgeRays {
+public final class EdgeRays {
 
     /** Halvings of an interval after which its ends are neighbouring numbers. */
     private static final int HALVINGS = 80;
 
     private final RandomAims aims;
 
-    EdgeRays(long seed) {
+    public EdgeRays(long seed) {
         aims = new RandomAims(seed);
     }
 
     /** Shapes of a size of about 1 round a place: with sides along the axes, where boxes fit without room, and not. */
-    List<Primitive> shapes(Vector3dc place) {
+    public List<Primitive> shapes(Vector3dc place) {
         List<SceneObject> objects = new ArrayList<>();
         ColouredSurface grey = ColouredSurface.DEFAULT;
         for (int axis = 0; axis < 3; axis++) {
@@ -49,14 +51,14 @@ final class EdgeRays {
     }
 
     /** A ray from a start that only just meets a primitive, or null if no ray was found that meets it. */
-    Ray to(Primitive primitive, Vector3dc start) {
+    public Ray to(Primitive primitive, Vector3dc start) {
         Predicate<Vector3dc> isMet = target -> hits(primitive, towards(start, target));
         Vector3d target = lastOf(isMet, primitive);
         return target == null ? null : towards(start, target);
     }
 
     /** A place in the box round a primitive for which a condition holds, next to one for which it does not; or null. */
-    Vector3d lastOf(Predicate<Vector3dc> condition, Primitive primitive) {
+    public Vector3d lastOf(Predicate<Vector3dc> condition, Primitive primitive) {
         Vector3d holds = aims.placeIn(primitive);
         for (int tries = 0; tries < 20 && !condition.test(holds); tries++) {
             holds = aims.placeIn(primitive);
@@ -75,15 +77,15 @@ final class EdgeRays {
     }
 
     /** A place at a distance from another. */
-    Vector3d placeAround(Vector3dc place, double distance) {
+    public Vector3d placeAround(Vector3dc place, double distance) {
         return aims.vector(1).normalize(distance).add(place);
     }
 
-    static boolean hits(Primitive primitive, Ray ray) {
+    public static boolean hits(Primitive primitive, Ray ray) {
         return primitive.distance(ray, Primitive.NO_HIT) < Primitive.NO_HIT;
     }
 
-    static Ray towards(Vector3dc start, Vector3dc target) {
+    public static Ray towards(Vector3dc start, Vector3dc target) {
         Vector3d d = target.sub(start, new Vector3d()).normalize();
         return Ray.from(start.x(), start.y(), start.z(), d.x, d.y, d.z, 0);
     }

@@ -14,9 +14,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.fuzz.RandomStudio;
+import tompkins.primitive.Bounds;
+import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
+import tompkins.search.NearestHit;
+import tompkins.search.ObjectTree;
+import tompkins.search.RandomAims;
 import tompkins.surface.Surface;
 import tompkins.surface.Tiling;
 
@@ -109,7 +114,7 @@ class PrimitiveContractTest {
             assertThat(hit.z).isBetween(wide.minZ() - 1e-12, wide.maxZ() + 1e-12);
         }
         Vector3d n = aims.vector(1);
-        assertThat(primitive.least(n.x, n.y, n.z)).isLessThanOrEqualTo(n.dot(place(hit)) + 1e-9);
+        assertThat(primitive.minimumAlong(n.x, n.y, n.z)).isLessThanOrEqualTo(n.dot(place(hit)) + 1e-9);
         assertThat(primitive.isBeyond(n.x, n.y, n.z, n.dot(place(hit)))).isFalse();
     }
 

@@ -12,11 +12,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.primitive.Bounds;
+import tompkins.primitive.Primitive;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.PixelPicture;
 import tompkins.ray.Ray;
 import tompkins.ray.SurfaceCoordinates;
+import tompkins.search.RandomAims;
 import tompkins.surface.Clear;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.CutOut;
@@ -279,7 +282,7 @@ class ShapeGeometryTest {
         assertThat(high.distance(box.maxX(), box.maxY(), box.maxZ())).isLessThan(slack);
         for (int k = 0; k < normals.length; k++) {
             Vector3d n = normals[k];
-            double claimed = primitive.least(n.x, n.y, n.z);
+            double claimed = primitive.minimumAlong(n.x, n.y, n.z);
             assertThat(claimed).isLessThanOrEqualTo(least[k] + 1e-9);
             assertThat(claimed).isGreaterThan(least[k] - slack * n.length());
             assertThat(primitive.isBeyond(n.x, n.y, n.z, claimed - 1e-6 * n.length()))

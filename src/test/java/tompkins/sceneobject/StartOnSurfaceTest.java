@@ -6,6 +6,7 @@ import java.util.SplittableRandom;
 import org.joml.Vector3d;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.surface.ColouredSurface;

@@ -7,10 +7,13 @@ import java.util.List;
 import java.util.Random;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
 import tompkins.ray.MeshData;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
+import tompkins.search.NearestHit;
+import tompkins.search.ObjectTree;
 import tompkins.surface.ColouredSurface;
 
 class TriangleMeshTest {

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.ray.Ray;
-import tompkins.ray.RayBlock;
+import tompkins.ray.RayPacket;
 
 /** What all changes of frame have in common, and what the simple ones are. */
 class TransformationTest {
@@ -84,12 +84,13 @@ class TransformationTest {
     @EnumSource
     void raysOfABlockGoWhereTheyGoAlone(TransformationLaw law) {
         SpaceTimeTransformation transformation = transformation(law);
-        RayBlock block = new RayBlock(4);
+        RayPacket block = new RayPacket(4);
         block.begin(4);
         Ray[] rays = new Ray[4];
         for (int i = 0; i < 4; i++) {
             // ahead and behind, slow and fast light, changed before
-            rays[i] = ray().inFrame(i, 2, -i, 0.48, i < 2 ? 0.6 : -0.6, i % 2 == 0 ? 0.64 : -0.64, 3, 1 + i, 0.5, 2);
+            rays[i] = Ray.blank()
+                    .setInFrame(ray(), i, 2, -i, 0.48, i < 2 ? 0.6 : -0.6, i % 2 == 0 ? 0.64 : -0.64, 3, 1 + i, 0.5, 2);
             block.set(i, rays[i]);
         }
 

@@ -8,12 +8,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.IntUnaryOperator;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The slopes of theory, and what happens if a sampler is broken. */
+@Tag("slow")
 class ApertureStudyTest {
 
     private static final String PROGRAM = SamplingMethod.SOBOL.title();
@@ -43,7 +45,7 @@ class ApertureStudyTest {
     @Test
     void samplerThatStaysInTheCentreIsFound() {
         Map<String, SamplingMethod.Factory> broken = randomAlone();
-        broken.put(PROGRAM, (seed, samples, pixelToo) -> new SamplePattern(seed) {
+        broken.put(PROGRAM, (seed, samples, space) -> new SamplePattern(seed) {
             @Override
             void startPixel(int column, int row) {}
 
@@ -60,8 +62,8 @@ class ApertureStudyTest {
     @MethodSource("pixelsThatAreTakenForOne")
     void samplerThatIsTheSameInSeveralPixelsIsFound(IntUnaryOperator column, IntUnaryOperator row) {
         Map<String, SamplingMethod.Factory> broken = randomAlone();
-        broken.put(PROGRAM, (seed, samples, pixelToo) -> new SamplePattern(seed) {
-            private final SamplePattern right = SamplingMethod.SOBOL.factory().pattern(seed, samples, pixelToo);
+        broken.put(PROGRAM, (seed, samples, space) -> new SamplePattern(seed) {
+            private final SamplePattern right = SamplingMethod.SOBOL.factory().pattern(seed, samples, space);
 
             @Override
             void startPixel(int pixelColumn, int pixelRow) {

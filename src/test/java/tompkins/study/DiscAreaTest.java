@@ -36,7 +36,8 @@ class DiscAreaTest {
             for (int i = 0; i < 4; i++) {
                 ExactProblem.Instance instance = problem.instance(random);
                 double sum = gridMean(
-                        problem.pixelToo(), place -> instance.integrand().value(place));
+                        problem.space().hasPixel(),
+                        place -> instance.integrand().value(place));
                 assertThat(instance.exact()).as("%s %d", problem, i).isEqualTo(sum, within(3e-3));
             }
         }
@@ -46,7 +47,7 @@ class DiscAreaTest {
     private static double gridMean(boolean pixelToo, ToDoubleFunction<SamplePattern> integrand) {
         int lens = pixelToo ? 100 : 600;
         int pixel = pixelToo ? 12 : 1;
-        RandomPattern place = new RandomPattern(1, false);
+        RandomPattern place = new RandomPattern(1, SampledSpace.LENS);
         double sum = 0;
         int count = 0;
         for (int i = 0; i < lens * lens; i++) {

@@ -29,7 +29,7 @@ class RefractiveTest {
         Response response = new Refractive(1.5).respond(ray, hit, null);
 
         assertThat(response.next().dz).isCloseTo(mirrored ? -dz : Math.sqrt(1 - dx * dx / 2.25), within(1e-15));
-        assertThat(response.next().weight).isEqualTo(WEAK);
+        assertThat(response.next().throughput).isEqualTo(WEAK);
         assertThat(response.factor()).isEqualTo(Colour.WHITE);
         assertThat(response.light()).isEqualTo(Colour.BLACK);
     }
@@ -46,13 +46,13 @@ class RefractiveTest {
         Hit fromOutside = Hit.blank().set(ray, 1, 0, 0, -1, null, 0, null);
         Response entering = new Refractive(1.5).respond(ray, fromOutside, DarkTracer.DARK);
         assertThat(entering.next().dz).isEqualTo(-dz);
-        assertThat(entering.next().weight).isCloseTo(0.9, within(0.01));
+        assertThat(entering.next().throughput).isCloseTo(0.9, within(0.01));
 
         double sine = 0.99 / 1.5;
         Ray inside = ray.bent(fromOutside, sine, 0, Math.sqrt(1 - sine * sine), 1);
         Hit fromInside = Hit.blank().set(inside, 1, 0, 0, 1, null, 0, null);
         Response leaving = new Refractive(1.5).respond(inside, fromInside, DarkTracer.DARK);
         assertThat(leaving.next().dx).isCloseTo(0.99, within(1e-15));
-        assertThat(leaving.next().weight).isEqualTo(1);
+        assertThat(leaving.next().throughput).isEqualTo(1);
     }
 }

@@ -6,14 +6,15 @@ import java.util.Arrays;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.camera.Camera;
 import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
-import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
+import tompkins.ray.RayPacket;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.Shutter;
@@ -27,6 +28,7 @@ import tompkins.surface.Surface;
  * it is, to the last bit: compared with the plainest search, one sample after the other and every primitive for every
  * ray.
  */
+@Tag("slow")
 class FastSearchTest {
 
     @ParameterizedTest
@@ -98,7 +100,7 @@ class FastSearchTest {
         /** Takes what has not been taken yet of every pixel whose coordinates are multiples of the stride. */
         void takeBlocks(RenderPlan plan, int stride) {
             SampleTracer tracer = plan.tracer(counts);
-            int side = RayBlock.SIDE * stride;
+            int side = RayPacket.SIDE * stride;
             for (int top = 0; top < height; top += side) {
                 for (int left = 0; left < width; left += side) {
                     for (int sample = 0; sample < samples; sample++) {
@@ -115,8 +117,8 @@ class FastSearchTest {
             }
         }
 
-        private SampleTaker taker(int sample) {
-            return new SampleTaker() {
+        private SampleSink taker(int sample) {
+            return new SampleSink() {
                 @Override
                 public boolean wants(int column, int row) {
                     return colours[index(column, row)] == null;

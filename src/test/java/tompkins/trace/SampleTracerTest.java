@@ -9,15 +9,15 @@ import org.junit.jupiter.api.Test;
 import tompkins.camera.PixelSampler;
 import tompkins.io.StudioReader;
 import tompkins.ray.Colour;
-import tompkins.ray.RayBlock;
 import tompkins.ray.RayCounts;
+import tompkins.ray.RayPacket;
 import tompkins.studio.PaperStudios;
 import tompkins.studio.Studio;
 
 class SampleTracerTest {
 
     /** Somebody who wants every pixel, but stops before a ray. */
-    private static class StoppingTaker implements SampleTaker {
+    private static class StoppingTaker implements SampleSink {
 
         private final int raysBefore;
         private int rays;
@@ -70,7 +70,7 @@ class SampleTracerTest {
         });
 
         assertThat(dark).containsExactly("7, 7: " + Colour.BLACK);
-        assertThat(tracer.sample(7.5, 7.5, 0, 0)).isEqualTo(Colour.BLACK);
+        assertThat(tracer.sample(7.5, 7.5, 0, 0, 0.5)).isEqualTo(Colour.BLACK);
         assertThat(counts.notFinite).isZero();
         assertThat(counts.samples).isEqualTo(15 * 15 + 1);
     }
@@ -81,12 +81,12 @@ class SampleTracerTest {
         RayCounts counts = new RayCounts();
         SampleTracer tracer = RenderPlan.of(PaperStudios.fig1a()).tracer(counts);
         StoppingTaker stopping = new StoppingTaker(7);
-        tracer.sampleBlock(0, 0, RayBlock.SIDE, RayBlock.SIDE, 1, 0, stopping);
+        tracer.sampleBlock(0, 0, RayPacket.SIDE, RayPacket.SIDE, 1, 0, stopping);
 
         assertThat(stopping.taken).isEqualTo(7);
         assertThat(counts.samples).isEqualTo(7);
 
-        tracer.sampleBlock(0, 0, RayBlock.SIDE, RayBlock.SIDE, 1, 0, new StoppingTaker(Integer.MAX_VALUE));
+        tracer.sampleBlock(0, 0, RayPacket.SIDE, RayPacket.SIDE, 1, 0, new StoppingTaker(Integer.MAX_VALUE));
         assertThat(counts.samples).isEqualTo(7 + 16 * 16);
     }
 }

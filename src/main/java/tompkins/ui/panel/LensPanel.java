@@ -103,8 +103,8 @@ public final class LensPanel {
     }
 
     /**
-     * Says of the picture on the screen if its one sample leaves a wide aperture without effect, or if it has others
-     * than the scene says.
+     * Says of the picture on the screen if its one sample leaves a wide aperture or a long exposure without effect, or
+     * if it has others than the scene says.
      */
     public void show(Picture picture) {
         boolean wished = picture.quality() instanceof Quality.TargetError;

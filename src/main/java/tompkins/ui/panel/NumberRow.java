@@ -1,6 +1,7 @@
 package tompkins.ui.panel;
 
 import java.util.function.DoubleFunction;
+import javax.swing.Icon;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import tompkins.studio.Studio;
@@ -57,6 +58,11 @@ final class NumberRow {
         panel.add(slider.slider(), "growx, wmin 40");
         panel.add(field.field());
         panel.add(note.component(), "span, growx, wmin 0");
+    }
+
+    /** Puts a drawing before the name. */
+    void setIcon(Icon icon) {
+        label.setIcon(icon);
     }
 
     void setRange(Range range) {

@@ -15,7 +15,7 @@ import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.SwingUtilities;
-import tompkins.sceneobject.SceneObject;
+import tompkins.primitive.Described;
 import tompkins.studio.StudioPath;
 import tompkins.trace.Frame;
 import tompkins.trace.RayLife;
@@ -120,7 +120,7 @@ public final class RaySection {
     private Map<StudioPath, String> objects() {
         Map<StudioPath, String> objects = new LinkedHashMap<>();
         // glass is hit again and again, and to look for it in a large scene takes time
-        Set<SceneObject> sought = Collections.newSetFromMap(new IdentityHashMap<>());
+        Set<Described> sought = Collections.newSetFromMap(new IdentityHashMap<>());
         for (RayLife.Encounter hit : hits) {
             if (sought.add(hit.object())) {
                 StudioPath.to(model.studio(), hit.object())

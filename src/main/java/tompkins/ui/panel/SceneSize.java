@@ -57,4 +57,11 @@ final class SceneSize {
         double end = Numbers.niceCeiling(Math.max(1.2 * of(studio), time));
         return Range.even(-end, end);
     }
+
+    /**
+     * A slider for spans of time: fine at 0, to a little more than light needs through the scene and to the given one.
+     */
+    Range spans(Studio studio, double span) {
+        return new Range(0, Numbers.niceCeiling(Math.max(1.2 * of(studio), span)), 2);
+    }
 }

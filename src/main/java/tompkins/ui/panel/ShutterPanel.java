@@ -31,7 +31,7 @@ import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.Wording;
 
-/** Where the shutter is, when it opens, and where the aperture is in the scene then. */
+/** Where the shutter is, when and how it opens, and where the aperture is in the scene then. */
 public final class ShutterPanel {
 
     private final StudioModel model;
@@ -44,6 +44,7 @@ public final class ShutterPanel {
     private final Note note = new Note("");
     private final NumberRow time;
     private final JPanel timeRow = Rows.panel();
+    private final ShutterTimingPanel timing;
     private final JPanel parameters = Rows.column();
     private Class<?> shownModel;
     private Shutter replaced;
@@ -67,10 +68,12 @@ public final class ShutterPanel {
                 size.times(model.studio()),
                 value -> withShutter(shutter().openedAt(requireFinite(value))));
         time.addTo(timeRow);
+        timing = new ShutterTimingPanel(model, size);
         panel.add(models, "wmin 0");
         panel.add(meaning.component(), "wmin 0");
         panel.add(note.component(), "wmin 0");
         panel.add(timeRow, "wmin 0");
+        panel.add(timing.component(), "wmin 0");
         panel.add(parameters, "wmin 0");
         panel.add(place.component(), "wmin 0");
         model.addListener(this::update);
@@ -127,6 +130,7 @@ public final class ShutterPanel {
             time.setRange(size.times(model.studio()));
             time.show(shutter.openingTime());
         }
+        timing.update();
         form.show(shutter);
     }
 

@@ -40,9 +40,12 @@ public record Picture(
         return Quality.of(studio());
     }
 
-    /** Whether its one sample, which goes through the centre of the lens, leaves a wide aperture without effect. */
+    /**
+     * Whether its one sample, through the centre of the lens in the middle of the exposure time, leaves a wide aperture
+     * or a long exposure without effect.
+     */
     public boolean isTooSharp() {
-        return studio().camera().hasWideAperture() && quality().equals(new Quality.Samples(1));
+        return plan.blurs() && quality().equals(new Quality.Samples(1));
     }
 
     /** What it models and which samples it gets, in sentences. */

@@ -1,11 +1,17 @@
 package tompkins.ui.widget;
 
+import java.awt.AWTEvent;
 import java.awt.Component;
+import java.awt.Dialog;
+import java.awt.Dimension;
 import java.awt.GraphicsConfiguration;
 import java.awt.Insets;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
+import java.awt.event.AWTEventListener;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 
 /** The screens, of which there may be several, such as a projector beside that of a laptop. */
 public final class Screens {
@@ -22,6 +28,38 @@ public final class Screens {
                 bounds.y + taken.top,
                 bounds.width - taken.left - taken.right,
                 bounds.height - taken.top - taken.bottom);
+    }
+
+    /**
+     * A size, or that of the screen of a window where that is smaller: large type, or a size of yesterday's screen, may
+     * not fit.
+     */
+    public static Dimension atMost(Component window, int width, int height) {
+        Rectangle screen = room(window);
+        return new Dimension(Math.min(width, screen.width), Math.min(height, screen.height));
+    }
+
+    /** Keeps the dialogs of a window on their screen when they open, until the window is closed. */
+    public static void keepDialogsOnScreen(Window window) {
+        AWTEventListener watcher = event -> {
+            if (event.getID() == WindowEvent.WINDOW_OPENED
+                    && event.getSource() instanceof Dialog dialog
+                    && isOwner(window, dialog)) {
+                keepOnScreen(dialog);
+            }
+        };
+        Toolkit toolkit = Toolkit.getDefaultToolkit();
+        toolkit.addAWTEventListener(watcher, AWTEvent.WINDOW_EVENT_MASK);
+        window.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosed(WindowEvent event) {
+                toolkit.removeAWTEventListener(watcher);
+            }
+        });
+    }
+
+    private static boolean isOwner(Window window, Window owned) {
+        return owned != null && (owned.getOwner() == window || isOwner(window, owned.getOwner()));
     }
 
     /** Moves a window to the right of another as far as the screen goes, where it covers least of its picture. */

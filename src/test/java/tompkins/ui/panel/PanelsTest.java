@@ -41,7 +41,9 @@ import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.FixedPointSurfaceShutter;
 import tompkins.shutter.FocusSurfaceShutter;
+import tompkins.shutter.RollingShutter;
 import tompkins.shutter.Shutter;
+import tompkins.shutter.SweepDirection;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
@@ -164,12 +166,14 @@ class PanelsTest {
     void aSpeedOfNewtonsWorldHasNoLorentzFactor() {
         Container panel = (Container) new VelocityPanel(model).component();
         model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.6)));
-        assertThat(Components.notes(panel)).containsExactly("\u03b3 = 1.25\n\u03b2 = (0, 0, 0.6)");
+        assertThat(Components.notes(panel))
+                .containsExactly(
+                        "Lorentz factor \u03b3 = 1.25, rapidity \u03b7 = 0.6931\nVelocity \u03b2 = (0, 0, 0.6)");
         model.set(model.studio().withTransformation(TransformationLaw.GALILEAN));
-        assertThat(Components.notes(panel)).containsExactly("\u03b2 = (0, 0, 0.6)");
+        assertThat(Components.notes(panel)).containsExactly("Velocity \u03b2 = (0, 0, 0.6)");
         model.set(model.studio().withTransformation(TransformationLaw.NONE));
         assertThat(Components.notes(panel))
-                .containsExactly("\u03b2 = (0, 0, 0.6), ignored: the transformation is \u201cNone\u201d");
+                .containsExactly("Velocity \u03b2 = (0, 0, 0.6), ignored: the transformation is \u201cNone\u201d");
     }
 
     @Test
@@ -223,7 +227,9 @@ class PanelsTest {
     void aVelocityNearThatOfLightIsToldBySpeedAndDirection() {
         Container panel = (Container) new VelocityPanel(model).component();
         model.set(model.studio().withVelocity(Velocity.of(SpeedScale.ONE_MINUS_BETA, 1e-9, new Vector3d(0, 3, -4))));
-        assertThat(Components.notes(panel)).contains("\u03b3 = 22360.7\n\u03b2 = (1-1e-9) \u00b7 (0, 0.6, -0.8)");
+        assertThat(Components.notes(panel))
+                .contains(
+                        "Lorentz factor \u03b3 = 22360, rapidity \u03b7 = 10.71\nVelocity \u03b2 = (1-1e-9) \u00b7 (0, 0.6, -0.8)");
     }
 
     @Test
@@ -356,6 +362,39 @@ class PanelsTest {
     @ValueSource(doubles = {10, -5})
     void theFocusSurfaceOpensForTheLightFromTheFocus(double focus) {
         assertThat(opened(FocusSurfaceShutter.class, focus)).isEqualTo(new FocusSurfaceShutter(-focus));
+    }
+
+    @Test
+    void exposureAndSweepStandWithTheShutter() {
+        Container panel = (Container) new ShutterPanel(model).component();
+        Components.enter(panel, "Stays open", "0.25");
+        Components.enter(panel, "Sweep", "2");
+        JComboBox<?> directions = Components.find(panel, JComboBox.class, "Rolling direction");
+        directions.setSelectedItem(SweepDirection.LEFT);
+
+        assertThat(model.studio().camera().exposureTime()).isEqualTo(0.25);
+        assertThat(model.studio().camera().rollingShutter()).isEqualTo(new RollingShutter(SweepDirection.LEFT, 2));
+        assertThat(Components.isMarked(Components.enter(panel, "Sweep", "-1"))).isTrue();
+        assertThat(model.studio().camera().rollingShutter().sweep()).isEqualTo(2);
+    }
+
+    /** A model without an opening time has no controls for them, but says that they act. */
+    @Test
+    void onlyModelsWithAnOpeningTimeShowExposure() {
+        Container panel = (Container) new ShutterPanel(model).component();
+        JTextField field = Components.find(panel, JTextField.class, "Stays open");
+        assertThat(field.getParent().isVisible()).isTrue();
+        JComboBox<?> models = Components.find(panel, JComboBox.class, "Shutter model");
+        models.setSelectedItem(FixedPointSurfaceShutter.class);
+        assertThat(field.getParent().isVisible()).isFalse();
+        assertThat(Components.notes(panel)).noneMatch(note -> note.contains("stays open"));
+
+        model.set(model.studio().withCamera(model.studio().camera().withExposureTime(0.5)));
+
+        assertThat(Components.notes(panel)).anyMatch(note -> note.contains("stays open for 0.5"));
+        models.setSelectedItem(AperturePlaneShutter.class);
+        assertThat(field.getParent().isVisible()).isTrue();
+        assertThat(field.getText()).isEqualTo("0.5");
     }
 
     @Test

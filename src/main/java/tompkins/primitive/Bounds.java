@@ -1,0 +1,89 @@
+package tompkins.primitive;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+/** A box along the axes that holds a primitive. */
+public record Bounds(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
+
+    /** Widening against rounding, relative to the largest coordinate. */
+    private static final double MARGIN = 1e-14;
+
+    /** The box around points. */
+    public static Bounds around(Vector3dc... points) {
+        Bounds all = at(points[0]);
+        for (Vector3dc point : points) {
+            all = all.with(at(point));
+        }
+        return all;
+    }
+
+    /** The box from {@code centre - half} to {@code centre + half}. */
+    public static Bounds around(Vector3dc centre, double halfX, double halfY, double halfZ) {
+        return new Bounds(
+                centre.x() - halfX,
+                centre.y() - halfY,
+                centre.z() - halfZ,
+                centre.x() + halfX,
+                centre.y() + halfY,
+                centre.z() + halfZ);
+    }
+
+    private static Bounds at(Vector3dc point) {
+        return around(point, 0, 0, 0);
+    }
+
+    /** The smallest box that holds this one and another. */
+    public Bounds with(Bounds other) {
+        return new Bounds(
+                Math.min(minX, other.minX),
+                Math.min(minY, other.minY),
+                Math.min(minZ, other.minZ),
+                Math.max(maxX, other.maxX),
+                Math.max(maxY, other.maxY),
+                Math.max(maxZ, other.maxZ));
+    }
+
+    /** This box, widened so that rounding in a ray's arithmetic cannot lose what touches its sides. */
+    public Bounds widened() {
+        double margin = farthest() * MARGIN;
+        return new Bounds(minX - margin, minY - margin, minZ - margin, maxX + margin, maxY + margin, maxZ + margin);
+    }
+
+    /** The largest coordinate, without its sign. */
+    public double farthest() {
+        double x = Math.max(Math.abs(minX), Math.abs(maxX));
+        double y = Math.max(Math.abs(minY), Math.abs(maxY));
+        double z = Math.max(Math.abs(minZ), Math.abs(maxZ));
+        return Math.max(x, Math.max(y, z));
+    }
+
+    /** Half the distance between opposite corners. */
+    public double halfDiagonal() {
+        double x = maxX - minX;
+        double y = maxY - minY;
+        double z = maxZ - minZ;
+        return Math.sqrt(x * x + y * y + z * z) / 2;
+    }
+
+    /** Half the area of the sides. */
+    public double halfArea() {
+        double x = maxX - minX;
+        double y = maxY - minY;
+        double z = maxZ - minZ;
+        return x * y + y * z + z * x;
+    }
+
+    /** Distance of a point from the box; 0 inside. */
+    public double distance(Vector3dc point) {
+        double x = Math.max(0, Math.max(minX - point.x(), point.x() - maxX));
+        double y = Math.max(0, Math.max(minY - point.y(), point.y() - maxY));
+        double z = Math.max(0, Math.max(minZ - point.z(), point.z() - maxZ));
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+
+    /** The centre. */
+    public Vector3d centre() {
+        return new Vector3d((minX + maxX) / 2, (minY + maxY) / 2, (minZ + maxZ) / 2);
+    }
+}

@@ -1,0 +1,291 @@
+package tompkins.primitive;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.math.Precise;
+import tompkins.math.Vectors;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.RayPacket;
+import tompkins.ray.SurfaceCoordinates;
+import tompkins.surface.Surface;
+
+/**
+ * A cylinder in space, with or without caps. The axis is stored as it is, not as a unit vector, and its cross products
+ * with the ray are formed without cancellation: a ray that runs almost along the axis keeps all its digits.
+ */
+public final class CylinderPrimitive extends Primitive {
+
+    private static final int MANTLE = 0;
+    private static final int START_CAP = 1;
+    private static final int END_CAP = 2;
+
+    private final double startX;
+    private final double startY;
+    private final double startZ;
+    private final double axisX;
+    private final double axisY;
+    private final double axisZ;
+    private final double squaredLength;
+    private final double length;
+    private final double radius;
+    private final boolean caps;
+
+    // null if the surface asks for no coordinates
+    private final RoundCoordinates round;
+    private final FaceCoordinates startFace;
+    private final FaceCoordinates endFace;
+
+    /**
+     * A cylinder that is, or is part of, an object, before it is placed.
+     *
+     * @throws ArithmeticException if it is too large or too small to work with
+     */
+    public CylinderPrimitive(
+            Described object,
+            Surface surface,
+            Vector3dc describedStart,
+            Vector3dc describedEnd,
+            double radius,
+            boolean caps,
+            Placement placement) {
+        super(object, surface);
+        Vector3d toEnd = describedEnd.sub(describedStart, new Vector3d());
+        Vector3d start = placement.point(describedStart);
+        Vector3d axis = placement.vector(toEnd);
+        startX = start.x;
+        startY = start.y;
+        startZ = start.z;
+        axisX = axis.x;
+        axisY = axis.y;
+        axisZ = axis.z;
+        squaredLength = axis.lengthSquared();
+        length = axis.length();
+        this.radius = radius * placement.scale();
+        requireSquare(length);
+        requireSquare(length + this.radius);
+        this.caps = caps;
+        boolean usesCoordinates = surface.usesCoordinates();
+        round = usesCoordinates ? RoundCoordinates.around(toEnd, placement) : null;
+        double width = 2 * radius;
+        endFace = usesCoordinates ? FaceCoordinates.across(Vectors.unit(toEnd), width, width, placement) : null;
+        startFace =
+                usesCoordinates ? FaceCoordinates.across(Vectors.unit(toEnd).negate(), width, width, placement) : null;
+    }
+
+    @Override
+    public double distance(Ray ray, double limit) {
+        double wx = ray.x - startX;
+        double wy = ray.y - startY;
+        double wz = ray.z - startZ;
+        // axis x direction: its length is |axis| sin(angle between them)
+        double crossX = Precise.differenceOfProducts(axisY, ray.dz, axisZ, ray.dy);
+        double crossY = Precise.differenceOfProducts(axisZ, ray.dx, axisX, ray.dz);
+        double crossZ = Precise.differenceOfProducts(axisX, ray.dy, axisY, ray.dx);
+        double squaredCross = crossX * crossX + crossY * crossY + crossZ * crossZ;
+        // distance between the ray's line and the axis, times the length of the cross product
+        double offset = wx * crossX + wy * crossY + wz * crossZ;
+        if (offset * offset > radius * radius * squaredCross) {
+            return NO_HIT;
+        }
+        double alongStart = alongAxis(wx, wy, wz);
+        double slope = alongAxis(ray.dx, ray.dy, ray.dz);
+        double nearest = squaredCross > 0
+                ? mantle(ray, wx, wy, wz, crossX, crossY, crossZ, squaredCross, Math.abs(offset), alongStart, slope)
+                : nearestCap(ray, wx, wy, wz, alongStart, slope);
+        return nearest <= limit ? nearest : NO_HIT;
+    }
+
+    /**
+     * By the distance between the ray's line and the axis, as in {@link #distance} but without the ends. Several short
+     * loops: the compiler makes no vector instructions of a long one. From a single start the products are of
+     * directions alone.
+     */
+    @Override
+    public boolean missMargins(RayPacket rays, RayStarts starts, double[] margins) {
+        double farthest = starts.farthest() + Math.abs(startX) + Math.abs(startY) + Math.abs(startZ);
+        if (!hasSquare(radius) || !hasSquare(length) || !hasSquare(farthest)) {
+            return false;
+        }
+        int count = rays.count();
+        double[] x = rays.x;
+        double[] y = rays.y;
+        double[] z = rays.z;
+        double[] dx = rays.dx;
+        double[] dy = rays.dy;
+        double[] dz = rays.dz;
+        double reach = WIDER * radius * radius;
+        double rounding = ROUNDING * farthest;
+        double most = (reach * WIDER + rounding * rounding) * squaredLength;
+        if (starts.areOne()) {
+            double wx = x[0] - startX;
+            double wy = y[0] - startY;
+            double wz = z[0] - startZ;
+            double crossX = wy * axisZ - wz * axisY;
+            double crossY = wz * axisX - wx * axisZ;
+            double crossZ = wx * axisY - wy * axisX;
+            for (int i = 0; i < count; i++) {
+                double offset = crossX * dx[i] + crossY * dy[i] + crossZ * dz[i];
+                margins[i] = most - offset * offset;
+            }
+            for (int i = 0; i < count; i++) {
+                double along = axisX * dx[i] + axisY * dy[i] + axisZ * dz[i];
+                margins[i] -= reach * along * along;
+            }
+            return true;
+        }
+        for (int i = 0; i < count; i++) {
+            margins[i] = dx[i] * ((y[i] - startY) * axisZ - (z[i] - startZ) * axisY);
+        }
+        for (int i = 0; i < count; i++) {
+            margins[i] += dy[i] * ((z[i] - startZ) * axisX - (x[i] - startX) * axisZ);
+        }
+        for (int i = 0; i < count; i++) {
+            margins[i] += dz[i] * ((x[i] - startX) * axisY - (y[i] - startY) * axisX);
+        }
+        for (int i = 0; i < count; i++) {
+            double along = axisX * dx[i] + axisY * dy[i] + axisZ * dz[i];
+            margins[i] = most - reach * along * along - margins[i] * margins[i];
+        }
+        return true;
+    }
+
+    /** The nearest hit of a ray that is not parallel to the axis: on the mantle, or on a cap. */
+    private double mantle(
+            Ray ray,
+            double wx,
+            double wy,
+            double wz,
+            double crossX,
+            double crossY,
+            double crossZ,
+            double squaredCross,
+            double offset,
+            double alongStart,
+            double slope) {
+        double sideX = Precise.differenceOfProducts(axisY, wz, axisZ, wy);
+        double sideY = Precise.differenceOfProducts(axisZ, wx, axisX, wz);
+        double sideZ = Precise.differenceOfProducts(axisX, wy, axisY, wx);
+        double middle = -(sideX * crossX + sideY * crossY + sideZ * crossZ) / squaredCross;
+        if (ray.boundary == this && ray.part == MANTLE) {
+            double other = within(2 * middle, alongStart, slope);
+            return other < NO_HIT ? other : nearestCap(ray, wx, wy, wz, alongStart, slope);
+        }
+        double reach = radius * Math.sqrt(squaredCross);
+        // rounding may put a grazing ray beyond the reach
+        double halfChord = length * Math.sqrt(Math.max(0, (reach - offset) * (reach + offset))) / squaredCross;
+        double side = Math.sqrt(sideX * sideX + sideY * sideY + sideZ * sideZ);
+        double product = (side - radius * length) * (side + radius * length) / squaredCross;
+        double outer = middle + (middle > 0 ? halfChord : -halfChord);
+        double inner = outer == 0 ? 0 : product / outer;
+        double near = within(Math.min(inner, outer), alongStart, slope);
+        // a ray that comes in through the mantle meets no cap before
+        return near < NO_HIT
+                ? near
+                : Math.min(
+                        within(Math.max(inner, outer), alongStart, slope),
+                        nearestCap(ray, wx, wy, wz, alongStart, slope));
+    }
+
+    private double nearestCap(Ray ray, double wx, double wy, double wz, double alongStart, double slope) {
+        return caps
+                ? Math.min(
+                        cap(ray, START_CAP, wx, wy, wz, -alongStart / slope),
+                        cap(ray, END_CAP, wx, wy, wz, (squaredLength - alongStart) / slope))
+                : NO_HIT;
+    }
+
+    private double alongAxis(double x, double y, double z) {
+        return x * axisX + y * axisY + z * axisZ;
+    }
+
+    /** The distance, if it lies in front and its point between the ends. */
+    private double within(double distance, double alongStart, double slope) {
+        double along = alongStart + distance * slope;
+        return distance > 0 && along >= 0 && along <= squaredLength ? distance : NO_HIT;
+    }
+
+    /** The distance of a cap's plane, if it lies in front and its point within the radius. */
+    private double cap(Ray ray, int part, double wx, double wy, double wz, double distance) {
+        if (!(distance > 0) || (ray.boundary == this && ray.part == part)) {
+            return NO_HIT;
+        }
+        double share = part == END_CAP ? 1 : 0;
+        double x = wx + distance * ray.dx - share * axisX;
+        double y = wy + distance * ray.dy - share * axisY;
+        double z = wz + distance * ray.dz - share * axisZ;
+        return x * x + y * y + z * z <= radius * radius ? distance : NO_HIT;
+    }
+
+    @Override
+    public Hit hit(Ray ray, double distance, Hit memory) {
+        double wx = ray.x - startX;
+        double wy = ray.y - startY;
+        double wz = ray.z - startZ;
+        double alongStart = alongAxis(wx, wy, wz);
+        double slope = alongAxis(ray.dx, ray.dy, ray.dz);
+        if (caps && cap(ray, START_CAP, wx, wy, wz, -alongStart / slope) == distance) {
+            return capHit(ray, distance, START_CAP, memory);
+        }
+        if (caps && cap(ray, END_CAP, wx, wy, wz, (squaredLength - alongStart) / slope) == distance) {
+            return capHit(ray, distance, END_CAP, memory);
+        }
+        double along = (alongStart + distance * slope) / squaredLength;
+        Vector3d normal = new Vector3d(
+                wx + distance * ray.dx - along * axisX,
+                wy + distance * ray.dy - along * axisY,
+                wz + distance * ray.dz - along * axisZ);
+        if (hasSquare(normal.length())) {
+            normal.normalize();
+        } else {
+            normal.set(unitOrFacing(ray, normal.x, normal.y, normal.z));
+        }
+        return memory.set(
+                ray,
+                distance,
+                startX + along * axisX + radius * normal.x,
+                startY + along * axisY + radius * normal.y,
+                startZ + along * axisZ + radius * normal.z,
+                normal.x,
+                normal.y,
+                normal.z,
+                this,
+                MANTLE,
+                round == null ? null : round.at(normal, radius, along, length));
+    }
+
+    private Hit capHit(Ray ray, double distance, int part, Hit memory) {
+        double scale = (part == START_CAP ? -1 : 1) / length;
+        FaceCoordinates face = part == START_CAP ? startFace : endFace;
+        SurfaceCoordinates coordinates = face == null
+                ? null
+                : face.at(
+                        ray.x + distance * ray.dx - startX,
+                        ray.y + distance * ray.dy - startY,
+                        ray.z + distance * ray.dz - startZ);
+        return memory.set(ray, distance, axisX * scale, axisY * scale, axisZ * scale, this, part, coordinates);
+    }
+
+    @Override
+    public double minimumAlong(double nx, double ny, double nz) {
+        double start = nx * startX + ny * startY + nz * startZ;
+        double rise = nx * axisX + ny * axisY + nz * axisZ;
+        double across = nx * nx + ny * ny + nz * nz - rise * rise / squaredLength;
+        return Math.min(start, start + rise) - radius * Math.sqrt(Math.max(0, across));
+    }
+
+    @Override
+    public Vector3d longAxis() {
+        return length > 4 * radius ? new Vector3d(axisX, axisY, axisZ) : null;
+    }
+
+    @Override
+    public Bounds bounds() {
+        Vector3d start = new Vector3d(startX, startY, startZ);
+        Vector3d end = new Vector3d(axisX, axisY, axisZ).add(start);
+        double reachX = radius * Math.hypot(axisY, axisZ) / length;
+        double reachY = radius * Math.hypot(axisZ, axisX) / length;
+        double reachZ = radius * Math.hypot(axisX, axisY) / length;
+        return Bounds.around(start, reachX, reachY, reachZ).with(Bounds.around(end, reachX, reachY, reachZ));
+    }
+}

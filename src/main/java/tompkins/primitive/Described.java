@@ -1,0 +1,8 @@
+package tompkins.primitive;
+
+/** What a scene file describes and calls by a name; primitives belong to it. */
+public interface Described {
+
+    /** What the user calls it. */
+    String description();
+}

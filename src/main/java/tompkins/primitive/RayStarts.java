@@ -1,0 +1,38 @@
+package tompkins.primitive;
+
+import tompkins.ray.RayPacket;
+
+/** Where rays start. One for each thread, measured again for every block. */
+public final class RayStarts {
+
+    private boolean one;
+    private double farthest;
+
+    /** Looks at some rays of a block, from one place to before another. */
+    public void measure(RayPacket rays, int from, int to) {
+        double firstX = rays.x[from];
+        double firstY = rays.y[from];
+        double firstZ = rays.z[from];
+        one = true;
+        farthest = Math.abs(firstX) + Math.abs(firstY) + Math.abs(firstZ);
+        for (int i = from + 1; i < to; i++) {
+            double x = rays.x[i];
+            double y = rays.y[i];
+            double z = rays.z[i];
+            if (x != firstX || y != firstY || z != firstZ) {
+                one = false;
+                farthest = Math.max(farthest, Math.abs(x) + Math.abs(y) + Math.abs(z));
+            }
+        }
+    }
+
+    /** Whether all rays start at one point, as those of a pinhole mostly do. */
+    public boolean areOne() {
+        return one;
+    }
+
+    /** The largest |x| + |y| + |z| of a start. */
+    public double farthest() {
+        return farthest;
+    }
+}

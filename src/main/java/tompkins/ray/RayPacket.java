@@ -1,0 +1,206 @@
+package tompkins.ray;
+
+import java.util.Arrays;
+
+/**
+ * The rays of neighbouring samples, as arrays of numbers: what is done to all of them is done in short loops, which the
+ * compiler turns into instructions for several rays at once. They start on nothing. One for each thread, filled again
+ * for each block.
+ */
+public final class RayPacket {
+
+    /** Largest width and height of a block of the picture. */
+    public static final int SIDE = 16;
+
+    /** Most rays of a block of the picture. */
+    public static final int MOST = SIDE * SIDE;
+
+    /** Where the rays start. */
+    public final double[] x;
+
+    public final double[] y;
+    public final double[] z;
+
+    /** Unit vectors in which the rays are traced. */
+    public final double[] dx;
+
+    public final double[] dy;
+    public final double[] dz;
+
+    /** When the light is at the start. */
+    public final double[] time;
+
+    /** Opening angles of the bundles. */
+    public final double[] spread;
+
+    /** Time that passes per unit length. */
+    public final double[] slowness;
+
+    /** Frequencies in the frame of the rays, divided by those in the camera frame. */
+    public final double[] frequency;
+
+    /** Lengths of the directions that had length 1 when the rays left the camera. */
+    public final double[] stretch;
+
+    /** What a camera sets; the rest is the same for all its rays. */
+    private final double[][] setByCamera;
+
+    private final double[][] numbers;
+
+    private final double[] width;
+    private final double[] throughput;
+    private final int[] depth;
+    private final int[] samples;
+    private int count;
+    private boolean measures;
+
+    /** A block without rays, with room for {@code most}. */
+    public RayPacket(int most) {
+        x = new double[most];
+        y = new double[most];
+        z = new double[most];
+        dx = new double[most];
+        dy = new double[most];
+        dz = new double[most];
+        time = new double[most];
+        slowness = new double[most];
+        frequency = new double[most];
+        stretch = new double[most];
+        width = new double[most];
+        throughput = new double[most];
+        depth = new int[most];
+        spread = new double[most];
+        samples = new int[most];
+        setByCamera = new double[][] {x, y, z, dx, dy, dz, time, spread};
+        numbers = new double[][] {x, y, z, dx, dy, dz, time, spread, slowness, frequency, stretch, width, throughput};
+    }
+
+    /** Number of rays. */
+    public int count() {
+        return count;
+    }
+
+    /**
+     * Begins anew with a number of rays that have just left the camera, one for each sample; the caller sets the rest.
+     */
+    public void begin(int newCount) {
+        count = newCount;
+        measures = false;
+        for (int i = 0; i < count; i++) {
+            slowness[i] = 1;
+            frequency[i] = 1;
+            stretch[i] = 1;
+            width[i] = 0;
+            throughput[i] = 1;
+            depth[i] = 0;
+            samples[i] = i;
+        }
+    }
+
+    /** Lets all rays, which have just left the camera, start in a medium with a slowness. */
+    public void startIn(double mediumSlowness) {
+        Arrays.fill(slowness, 0, count, mediumSlowness);
+    }
+
+    /** Makes all rays, which have just left the camera, lines of events at one time of the camera. */
+    public void measure() {
+        startIn(0);
+        measures = true;
+    }
+
+    /** Makes this hold the same rays as another block. */
+    public void set(RayPacket other) {
+        count = other.count;
+        measures = other.measures;
+        for (int i = 0; i < numbers.length; i++) {
+            System.arraycopy(other.numbers[i], 0, numbers[i], 0, count);
+        }
+        System.arraycopy(other.depth, 0, depth, 0, count);
+        System.arraycopy(other.samples, 0, samples, 0, count);
+    }
+
+    /** Whether all rays are light in vacuum. */
+    public boolean isInVacuum() {
+        int others = 0;
+        for (int i = 0; i < count; i++) {
+            others += slowness[i] == 1 ? 0 : 1;
+        }
+        return others == 0;
+    }
+
+    /** Multiplies the opening angle of all rays by a factor, such as the part of its pixel that a ray stands for. */
+    public void narrow(double factor) {
+        for (int i = 0; i < count; i++) {
+            spread[i] *= factor;
+        }
+    }
+
+    /** Lets a ray that has just left the camera take the place of an earlier one. */
+    public void move(int from, int to) {
+        for (double[] numbers : setByCamera) {
+            numbers[to] = numbers[from];
+        }
+        samples[to] = samples[from];
+    }
+
+    /** Puts what became of a ray in the place of an earlier one. */
+    public void move(int from, int to, Ray ray) {
+        samples[to] = samples[from];
+        set(to, ray);
+    }
+
+    /** Keeps only the first rays. */
+    public void keep(int newCount) {
+        count = newCount;
+    }
+
+    /** The number of the sample to which a ray belongs. */
+    public int sample(int place) {
+        return samples[place];
+    }
+
+    /** Puts a ray in the place of another; what it starts on is forgotten. */
+    public void set(int place, Ray ray) {
+        x[place] = ray.x;
+        y[place] = ray.y;
+        z[place] = ray.z;
+        dx[place] = ray.dx;
+        dy[place] = ray.dy;
+        dz[place] = ray.dz;
+        time[place] = ray.time;
+        slowness[place] = ray.slowness;
+        frequency[place] = ray.frequency;
+        stretch[place] = ray.stretch;
+        width[place] = ray.width;
+        throughput[place] = ray.throughput;
+        depth[place] = ray.depth;
+        spread[place] = ray.spread;
+    }
+
+    /** One of the rays. */
+    public Ray ray(int place) {
+        return copy(place, Ray.blank());
+    }
+
+    /** One of the rays, in memory that is used again. */
+    public Ray copy(int place, Ray memory) {
+        memory.x = x[place];
+        memory.y = y[place];
+        memory.z = z[place];
+        memory.dx = dx[place];
+        memory.dy = dy[place];
+        memory.dz = dz[place];
+        memory.time = time[place];
+        memory.slowness = slowness[place];
+        memory.frequency = frequency[place];
+        memory.stretch = stretch[place];
+        memory.measures = measures;
+        memory.width = width[place];
+        memory.spread = spread[place];
+        memory.throughput = throughput[place];
+        memory.boundary = null;
+        memory.part = 0;
+        memory.depth = depth[place];
+        return memory;
+    }
+}

@@ -1,0 +1,228 @@
+package tompkins.render;
+
+import java.util.Arrays;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import tompkins.trace.RenderPlan;
+
+/**
+ * How hard each pixel is, and so how wrong it still may be. The variance of a pixel's mean is taken to fall as
+ * {@code roughness n^-POWER} with the number n of its samples; the roughness is measured where samples are, and shared
+ * with the eight neighbours: an edge that no sample of a pixel has met yet has been met next door.
+ *
+ * <p>Where a pixel has several samples, its roughness is that of the difference between the first and the second half
+ * of them. Where it has the one in its centre, it is that of the second differences over its neighbours: an edge of
+ * height h raises those of two pixels by h, and is wrong by h/sqrt(12) in one of them.
+ */
+final class PixelVariance {
+
+    /** Variance falls with this power: the mean of pixels with edges, sampled over pixel and lens. */
+    static final double POWER = 1.25;
+
+    private static final double SHARE_OF_SECOND_DIFFERENCE = 1.0 / 24;
+
+    private final int width;
+    private final int height;
+    private final float[] shared;
+    private final Film film;
+    private final BooleanSupplier stopped;
+    private final int sampled;
+    private int lastSamples;
+    private double lastExponent;
+    private double lastPower;
+
+    /**
+     * Whether one sample in each pixel tells nothing of their errors: it shows no blur of a wide aperture or a long
+     * exposure, and has second differences only where three pixels lie in a line.
+     */
+    static boolean needsSeveralSamples(RenderPlan plan) {
+        return plan.blurs() || Math.max(plan.width(), plan.height()) < 3;
+    }
+
+    /**
+     * The root mean square error that a picture still has in linear light; NaN if there is too little to tell, or if
+     * nobody wants to know it any more.
+     *
+     * @param sampledPixels pixels of the film that have samples
+     */
+    static double estimatedError(Film film, int sampledPixels, RenderPlan plan, BooleanSupplier stopped) {
+        boolean samplesMissing = film.samples(0) == 1 && needsSeveralSamples(plan);
+        boolean varianceUnknown = film.samples(0) > 1 && !film.comparesHalves();
+        boolean pixelsMissing = sampledPixels < film.width() * film.height();
+        if (samplesMissing || varianceUnknown || pixelsMissing) {
+            return Double.NaN;
+        }
+        try {
+            return new PixelVariance(film, stopped).rootMeanSquare();
+        } catch (CancellationException unwanted) {
+            return Double.NaN;
+        }
+    }
+
+    /**
+     * The roughness of the pixels that have samples.
+     *
+     * @param stopped whether nobody wants it any more
+     * @throws CancellationException if nobody does
+     */
+    PixelVariance(Film film, BooleanSupplier stopped) {
+        this.film = film;
+        this.stopped = stopped;
+        width = film.width();
+        height = film.height();
+        sampled = film.sampledPixels();
+        shared = withNeighbours(own());
+    }
+
+    /**
+     * The roughness that a pixel's own samples show, with a border of one pixel; NaN there and where no samples are.
+     */
+    private float[] own() {
+        float[] own = new float[(width + 2) * (height + 2)];
+        Arrays.fill(own, Float.NaN);
+        double[] above = unknownRow();
+        double[] here = unknownRow();
+        double[] below = unknownRow();
+        film.means(0, here);
+        for (int row = 0; row < height; row++) {
+            stopIf(stopped);
+            if (row + 1 < height) {
+                film.means(row + 1, below);
+            } else {
+                Arrays.fill(below, Double.NaN);
+            }
+            for (int column = 0; column < width; column++) {
+                int pixel = film.pixel(column, row);
+                int samples = film.samples(pixel);
+                if (samples > 0) {
+                    double roughness = samples > 1
+                            ? film.halvesVariance(pixel) * power(samples, POWER)
+                            : secondDifferences(above, here, below, 3 * column) * SHARE_OF_SECOND_DIFFERENCE;
+                    own[bordered(row, column)] = (float) Math.min(Float.MAX_VALUE, roughness);
+                }
+            }
+            double[] next = above;
+            above = here;
+            here = below;
+            below = next;
+        }
+        return own;
+    }
+
+    /** A row with a border, of which nothing is known. */
+    private double[] unknownRow() {
+        double[] row = new double[3 * (width + 2)];
+        Arrays.fill(row, Double.NaN);
+        return row;
+    }
+
+    /** The place of a pixel in a picture with a border of one pixel. */
+    private int bordered(int row, int column) {
+        return (row + 1) * (width + 2) + column + 1;
+    }
+
+    /**
+     * The largest mean square, over the channels, of the second differences along rows, columns and diagonals; 0 where
+     * neighbours are missing.
+     *
+     * @param at where the pixel to the left begins in each row
+     */
+    private static double secondDifferences(double[] above, double[] here, double[] below, int at) {
+        double most = 0;
+        most = larger(most, secondDifference(here, at, here, at + 6, here, at + 3));
+        most = larger(most, secondDifference(above, at + 3, below, at + 3, here, at + 3));
+        most = larger(most, secondDifference(above, at, below, at + 6, here, at + 3));
+        most = larger(most, secondDifference(below, at, above, at + 6, here, at + 3));
+        return most / 3;
+    }
+
+    /** The sum, over the channels, of the squares of the second difference; NaN where a neighbour is missing. */
+    private static double secondDifference(
+            double[] before, int first, double[] after, int last, double[] here, int middle) {
+        double red = before[first] + after[last] - 2 * here[middle];
+        double green = before[first + 1] + after[last + 1] - 2 * here[middle + 1];
+        double blue = before[first + 2] + after[last + 2] - 2 * here[middle + 2];
+        return red * red + green * green + blue * blue;
+    }
+
+    /** The larger of two numbers; the first if the other is NaN. */
+    private static double larger(double number, double other) {
+        return other > number ? other : number;
+    }
+
+    private float[] withNeighbours(float[] own) {
+        float[] mean = new float[width * height];
+        for (int row = 0; row < height; row++) {
+            stopIf(stopped);
+            for (int column = 0; column < width; column++) {
+                if (!Float.isNaN(own[bordered(row, column)])) {
+                    mean[film.pixel(column, row)] = meanAround(own, row, column);
+                }
+            }
+        }
+        return mean;
+    }
+
+    /** The mean of a pixel and those of its neighbours that have samples. */
+    private float meanAround(float[] own, int row, int column) {
+        double sum = 0;
+        int count = 0;
+        for (int y = row - 1; y <= row + 1; y++) {
+            int start = bordered(y, column - 1);
+            for (int place = start; place < start + 3; place++) {
+                float value = own[place];
+                if (value >= 0) {
+                    sum += value;
+                    count++;
+                }
+            }
+        }
+        return (float) (sum / count);
+    }
+
+    /**
+     * Ends what nobody wants any more: it would hold up whoever cancelled it.
+     *
+     * @throws CancellationException if {@code stopped} says so
+     */
+    static void stopIf(BooleanSupplier stopped) {
+        if (stopped.getAsBoolean()) {
+            throw new CancellationException();
+        }
+    }
+
+    /** The roughness of a pixel, shared with its neighbours. */
+    double of(int pixel) {
+        return shared[pixel];
+    }
+
+    /** The variance that the mean of a pixel has. */
+    double variance(int pixel) {
+        int samples = film.samples(pixel);
+        return samples <= 1 ? shared[pixel] : shared[pixel] * power(samples, -POWER);
+    }
+
+    /** A power, kept for the next pixel, which mostly has as many samples. */
+    private double power(int samples, double exponent) {
+        if (samples != lastSamples || exponent != lastExponent) {
+            lastSamples = samples;
+            lastExponent = exponent;
+            lastPower = Math.pow(samples, exponent);
+        }
+        return lastPower;
+    }
+
+    /** Number of pixels that have samples. */
+    int sampled() {
+        return sampled;
+    }
+
+    /** The root mean square error of the pixels that have samples. */
+    double rootMeanSquare() {
+        double sum = 0;
+        for (int pixel = 0; pixel < shared.length; pixel++) {
+            sum += variance(pixel);
+        }
+        return Math.sqrt(sum / Math.max(1, sampled));
+    }
+}

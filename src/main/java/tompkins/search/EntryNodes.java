@@ -1,0 +1,121 @@
+package tompkins.search;
+
+import java.util.function.Consumer;
+import tompkins.ray.RayPacket;
+
+/**
+ * Where a few neighbouring rays enter the tree: the way from its root down to the parts that they can meet is walked
+ * only once for all of them. The result of each ray is that of a search of its own. One for each thread, used again for
+ * every few rays.
+ */
+public final class EntryNodes {
+
+    /** The number of rays that pays best; any other is right. */
+    public static final int RAYS = 32;
+
+    /** From this number of nodes on none is opened; more would cost each ray more than they save. */
+    private static final int MOST = 16;
+
+    /** Most parts of the tree that the way down begins with; otherwise it begins at the root. */
+    private static final int MOST_PARTS = 128;
+
+    /** Most steps down the tree. */
+    private static final int MOST_STEPS = 32;
+
+    private final PacketFrustum bundle = new PacketFrustum();
+    private final PacketSearch block;
+    private final Consumer<TreeNode> adder = this::add;
+    private final TreeNode[] nodes = new TreeNode[MOST_PARTS];
+    private final double[] distances = new double[MOST_PARTS];
+    private int count;
+
+    /** What is still to be looked at, the nearest last. */
+    private final TreeNode[] waiting = new TreeNode[MOST_PARTS];
+
+    private final double[] waitingDistances = new double[MOST_PARTS];
+    private int waitingCount;
+
+    /**
+     * Entry nodes of rays of blocks.
+     *
+     * @param block has searched in vain for all rays of the block, before these are looked for; what it has found out
+     *     on its way is used
+     */
+    public EntryNodes(PacketSearch block) {
+        this.block = block;
+    }
+
+    /**
+     * Looks for the nodes through which some rays enter the tree.
+     *
+     * @param rays a block that holds the rays
+     * @param from place of the first ray
+     * @param to place behind the last ray
+     * @return false if there is no tree, or if the rays spread too widely
+     */
+    public boolean find(ObjectTree objects, RayPacket rays, int from, int to) {
+        count = 0;
+        waitingCount = 0;
+        if (objects.root() == null || !bundle.enclose(rays, from, to)) {
+            return false;
+        }
+        if (block.partCount() == 0 || block.partCount() > MOST_PARTS) {
+            add(objects.root());
+        } else {
+            block.forEachPart(adder);
+        }
+        int steps = 0;
+        // the nearest are opened first, since most rays end there
+        while (waitingCount > 0 && count + waitingCount < MOST && steps < MOST_STEPS) {
+            TreeNode nearest = waiting[waitingCount - 1];
+            if (nearest.primitives == null) {
+                waitingCount--;
+                add(nearest.low);
+                add(nearest.high);
+                steps++;
+            } else {
+                keepNearest();
+            }
+        }
+        while (waitingCount > 0) {
+            keepNearest();
+        }
+        return true;
+    }
+
+    private void keepNearest() {
+        waitingCount--;
+        nodes[count] = waiting[waitingCount];
+        distances[count++] = waitingDistances[waitingCount];
+    }
+
+    /** Adds a node unless all rays miss it, before those that are nearer. */
+    private void add(TreeNode node) {
+        if (bundle.misses(node)) {
+            return;
+        }
+        double distance = bundle.leastDistance(node);
+        int place = waitingCount++;
+        while (place > 0 && waitingDistances[place - 1] < distance) {
+            waiting[place] = waiting[place - 1];
+            waitingDistances[place] = waitingDistances[place - 1];
+            place--;
+        }
+        waiting[place] = node;
+        waitingDistances[place] = distance;
+    }
+
+    /** Number of nodes, the nearest first. */
+    int count() {
+        return count;
+    }
+
+    TreeNode node(int place) {
+        return nodes[place];
+    }
+
+    /** A distance that no ray falls below before it reaches a node. */
+    double distance(int place) {
+        return distances[place];
+    }
+}

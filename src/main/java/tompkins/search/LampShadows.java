@@ -1,0 +1,95 @@
+package tompkins.search;
+
+import java.util.List;
+import org.joml.Vector3dc;
+import tompkins.primitive.Bounds;
+import tompkins.primitive.Primitive;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
+
+/**
+ * The primitives as a lamp sees them: a grid of directions, each with the primitives that stand there, the nearest
+ * first. A shadow ray asks only those of its direction (the light buffer of Haines and Greenberg 1986) that are nearer
+ * to the lamp than its start. Built once for a scene and a lamp that stands outside it.
+ */
+public final class LampShadows {
+
+    private final LightBufferProjection view;
+    private final Primitive[] everywhere;
+    private final LightBuffer cells;
+
+    private LampShadows(LightBufferProjection view, Primitive[] everywhere, LightBuffer cells) {
+        this.view = view;
+        this.everywhere = everywhere;
+        this.cells = cells;
+    }
+
+    /**
+     * The grid of a lamp, or null if none can be made: the lamp stands among the primitives, or they are so many and
+     * long that the tree is faster, or there are none.
+     */
+    public static LampShadows of(Vector3dc position, ObjectTree objects) {
+        List<Primitive> bounded = objects.bounded();
+        if (bounded.isEmpty()) {
+            return null;
+        }
+        Bounds all = bounded.get(0).bounds();
+        for (Primitive primitive : bounded) {
+            all = all.with(primitive.bounds());
+        }
+        LightBufferProjection view = LightBufferProjection.of(position, all);
+        LightBuffer cells = view == null ? null : LightBuffer.of(position, view, bounded);
+        return cells == null ? null : new LampShadows(view, objects.unbounded().toArray(Primitive[]::new), cells);
+    }
+
+    /** Whether this is the grid of the lamp at (x, y, z). */
+    public boolean isOf(double lampX, double lampY, double lampZ) {
+        return view.isOf(lampX, lampY, lampZ);
+    }
+
+    /**
+     * Whether something throws a shadow on a hit.
+     *
+     * @param dx unit vector from the hit to the lamp
+     * @param dy its second component
+     * @param dz its third component
+     * @param limit distance of the lamp
+     * @param memory for the ray
+     * @param counts takes note of the work
+     */
+    public boolean shadows(Hit from, double dx, double dy, double dz, double limit, Ray memory, RayCounts counts) {
+        Ray ray = memory.setShadow(from, dx, dy, dz);
+        for (Primitive primitive : everywhere) {
+            if (shadows(primitive, from, ray, limit, counts)) {
+                return true;
+            }
+        }
+        int part = view.part(dx, dy, dz);
+        if (part == LightBufferProjection.OUTSIDE) {
+            return false;
+        }
+        int cell = LightBufferProjection.cell(part);
+        int end = cells.end(cell);
+        int place = PackedEntry.place(part);
+        int distance = PackedEntry.distance(limit);
+        for (int i = cells.first(cell); i < end; i++) {
+            long entry = cells.entry(i);
+            if (PackedEntry.isFarther(entry, distance)) {
+                return false;
+            }
+            if (PackedEntry.isSeen(entry, place) && shadows(cells.primitive(i), from, ray, limit, counts)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static boolean shadows(Primitive primitive, Hit from, Ray ray, double limit, RayCounts counts) {
+        if (primitive.surelyMisses(from, ray.dx, ray.dy, ray.dz)) {
+            return false;
+        }
+        counts.tests++;
+        return primitive.shadows(ray, limit);
+    }
+}

@@ -1,0 +1,265 @@
+package tompkins.search;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import tompkins.primitive.Primitive;
+import tompkins.ray.Ray;
+import tompkins.sceneobject.PrimitiveCollector;
+
+/**
+ * All primitives of one frame, ordered for searching: a bounding-volume tree for what has bounds, a list for infinite
+ * planes and for scenes that are too small for a tree to pay. Immutable, shared by all threads.
+ */
+public final class ObjectTree {
+
+    /**
+     * From this number of primitives a tree is faster than a list (see the chart of the tree in
+     * docs/speed-and-accuracy.md).
+     */
+    public static final int SMALLEST_TREE = 20;
+
+    /** Cost of visiting a node, in tests of a primitive. */
+    private static final double NODE = 4;
+
+    /** The same if most are rods, whose test takes twice as long. */
+    private static final double NODE_AMONG_RODS = 2;
+
+    private final Primitive[] listed;
+    private final TreeNode root;
+    private final List<Primitive> bounded;
+    private final List<Primitive> unbounded;
+    private final boolean mostlyLong;
+
+    /** Orders primitives that were numbered by a {@link PrimitiveCollector}. */
+    public ObjectTree(List<Primitive> primitives) {
+        this(primitives, SMALLEST_TREE);
+    }
+
+    /** As above, with a tree from {@code smallestTree} bounded primitives upwards. */
+    public ObjectTree(List<Primitive> primitives, int smallestTree) {
+        Map<Boolean, List<Primitive>> byBounds =
+                primitives.stream().collect(Collectors.partitioningBy(primitive -> primitive.bounds() != null));
+        Primitive[] ordered = byBounds.get(true).toArray(Primitive[]::new);
+        boolean tree = ordered.length > 0 && ordered.length >= smallestTree;
+        mostlyLong = Arrays.stream(ordered)
+                        .filter(primitive -> primitive.longAxis() != null)
+                        .count()
+                > ordered.length / 2;
+        root = tree ? TreeBuilder.build(ordered, mostlyLong ? NODE_AMONG_RODS : NODE) : null;
+        bounded = List.of(ordered);
+        unbounded = byBounds.get(false);
+        listed = (tree ? unbounded : primitives).toArray(Primitive[]::new);
+    }
+
+    /** Number of primitives. */
+    public int size() {
+        return bounded.size() + unbounded.size();
+    }
+
+    /** The primitives, in any order. */
+    public List<Primitive> primitives() {
+        return Stream.of(bounded, unbounded).flatMap(List::stream).toList();
+    }
+
+    /** Whether a tree was built. */
+    public boolean hasTree() {
+        return root != null;
+    }
+
+    /** Whether most primitives that have an end are much longer than wide, as rods. */
+    boolean isMostlyLong() {
+        return mostlyLong;
+    }
+
+    /** The primitives that have an end. */
+    List<Primitive> bounded() {
+        return bounded;
+    }
+
+    /** The primitives without end. */
+    List<Primitive> unbounded() {
+        return unbounded;
+    }
+
+    /** What is searched one by one, beside the tree. */
+    Primitive[] listed() {
+        return listed;
+    }
+
+    /** The tree, or null if there is none. */
+    TreeNode root() {
+        return root;
+    }
+
+    /**
+     * Searches the nearest primitive that a ray hits.
+     *
+     * @return whether there is one; it stands in {@code nearest}
+     */
+    public boolean nearest(Ray ray, NearestHit nearest) {
+        return nearest(ray, Primitive.NO_HIT, nearest);
+    }
+
+    /** As above, of what is not farther than a limit. */
+    public boolean nearest(Ray ray, double limit, NearestHit nearest) {
+        searchListed(ray, limit, nearest);
+        if (root != null) {
+            searchTree(root, ray, nearest);
+        }
+        return nearest.primitive() != null;
+    }
+
+    /** As {@link #nearest(Ray, NearestHit)}, for a ray that enters the tree through some nodes. */
+    public boolean nearest(Ray ray, EntryNodes entries, NearestHit nearest) {
+        return nearest(ray, Primitive.NO_HIT, entries, nearest);
+    }
+
+    /** As above, of what is not farther than a limit. */
+    public boolean nearest(Ray ray, double limit, EntryNodes entries, NearestHit nearest) {
+        searchListed(ray, limit, nearest);
+        for (int i = 0; i < entries.count() && entries.distance(i) <= nearest.distance(); i++) {
+            searchTree(entries.node(i), ray, nearest);
+        }
+        return nearest.primitive() != null;
+    }
+
+    private void searchListed(Ray ray, double limit, NearestHit nearest) {
+        nearest.start(limit);
+        for (Primitive primitive : listed) {
+            nearest.test(primitive, ray);
+        }
+        nearest.count(0, listed.length);
+    }
+
+    /** Searches below a node what is nearer than what was found before. */
+    static void searchTree(TreeNode root, Ray ray, NearestHit nearest) {
+        double x = ray.x;
+        double y = ray.y;
+        double z = ray.z;
+        double inverseX = 1 / ray.dx;
+        double inverseY = 1 / ray.dy;
+        double inverseZ = 1 / ray.dz;
+        TreeNode[] waiting = nearest.waiting;
+        double[] entries = nearest.entries;
+        int count = 0;
+        int nodes = 0;
+        int tests = 0;
+        TreeNode node = root;
+        if (root.entry(x, y, z, inverseX, inverseY, inverseZ, nearest.distance()) == TreeNode.MISSED) {
+            node = null;
+        }
+        while (node != null) {
+            nodes++;
+            TreeNode next = null;
+            if (node.primitives != null) {
+                Primitive before = nearest.primitive();
+                Primitive[] primitives = node.primitives;
+                int to = node.to;
+                for (int i = node.from; i < to; i++) {
+                    nearest.test(primitives[i], ray);
+                    tests++;
+                }
+                if (nearest.primitive() != before) {
+                    nearest.foundIn(node);
+                }
+            } else {
+                double limit = nearest.distance();
+                double low = node.low.entry(x, y, z, inverseX, inverseY, inverseZ, limit);
+                double high = node.high.entry(x, y, z, inverseX, inverseY, inverseZ, limit);
+                // the nearer half first, so that the other is often too far by then
+                if (low <= high) {
+                    next = low == TreeNode.MISSED ? null : node.low;
+                    if (high != TreeNode.MISSED) {
+                        waiting[count] = node.high;
+                        entries[count++] = high;
+                    }
+                } else {
+                    next = node.high;
+                    if (low != TreeNode.MISSED) {
+                        waiting[count] = node.low;
+                        entries[count++] = low;
+                    }
+                }
+            }
+            while (next == null && count > 0) {
+                count--;
+                next = entries[count] > nearest.distance() ? null : waiting[count];
+            }
+            node = next;
+        }
+        nearest.count(nodes, tests);
+    }
+
+    /**
+     * Something that throws a shadow on the start of a ray, or null.
+     *
+     * @param limit distance of the light
+     * @param scratch memory for the search; its result is not touched
+     */
+    public Primitive shadow(Ray ray, double limit, NearestHit scratch) {
+        for (Primitive primitive : listed) {
+            if (primitive.shadows(ray, limit)) {
+                return primitive;
+            }
+        }
+        return root == null ? null : treeShadow(ray, limit, scratch);
+    }
+
+    private Primitive treeShadow(Ray ray, double limit, NearestHit scratch) {
+        double x = ray.x;
+        double y = ray.y;
+        double z = ray.z;
+        double inverseX = 1 / ray.dx;
+        double inverseY = 1 / ray.dy;
+        double inverseZ = 1 / ray.dz;
+        TreeNode[] waiting = scratch.waiting;
+        int count = 0;
+        int nodes = 0;
+        int tests = 0;
+        TreeNode climbed = scratch.leaf() == null ? root : scratch.leaf();
+        TreeNode node = climbed;
+        Primitive shadow = null;
+        search:
+        while (node != null) {
+            nodes++;
+            TreeNode next = null;
+            if (node.primitives == null) {
+                double low = node.low.entry(x, y, z, inverseX, inverseY, inverseZ, limit);
+                double high = node.high.entry(x, y, z, inverseX, inverseY, inverseZ, limit);
+                if (low != TreeNode.MISSED) {
+                    next = node.low;
+                    if (high != TreeNode.MISSED) {
+                        waiting[count++] = node.high;
+                    }
+                } else if (high != TreeNode.MISSED) {
+                    next = node.high;
+                }
+            } else {
+                Primitive[] primitives = node.primitives;
+                int to = node.to;
+                for (int i = node.from; i < to; i++) {
+                    Primitive primitive = primitives[i];
+                    tests++;
+                    if (primitive.shadows(ray, limit)) {
+                        shadow = primitive;
+                        break search;
+                    }
+                }
+            }
+            if (next == null && count > 0) {
+                next = waiting[--count];
+            }
+            while (next == null && climbed.parent() != null) {
+                TreeNode other = climbed.parent().other(climbed);
+                climbed = climbed.parent();
+                next = other.entry(x, y, z, inverseX, inverseY, inverseZ, limit) == TreeNode.MISSED ? null : other;
+            }
+            node = next;
+        }
+        scratch.count(nodes, tests);
+        return shadow;
+    }
+}

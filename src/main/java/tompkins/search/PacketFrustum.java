@@ -1,0 +1,179 @@
+package tompkins.search;
+
+import tompkins.primitive.Primitive;
+import tompkins.primitive.RayStarts;
+import tompkins.ray.RayPacket;
+
+/**
+ * A region that holds a number of rays: the space between five planes, worked out from the rays themselves. It is right
+ * for whatever made the rays: lenses, shutters, changes of frame.
+ *
+ * <p>A plane is kept as a normal n and a bound: no point of any ray has n.x above the bound. A primitive whose least
+ * n.x lies above it cannot be hit.
+ */
+final class PacketFrustum {
+
+    private static final int PLANES = 5;
+
+    /** The plane across the rays: nothing of them lies behind it. */
+    private static final int AHEAD = 4;
+
+    /**
+     * Widening against rounding, relative to the coordinates of the starts. For those of what is met primitives and
+     * nodes have margins of their own.
+     */
+    private static final double MARGIN = 1e-12;
+
+    /** Smallest cosine between a ray and the mean direction; wider bundles are not worth bounding. */
+    private static final double LEAST_COSINE = 0.2;
+
+    final double[] normals = new double[3 * PLANES];
+    final double[] bounds = new double[PLANES];
+
+    private final double[] cosines = new double[RayPacket.MOST];
+    private final double[] inverses = new double[RayPacket.MOST];
+    private final double[] slopesE = new double[RayPacket.MOST];
+    private final double[] slopesF = new double[RayPacket.MOST];
+
+    private final RayStarts starts = new RayStarts();
+    private double farthestStart;
+
+    /**
+     * Bounds some of a block's rays, from one place to before another.
+     *
+     * @return false if they spread too widely; the bundle must not be used then
+     */
+    boolean enclose(RayPacket rays, int from, int to) {
+        // any axis does that no ray is far from; of a whole block the first and the last ray lie in opposite corners
+        double ax = rays.dx[from] + rays.dx[to - 1];
+        double ay = rays.dy[from] + rays.dy[to - 1];
+        double az = rays.dz[from] + rays.dz[to - 1];
+        double length = Math.sqrt(ax * ax + ay * ay + az * az);
+        if (!(length > LEAST_COSINE)) {
+            return false;
+        }
+        ax /= length;
+        ay /= length;
+        az /= length;
+        // two directions across: the first is made of the two axes that are best conditioned
+        boolean alongX = Math.abs(ax) > 0.7;
+        double ex = alongX ? -ay : 0;
+        double ey = alongX ? ax : -az;
+        double ez = alongX ? 0 : ay;
+        double across = Math.sqrt(ex * ex + ey * ey + ez * ez);
+        ex /= across;
+        ey /= across;
+        ez /= across;
+        double fx = ay * ez - az * ey;
+        double fy = az * ex - ax * ez;
+        double fz = ax * ey - ay * ex;
+        for (int i = from; i < to; i++) {
+            cosines[i] = rays.dx[i] * ax + rays.dy[i] * ay + rays.dz[i] * az;
+        }
+        for (int i = from; i < to; i++) {
+            inverses[i] = 1 / cosines[i];
+        }
+        for (int i = from; i < to; i++) {
+            slopesE[i] = (rays.dx[i] * ex + rays.dy[i] * ey + rays.dz[i] * ez) * inverses[i];
+        }
+        for (int i = from; i < to; i++) {
+            slopesF[i] = (rays.dx[i] * fx + rays.dy[i] * fy + rays.dz[i] * fz) * inverses[i];
+        }
+        double leastE = Double.POSITIVE_INFINITY;
+        double mostE = Double.NEGATIVE_INFINITY;
+        double leastF = Double.POSITIVE_INFINITY;
+        double mostF = Double.NEGATIVE_INFINITY;
+        for (int i = from; i < to; i++) {
+            if (!(cosines[i] > LEAST_COSINE)) {
+                return false;
+            }
+            double slopeE = slopesE[i];
+            double slopeF = slopesF[i];
+            leastE = slopeE < leastE ? slopeE : leastE;
+            mostE = slopeE > mostE ? slopeE : mostE;
+            leastF = slopeF < leastF ? slopeF : leastF;
+            mostF = slopeF > mostF ? slopeF : mostF;
+        }
+        setNormal(0, ex - mostE * ax, ey - mostE * ay, ez - mostE * az);
+        setNormal(1, leastE * ax - ex, leastE * ay - ey, leastE * az - ez);
+        setNormal(2, fx - mostF * ax, fy - mostF * ay, fz - mostF * az);
+        setNormal(3, leastF * ax - fx, leastF * ay - fy, leastF * az - fz);
+        setNormal(AHEAD, -ax, -ay, -az);
+        boundStarts(rays, from, to);
+        return true;
+    }
+
+    private void setNormal(int plane, double x, double y, double z) {
+        normals[3 * plane] = x;
+        normals[3 * plane + 1] = y;
+        normals[3 * plane + 2] = z;
+    }
+
+    /** Along a ray n.x only falls, so that its start decides. */
+    private void boundStarts(RayPacket rays, int from, int to) {
+        double firstX = rays.x[from];
+        double firstY = rays.y[from];
+        double firstZ = rays.z[from];
+        starts.measure(rays, from, to);
+        for (int plane = 0; plane < PLANES; plane++) {
+            bounds[plane] = height(plane, firstX, firstY, firstZ);
+        }
+        farthestStart = -bounds[AHEAD];
+        for (int i = starts.areOne() ? to : from + 1; i < to; i++) {
+            double x = rays.x[i];
+            double y = rays.y[i];
+            double z = rays.z[i];
+            for (int plane = 0; plane < PLANES; plane++) {
+                bounds[plane] = Math.max(bounds[plane], height(plane, x, y, z));
+            }
+            farthestStart = Math.max(farthestStart, -height(AHEAD, x, y, z));
+        }
+        for (int plane = 0; plane < PLANES; plane++) {
+            bounds[plane] += MARGIN * starts.farthest();
+        }
+        farthestStart += MARGIN * starts.farthest();
+    }
+
+    /** Where the rays start. */
+    RayStarts starts() {
+        return starts;
+    }
+
+    private double height(int plane, double x, double y, double z) {
+        return normals[3 * plane] * x + normals[3 * plane + 1] * y + normals[3 * plane + 2] * z;
+    }
+
+    /** Whether no ray of the bundle can meet a primitive. */
+    boolean misses(Primitive primitive) {
+        for (int plane = 0; plane < PLANES; plane++) {
+            int at = 3 * plane;
+            if (primitive.isBeyond(normals[at], normals[at + 1], normals[at + 2], bounds[plane])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether no ray of the bundle can meet anything in the box of a node. */
+    boolean misses(TreeNode node) {
+        for (int plane = 0; plane < PLANES; plane++) {
+            double least = node.minimumAlong(normals[3 * plane], normals[3 * plane + 1], normals[3 * plane + 2]);
+            if (least > bounds[plane]) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** A distance that no ray of the bundle falls below before it reaches a primitive. */
+    double leastDistance(Primitive primitive) {
+        int at = 3 * AHEAD;
+        return primitive.conservativeMinimumAlong(-normals[at], -normals[at + 1], -normals[at + 2]) - farthestStart;
+    }
+
+    /** A distance that no ray of the bundle falls below before it reaches the box of a node. */
+    double leastDistance(TreeNode node) {
+        int at = 3 * AHEAD;
+        return node.minimumAlong(-normals[at], -normals[at + 1], -normals[at + 2]) - farthestStart;
+    }
+}

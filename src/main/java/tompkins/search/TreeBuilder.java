@@ -1,0 +1,126 @@
+package tompkins.search;
+
+import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.RecursiveTask;
+import tompkins.primitive.Bounds;
+import tompkins.primitive.Primitive;
+
+/**
+ * Builds a bounding-volume tree by the surface-area heuristic: a cut is good if few primitives lie in boxes that many
+ * rays meet. BinnedSplit are chosen among sixteen along each axis. Halves of large trees are built in parallel; the
+ * tree is the same whatever the number of threads.
+ */
+final class TreeBuilder {
+
+    private static final int SMALLEST_INNER_NODE = 3;
+    private static final int LARGEST_LEAF = 16;
+
+    /** With fewer primitives a second thread costs more than it gains. */
+    private static final int SMALLEST_PARALLEL_NODE = 4096;
+
+    private final Primitive[] primitives;
+    private final double costOfNode;
+    private final Boxes boxes;
+
+    private TreeBuilder(Primitive[] primitives, double costOfNode) {
+        this.primitives = primitives;
+        this.costOfNode = costOfNode;
+        boxes = new Boxes(primitives);
+    }
+
+    /**
+     * Builds a tree.
+     *
+     * @param primitives what it holds, all with bounds; at least one. Afterwards they stand in the order of the leaves,
+     *     and the tree holds copies, which lie in memory in this order, too: what is close together is searched
+     *     together. The copies have taken the place of the primitives
+     * @param costOfNode cost of visiting a node, in tests of a primitive: leaves hold more where it is high
+     */
+    static TreeNode build(Primitive[] primitives, double costOfNode) {
+        TreeBuilder builder = new TreeBuilder(primitives, costOfNode);
+        int count = primitives.length;
+        if (count < SMALLEST_PARALLEL_NODE) {
+            return builder.node(0, count, 0, new BinnedSplit(costOfNode));
+        }
+        // not the common pool: on two cores that has a single thread
+        ForkJoinPool pool = new ForkJoinPool(Runtime.getRuntime().availableProcessors());
+        try {
+            return pool.invoke(builder.new Part(0, count, 0));
+        } finally {
+            pool.shutdown();
+        }
+    }
+
+    /** A node whose halves are built by different threads if they are large. */
+    private final class Part extends RecursiveTask<TreeNode> {
+
+        private static final long serialVersionUID = 1;
+
+        private final int from;
+        private final int to;
+        private final int depth;
+
+        Part(int from, int to, int depth) {
+            this.from = from;
+            this.to = to;
+            this.depth = depth;
+        }
+
+        @Override
+        protected TreeNode compute() {
+            BinnedSplit cuts = new BinnedSplit(costOfNode);
+            if (to - from < SMALLEST_PARALLEL_NODE) {
+                return node(from, to, depth, cuts);
+            }
+            Bounds all = boxes.around(from, to);
+            int middle = middle(from, to, depth, cuts, all);
+            Part high = new Part(middle, to, depth + 1);
+            high.fork();
+            TreeNode low = new Part(from, middle, depth + 1).compute();
+            return new TreeNode(all, low, high.join());
+        }
+    }
+
+    private TreeNode node(int from, int to, int depth, BinnedSplit cuts) {
+        Bounds all = boxes.around(from, to);
+        if (to - from < SMALLEST_INNER_NODE) {
+            return leaf(all, from, to);
+        }
+        int middle = middle(from, to, depth, cuts, all);
+        return middle < 0
+                ? leaf(all, from, to)
+                : new TreeNode(all, node(from, middle, depth + 1, cuts), node(middle, to, depth + 1, cuts));
+    }
+
+    private TreeNode leaf(Bounds all, int from, int to) {
+        for (int i = from; i < to; i++) {
+            primitives[i] = primitives[i].copy();
+        }
+        return new TreeNode(all, primitives, from, to);
+    }
+
+    /** Parts the primitives; where the second part begins, or -1 if they are better left together. */
+    private int middle(int from, int to, int depth, BinnedSplit cuts, Bounds all) {
+        boolean small = to - from <= LARGEST_LEAF;
+        boolean cut = cuts.choose(boxes, from, to, all.halfArea(), small ? to - from : Double.POSITIVE_INFINITY);
+        if (!cut && small) {
+            return -1;
+        }
+        return !cut || depth > NearestHit.DEEPEST_CUT ? (from + to) / 2 : split(from, to, cuts);
+    }
+
+    /** Moves what lies below the cut to the front. */
+    private int split(int from, int to, BinnedSplit cuts) {
+        int middle = from;
+        for (int i = from; i < to; i++) {
+            if (cuts.isBelow(boxes, i)) {
+                Primitive primitive = primitives[i];
+                primitives[i] = primitives[middle];
+                primitives[middle] = primitive;
+                boxes.swap(i, middle);
+                middle++;
+            }
+        }
+        return middle;
+    }
+}

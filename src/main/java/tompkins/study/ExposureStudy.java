@@ -1,0 +1,180 @@
+package tompkins.study;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.LongStream;
+import tompkins.studio.Studio;
+
+/** How best to choose the moments of samples while the shutter stays open. */
+final class ExposureStudy implements Study {
+
+    private static final int SCENE_PIXELS = 768;
+    private static final int SCENE_REPEATS = 3;
+    private static final double STRAIGHT = 0.98;
+    private static final int COMPARED_AT = 256;
+    private static final double SHARE_OF_RANDOM = 0.4;
+    private static final String RANDOM = SamplingMethod.RANDOM.title();
+
+    private final long seed;
+    private final int mostSamples;
+    private final int repeats;
+    private final ExactTrials exact;
+    private final Map<String, ScenePixels> scenes = new LinkedHashMap<>();
+    private final String sceneSettings;
+    private final Map<String, SamplingMethod.Factory> methods;
+    private final String program;
+
+    /**
+     * The study.
+     *
+     * @param studios photographs with an exposure time, to be measured beside the problems with an exact answer, by
+     *     name
+     * @param mostSamples the largest number of samples per pixel; a power of 4
+     * @param repeats runs of each trial with an exact answer
+     * @param methods the methods, by name
+     * @param program the name of the program's own method
+     */
+    ExposureStudy(
+            Map<String, Studio> studios,
+            long seed,
+            int mostSamples,
+            int repeats,
+            Map<String, SamplingMethod.Factory> methods,
+            String program) {
+        this.seed = seed;
+        this.mostSamples = mostSamples;
+        this.repeats = repeats;
+        this.methods = methods;
+        this.program = program;
+        exact = new ExactTrials(seed, mostSamples, repeats);
+        sceneSettings = StudySetup.settings(studios);
+        studios.forEach((name, studio) -> scenes.put(
+                name, new ScenePixels(studio, SCENE_PIXELS, 16 * mostSamples, Double.POSITIVE_INFINITY, () -> false)));
+    }
+
+    @Override
+    public String question() {
+        return "While the shutter stays open, each sample of a pixel has a moment of its own. How should the moments be"
+                + " chosen, beside the places in the pixel? Each method works out for how much of the exposure a pixel sees a"
+                + " bright edge, slit or disc in uniform motion, where the answer is known exactly, and the light of pixels of"
+                + " photographs with a long exposure.";
+    }
+
+    @Override
+    public String settings() {
+        return "seed " + seed + ", up to " + mostSamples + " samples, " + repeats + " runs, scenes " + sceneSettings;
+    }
+
+    @Override
+    public List<Trial> trials() {
+        List<Trial> trials = new ArrayList<>();
+        for (MotionProblem problem : MotionProblem.values()) {
+            methods.forEach((title, factory) -> exact.counts()
+                    .forEach(samples -> trials.add(new Trial(
+                            problem.key(),
+                            title,
+                            samples,
+                            () -> exact.figures(problem::instance, SampledSpace.TIME_AND_PIXEL, factory, samples)))));
+        }
+        scenes.forEach((name, pixels) -> methods.forEach((title, factory) -> exact.counts()
+                .forEach(samples ->
+                        trials.add(new Trial(name, title, samples, () -> scene(pixels, factory, samples))))));
+        return trials;
+    }
+
+    private Figures scene(ScenePixels pixels, SamplingMethod.Factory factory, int samples) {
+        List<SamplePattern> patterns = LongStream.range(seed, seed + SCENE_REPEATS)
+                .mapToObj(run -> factory.pattern(run, samples, pixels.space()))
+                .toList();
+        return pixels.placed(patterns, samples);
+    }
+
+    @Override
+    public List<Chart> charts() {
+        List<Chart> charts = new ArrayList<>();
+        for (MotionProblem problem : MotionProblem.values()) {
+            charts.add(Chart.errorAgainstTime(problem.key(), problem.title() + ", exact answer")
+                    .withOwn(program));
+        }
+        for (String name : scenes.keySet()) {
+            charts.add(Chart.errorAgainstTime(name, name + ", long exposure").withOwn(program));
+        }
+        return charts;
+    }
+
+    @Override
+    public String answer(List<Measurement> all) {
+        return Finding.text(
+                "Time is one more dimension of the program's Sobol points; a pinhole gives it the first, an aperture the fourth."
+                        + " At an edge that passes along rows or columns the error falls as the number of samples to the power"
+                        + " %.2f, as it does at an edge in a wide aperture, and at a slanted one to the power %.2f: pixel and time"
+                        + " have three dimensions, and places in three dimensions cannot do better than -2/3 for edges in all"
+                        + " directions. Random moments keep to -1/2. With %d samples the program's points err by %.2f times what"
+                        + " random ones do at the edge, and by %.2f times that at the slit.",
+                law(MotionProblem.EDGE, program, all).slope(),
+                law(MotionProblem.SLANTED, program, all).slope(),
+                COMPARED_AT,
+                shareOfRandom(MotionProblem.EDGE.key(), all),
+                shareOfRandom(MotionProblem.SLIT.key(), all));
+    }
+
+    @Override
+    public List<Finding> findings(List<Measurement> all) {
+        List<Finding> findings = new ArrayList<>();
+        for (MotionProblem problem : MotionProblem.values()) {
+            PowerLaw random = law(problem, RANDOM, all);
+            findings.add(Finding.of(
+                    random.slope() >= -0.55 && random.slope() <= -0.45,
+                    problem.title() + ": slope of random moments and places",
+                    "-0.55 to -0.45 (theory: -1/2)",
+                    "%.3f",
+                    random.slope()));
+            PowerLaw own = law(problem, program, all);
+            findings.add(Finding.of(
+                    own.slope() <= problem.largestSlope() && own.rSquared() > STRAIGHT,
+                    problem.title() + ": slope of the program's moments and places",
+                    Finding.text(
+                            "at most %.2f (theory: %s), R² above %.2f",
+                            problem.largestSlope(), problem.theory(), STRAIGHT),
+                    "%.3f, R² = %.4f",
+                    own.slope(),
+                    own.rSquared()));
+            findings.add(advantage(problem.key(), problem.title(), all));
+        }
+        scenes.keySet().forEach(name -> findings.add(advantage(name, name, all)));
+        return findings;
+    }
+
+    private Finding advantage(String problem, String title, List<Measurement> all) {
+        double share = shareOfRandom(problem, all);
+        return Finding.of(
+                share <= SHARE_OF_RANDOM,
+                Finding.text(
+                        "%s: error of the program's samples, %d of them, divided by that of random ones",
+                        title, COMPARED_AT),
+                Finding.text("at most %.2f", SHARE_OF_RANDOM),
+                "%.3f",
+                share);
+    }
+
+    private double shareOfRandom(String problem, List<Measurement> all) {
+        return error(problem, program, all) / error(problem, RANDOM, all);
+    }
+
+    private static PowerLaw law(MotionProblem problem, String method, List<Measurement> all) {
+        List<Measurement> points = Measurement.of(problem.key(), method, all).stream()
+                .filter(point -> point.setting() >= 16)
+                .toList();
+        return PowerLaw.ofError(points, Measurement::setting);
+    }
+
+    private static double error(String problem, String method, List<Measurement> all) {
+        return Measurement.of(problem, method, all).stream()
+                .filter(point -> point.setting() == COMPARED_AT)
+                .findFirst()
+                .map(Measurement::medianError)
+                .orElse(Double.NaN);
+    }
+}

@@ -1,0 +1,33 @@
+package tompkins.trace;
+
+import tompkins.primitive.Primitive;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+
+/** Somebody who watches the life of a ray. What it is given it does not keep: its memory is used again. */
+interface PathObserver {
+
+    /** What follows, until {@link #returns()}, is the life of a weaker branch of a ray that was split. */
+    void branches();
+
+    /** The life of that branch is over: the branch that it came from goes on. */
+    void returns();
+
+    /** A ray starts in the camera frame. */
+    void starts(Ray ray);
+
+    /** The ray crosses into the scene frame, where it starts as the given ray. */
+    void crosses(Ray ray);
+
+    /**
+     * The ray, or one that came of it, hits something.
+     *
+     * @param frame whether this is in the camera frame, or in the scene
+     * @param index the number of the frame of the ray and the hit, 0 for the camera frame or the scene frame itself
+     * @param primitive what was hit
+     */
+    void hits(Frame frame, int index, Ray ray, Hit hit, Primitive primitive);
+
+    /** The ray, or what came of it, goes on and meets nothing more in a frame. */
+    void leaves(Frame frame, Ray ray);
+}

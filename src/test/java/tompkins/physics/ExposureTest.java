@@ -1,0 +1,204 @@
+package tompkins.physics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.joml.Vector2i;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.junit.jupiter.api.Test;
+import tompkins.camera.Camera;
+import tompkins.camera.PixelSampler;
+import tompkins.camera.SamplePlaces;
+import tompkins.golden.GoldenRow;
+import tompkins.golden.GoldenTable;
+import tompkins.golden.Worst;
+import tompkins.image.LinearImage;
+import tompkins.property.Descriptions;
+import tompkins.ray.RayCounts;
+import tompkins.sceneobject.ImagePointGrid;
+import tompkins.sceneobject.Parallelogram;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.shutter.AperturePlaneShutter;
+import tompkins.shutter.DetectorPlaneShutter;
+import tompkins.shutter.Shutter;
+import tompkins.spacetime.SpeedScale;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.trace.RayLife;
+import tompkins.trace.SampleTracer;
+
+/**
+ * Long exposures of edges in uniform motion against the reference data. An edge that passes the camera with a velocity
+ * is photographed as the same edge at rest, by a camera that moves the other way.
+ */
+class ExposureTest {
+
+    private static final int WIDTH = 200;
+    private static final int HEIGHT = 150;
+    private static final double SLOPE_PER_PIXEL = 0.01;
+    private static final double FAR = 1e5;
+
+    /** The root mean square error of all rows, with several seeds. */
+    private static double error(int samples) {
+        double sum = 0;
+        int count = 0;
+        for (Passage passage : Passage.all()) {
+            for (long seed = 1; seed <= 4; seed++) {
+                double error = passage.mean(samples, seed) - passage.row.number("cover");
+                sum += error * error;
+                count++;
+            }
+        }
+        return Math.sqrt(sum / count);
+    }
+
+    /** The error that as many random samples would have. */
+    private static double randomError(int samples) {
+        return Math.sqrt(Passage.all().stream()
+                .mapToDouble(passage -> passage.row.number("cover"))
+                .map(cover -> cover * (1 - cover) / samples)
+                .average()
+                .orElseThrow());
+    }
+
+    /** Both moments of passage come from rays of the program; what lies between them is a share of the exposure. */
+    @Test
+    void edgesCoverTheSharesOfTheReference() {
+        Worst worst = Worst.of(
+                GoldenTable.rows("m8_exposure", row -> row.isNumber("cover_centre")),
+                row -> Worst.share(
+                        row.difference(new Passage(row).coveredShareOfCentre(), "cover_centre"),
+                        16 * GoldenTable.U * Math.max(1, row.number("acond_cover_centre"))));
+        assertThat(worst).matches(Worst::passes);
+    }
+
+    @Test
+    void samplesConvergeToTheSharesOfTheReference() {
+        assertThat(error(64)).isLessThan(0.3 * randomError(64));
+        assertThat(error(1024)).isLessThan(0.18 * randomError(1024));
+    }
+
+    /**
+     * Through a wide aperture, too, a long exposure with the detector-plane shutter blurs by the motion alone: at each
+     * moment all light of a pixel comes from one event in focus.
+     */
+    @Test
+    void detectorPlaneShutterAddsNoBlurOfTheLens() {
+        DetectorPlaneShutter detector = new DetectorPlaneShutter(1.12, 1);
+        int pinhole = grey(0, detector);
+        int wide = grey(0.05, detector);
+        int inTheLens = grey(0.05, new AperturePlaneShutter(0));
+        assertThat(pinhole).isGreaterThan(300);
+        assertThat(wide).isBetween((int) (0.9 * pinhole), (int) (1.15 * pinhole));
+        assertThat(inTheLens).isGreaterThan((int) (1.4 * pinhole));
+    }
+
+    /** The grey pixels of nine glowing balls in the plane in focus, before black. */
+    private static int grey(double apertureRadius, Shutter shutter) {
+        Sphere ball = new Sphere("ball", new Vector3d(), 0.1, Photograph.WHITE);
+        SceneObject balls = new ImagePointGrid(
+                "balls",
+                ball,
+                new Vector3d(-1, -1, 10),
+                new Vector3d(2, 0, 0),
+                new Vector3d(0, 2, 0),
+                new Vector2i(3, 3));
+        Camera camera = Descriptions.with(
+                        Photograph.pinhole(new Vector3d(0, 0, 1), 20, 0), "apertureRadius", apertureRadius)
+                .withShutter(shutter)
+                .withExposureTime(0.004);
+        Studio studio = Photograph.of(List.of(balls), camera, Velocity.of(0.2, -0.1, 0.97), 240, 180)
+                .studio();
+        LinearImage image = new Photograph(studio.withSettings(studio.settings().withSamples(64))).image();
+        int grey = 0;
+        for (int row = 0; row < image.height(); row++) {
+            for (int column = 0; column < image.width(); column++) {
+                float value = image.value(column, row, 0);
+                grey += value > 0.1 && value < 0.9 ? 1 : 0;
+            }
+        }
+        return grey;
+    }
+
+    /** One exposure of the reference. */
+    private static final class Passage {
+
+        private final GoldenRow row;
+
+        /** The sheet that follows the edge, in its rest frame: from here to there along x. */
+        private final double from;
+
+        private final double to;
+
+        Passage(GoldenRow row) {
+            this.row = row;
+            double w = row.number("w");
+            double edge = Velocity.of(w, 0, 0).gamma() * row.number("x0");
+            double width = row.number("width") > 0 ? row.number("width") : FAR;
+            from = w > 0 ? edge - width : edge;
+            to = w > 0 ? edge : edge + width;
+        }
+
+        static List<Passage> all() {
+            return GoldenTable.rows("m8_exposure").stream().map(Passage::new).toList();
+        }
+
+        private Photograph of(SceneObject object, Vector3dc view) {
+            double w = row.number("w");
+            Camera camera = Photograph.pinhole(view, 90, row.number("T")).withExposureTime(row.number("E"));
+            Velocity opposite = Velocity.of(SpeedScale.BETA, Math.abs(w), new Vector3d(-w, 0, 0));
+            return Photograph.of(List.of(object), camera, opposite, WIDTH, HEIGHT);
+        }
+
+        /** Where the ray of the pixel's centre meets the plane of the edge, at the beginning or the end. */
+        private double placeAt(double moment) {
+            Plane plane =
+                    new Plane("plane", new Vector3d(0, 0, row.number("Z")), new Vector3d(0, 0, 1), Photograph.WHITE);
+            double x = (row.number("X0") + row.number("X1")) / 2;
+            double y = (row.number("Y0") + row.number("Y1")) / 2;
+            // straight ahead, for a place in the picture would be rounded
+            Photograph photograph = of(plane, new Vector3d(x, y, 1));
+            RayLife life = RayLife.of(photograph.plan(), WIDTH / 2.0, HEIGHT / 2.0, 0, 0, moment);
+            return life.hits().get(0).event().position().x();
+        }
+
+        double coveredShareOfCentre() {
+            double first = placeAt(0);
+            double last = placeAt(1);
+            double covered = Math.min(Math.max(first, last), to) - Math.max(Math.min(first, last), from);
+            return Math.max(0, covered) / Math.abs(last - first);
+        }
+
+        /** The mean over pixel and exposure with the program's own samples. */
+        double mean(int samples, long seed) {
+            Parallelogram sheet = new Parallelogram(
+                    "sheet",
+                    new Vector3d(from, -FAR, row.number("Z")),
+                    new Vector3d(to - from, 0, 0),
+                    new Vector3d(0, 2 * FAR, 0),
+                    Photograph.WHITE);
+            SampleTracer tracer = of(sheet, new Vector3d(0, 0, 1)).plan().tracer(new RayCounts());
+            PixelSampler sampler = new PixelSampler(seed, false, true);
+            SamplePlaces place = new SamplePlaces(1);
+            double sum = 0;
+            for (int sample = 0; sample < samples; sample++) {
+                place.clear();
+                place.addPixel(0, 0);
+                sampler.choose(place, sample);
+                double x = row.number("X0") + place.x(0) * (row.number("X1") - row.number("X0"));
+                double y = row.number("Y1") + place.y(0) * (row.number("Y0") - row.number("Y1"));
+                sum += tracer.sample(
+                                WIDTH / 2.0 + x / SLOPE_PER_PIXEL,
+                                HEIGHT / 2.0 - y / SLOPE_PER_PIXEL,
+                                0,
+                                0,
+                                place.moment(0))
+                        .red();
+            }
+            return sum / samples;
+        }
+    }
+}

@@ -1,0 +1,62 @@
+package tompkins.ray;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+class RayPacketTest {
+
+    private static final Ray FROM_CAMERA = fromCamera();
+
+    private static Ray fromCamera() {
+        Ray ray = Ray.from(1, 2, 3, 0, 0.6, 0.8, 7);
+        ray.spread = 0.01;
+        return ray;
+    }
+
+    @Test
+    void rayComesOutAsItWentIn() {
+        RayPacket rays = new RayPacket(2);
+        rays.begin(2);
+        Ray mirrored = Ray.blank()
+                .setInFrame(FROM_CAMERA, 4, 5, 6, 1, 0, 0, 8, 1.5, 0.25, 0.25)
+                .bent(Hit.blank().set(FROM_CAMERA, 2, 0, 0, 1, null, 3, null), 0, 1, 0, 0.5);
+
+        rays.set(1, mirrored);
+
+        assertThat(rays.ray(1))
+                .usingRecursiveComparison()
+                .ignoringFields("part")
+                .isEqualTo(mirrored);
+        assertThat(rays.ray(1).part).as("it starts on nothing").isZero();
+    }
+
+    @Test
+    void memoryIsUsedAgain() {
+        RayPacket rays = new RayPacket(1);
+        rays.begin(1);
+        rays.set(0, FROM_CAMERA);
+        Ray memory = Ray.blank().setShadow(Hit.blank().set(FROM_CAMERA, 2, 0, 0, 1, null, 3, null), 0, 1, 0);
+
+        assertThat(rays.copy(0, memory)).isSameAs(memory);
+
+        assertThat(memory).usingRecursiveComparison().isEqualTo(FROM_CAMERA);
+    }
+
+    @Test
+    void keptRaysKnowTheirSamples() {
+        RayPacket rays = new RayPacket(3);
+        rays.begin(3);
+        for (int i = 0; i < 3; i++) {
+            rays.set(i, Ray.from(i, 0, 0, 0, 0, 1, 0));
+        }
+
+        rays.move(2, 1);
+        rays.keep(2);
+
+        assertThat(rays.count()).isEqualTo(2);
+        assertThat(rays.sample(0)).isZero();
+        assertThat(rays.sample(1)).isEqualTo(2);
+        assertThat(rays.ray(1).x).isEqualTo(2);
+    }
+}

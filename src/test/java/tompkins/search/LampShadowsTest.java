@@ -1,0 +1,126 @@
+package tompkins.search;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.joml.Vector3d;
+import org.joml.Vector3i;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.primitive.Primitive;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
+import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Cylinder;
+import tompkins.sceneobject.CylinderLattice;
+import tompkins.sceneobject.Group;
+import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.sceneobject.Triangle;
+import tompkins.surface.ColouredSurface;
+
+/** A lamp's grid finds the shadows that the tree finds, of few primitives and of many. */
+class LampShadowsTest {
+
+    private static final Vector3d LAMP = new Vector3d(3, 5, -7);
+
+    @ParameterizedTest
+    @ValueSource(ints = {200, 5_000, 40_000})
+    void shadowsAreThoseOfTheTree(int count) {
+        Random random = new Random(count);
+        ObjectTree tree = new ObjectTree(primitives(mixed(count, random)));
+        LampShadows grid = LampShadows.of(LAMP, tree);
+        RayCounts counts = new RayCounts();
+        NearestHit scratch = new NearestHit(new RayCounts());
+        int shadows = 0;
+        int rays = 20_000;
+        for (int i = 0; i < rays; i++) {
+            Vector3d start = place(random);
+            Vector3d toLamp = LAMP.sub(start, new Vector3d());
+            double distance = toLamp.length();
+            toLamp.div(distance);
+            Ray ray = Ray.from(start.x, start.y, start.z, toLamp.x, toLamp.y, toLamp.z, 0);
+            Hit from = Hit.blank().set(ray, 0, 0, 0, 1, null, 0, null);
+
+            boolean dark = tree.shadow(ray, distance, scratch) != null;
+
+            assertThat(grid.shadows(from, toLamp.x, toLamp.y, toLamp.z, distance, Ray.blank(), counts))
+                    .isEqualTo(dark);
+            shadows += dark ? 1 : 0;
+        }
+        assertThat(shadows).isBetween(rays / 20, rays * 19 / 20);
+        // what is seen elsewhere, or behind the start, is not asked
+        assertThat(counts.tests).isLessThan(3L * rays);
+    }
+
+    private static Vector3d place(Random random) {
+        return new Vector3d(random.nextDouble(-2, 2), random.nextDouble(-1.5, 1.5), random.nextDouble(8, 12));
+    }
+
+    /** Balls, boxes, triangles and rods that throw shadows on about half of the places. */
+    private static List<SceneObject> mixed(int count, Random random) {
+        List<SceneObject> objects = new ArrayList<>();
+        double size = 2 / Math.sqrt(count);
+        for (int i = 0; i < count; i++) {
+            Vector3d place = place(random);
+            Vector3d other = place.add(size, 2 * size, 1.5 * size, new Vector3d());
+            objects.add(
+                    switch (i % 4) {
+                        case 0 -> new Sphere("ball", place, size, ColouredSurface.DEFAULT);
+                        case 1 -> new Box("box", place, other, ColouredSurface.DEFAULT);
+                        case 2 ->
+                            new Triangle(
+                                    "triangle",
+                                    place,
+                                    other,
+                                    place.add(-size, size, 0, new Vector3d()),
+                                    ColouredSurface.DEFAULT);
+                        default ->
+                            new Cylinder(
+                                    "rod",
+                                    place,
+                                    place.add(10 * size, 5 * size, size, new Vector3d()),
+                                    size / 10,
+                                    true,
+                                    ColouredSurface.DEFAULT);
+                    });
+        }
+        return objects;
+    }
+
+    private static List<Primitive> primitives(List<SceneObject> objects) {
+        return PrimitiveCollector.primitivesOf(new Group("all", objects));
+    }
+
+    /** Each rod would stand in hundreds of cells. */
+    @Test
+    void veryManyLongRodsAreLeftToTheTree() {
+        CylinderLattice usual = CylinderLattice.DEFAULT;
+        CylinderLattice rods = new CylinderLattice(
+                "rods",
+                usual.from(),
+                usual.to(),
+                new Vector3i(100),
+                1e-4,
+                usual.surfaceAlongX(),
+                usual.surfaceAlongY(),
+                usual.surfaceAlongZ());
+
+        assertThat(LampShadows.of(LAMP, new ObjectTree(PrimitiveCollector.primitivesOf(rods))))
+                .isNull();
+    }
+
+    @Test
+    void lampAmongThePrimitivesHasNoGrid() {
+        ObjectTree tree = new ObjectTree(primitives(mixed(100, new Random(1))));
+
+        assertThat(LampShadows.of(new Vector3d(0, 0, 10), tree)).isNull();
+        assertThat(LampShadows.of(new Vector3d(0, 0, 7.9), tree)).isNull();
+        assertThat(LampShadows.of(LAMP, tree)).isNotNull();
+    }
+}

@@ -1,0 +1,325 @@
+package tompkins.search;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.joml.Vector3i;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.primitive.Bounds;
+import tompkins.primitive.Placement;
+import tompkins.primitive.Primitive;
+import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
+import tompkins.ray.RayPacket;
+import tompkins.sceneobject.CylinderLattice;
+import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.surface.ColouredSurface;
+
+class ObjectTreeTest {
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 7, 50, 1000, 9000})
+    void theTreeFindsWhatTheListFinds(int count) {
+        List<Primitive> primitives = spheres(count, new Random(count));
+        ObjectTree tree = new ObjectTree(primitives, 1);
+        ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
+        NearestHit inTree = new NearestHit(new RayCounts());
+        NearestHit inList = new NearestHit(new RayCounts());
+        Random random = new Random(7);
+
+        int hits = 0;
+        for (int i = 0; i < 300; i++) {
+            Ray ray = ray(random);
+            boolean hit = list.nearest(ray, inList);
+            hits += hit ? 1 : 0;
+
+            assertThat(tree.nearest(ray, inTree)).isEqualTo(hit);
+            assertThat(order(inTree)).isEqualTo(order(inList));
+            assertThat(inTree.distance()).isEqualTo(inList.distance());
+            assertThat(tree.shadow(ray, 5, inTree) == null).isEqualTo(list.shadow(ray, 5, inList) == null);
+        }
+        assertThat(hits).isBetween(1, 299);
+        assertThat(tree.hasTree()).isTrue();
+        assertThat(list.hasTree()).isFalse();
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 3, 50, 1000, 9000})
+    void neighboursThatEnterTheTreeTogetherFindWhatTheListFinds(int count) {
+        List<Primitive> primitives = spheres(count, new Random(count));
+        ObjectTree tree = new ObjectTree(primitives, 1);
+        ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
+        EntryNodes entries = new EntryNodes(new PacketSearch());
+        NearestHit inTree = new NearestHit(new RayCounts());
+        NearestHit inList = new NearestHit(new RayCounts());
+        Random random = new Random(11);
+
+        int hits = 0;
+        for (int i = 0; i < 100; i++) {
+            Ray[] rays = neighbours(ray(random), random.nextDouble(0.1), random);
+            assertThat(entries.find(tree, block(rays), 0, rays.length)).isTrue();
+            for (Ray ray : rays) {
+                boolean hit = list.nearest(ray, inList);
+                hits += hit ? 1 : 0;
+
+                assertThat(tree.nearest(ray, entries, inTree)).isEqualTo(hit);
+                assertThat(order(inTree)).isEqualTo(order(inList));
+                assertThat(inTree.distance()).isEqualTo(inList.distance());
+            }
+        }
+        assertThat(hits).isBetween(1, 100 * EntryNodes.RAYS - 1);
+    }
+
+    /** A block that meets too many rods leaves to its rays what it has found out on its way. */
+    @Test
+    void raysOfABlockThatGaveUpFindWhatTheListFinds() {
+        CylinderLattice usual = CylinderLattice.DEFAULT;
+        List<Primitive> rods = PrimitiveCollector.primitivesOf(new CylinderLattice(
+                "rods",
+                usual.from(),
+                usual.to(),
+                new Vector3i(30),
+                0.003,
+                usual.surfaceAlongX(),
+                usual.surfaceAlongY(),
+                usual.surfaceAlongZ()));
+        ObjectTree tree = new ObjectTree(rods, 1);
+        ObjectTree list = new ObjectTree(rods, Integer.MAX_VALUE);
+        PacketSearch search = new PacketSearch();
+        EntryNodes entries = new EntryNodes(search);
+        NearestHit inTree = new NearestHit(new RayCounts());
+        NearestHit inList = new NearestHit(new RayCounts());
+        Random random = new Random(12);
+
+        int hits = 0;
+        int gaveUp = 0;
+        for (int i = 0; i < 20; i++) {
+            Ray towards = Ray.from(0, 0, 0, random.nextDouble(-0.1, 0.1), random.nextDouble(-0.1, 0.1), 1, 0);
+            Ray[] rays = Stream.generate(() -> neighbours(towards, 0.02, random))
+                    .limit(RayPacket.MOST / EntryNodes.RAYS)
+                    .flatMap(Stream::of)
+                    .toArray(Ray[]::new);
+            RayPacket block = block(rays);
+            if (search.find(tree, block, inTree)) {
+                continue;
+            }
+            gaveUp += search.partCount() > 0 ? 1 : 0;
+            for (int place = 0; place < rays.length; place++) {
+                if (place % EntryNodes.RAYS == 0) {
+                    assertThat(entries.find(tree, block, place, place + EntryNodes.RAYS))
+                            .isTrue();
+                }
+                boolean hit = list.nearest(rays[place], inList);
+                hits += hit ? 1 : 0;
+
+                assertThat(tree.nearest(rays[place], entries, inTree)).isEqualTo(hit);
+                assertThat(order(inTree)).isEqualTo(order(inList));
+                assertThat(inTree.distance()).isEqualTo(inList.distance());
+            }
+        }
+        assertThat(gaveUp).isGreaterThan(10);
+        assertThat(hits).isGreaterThan(500);
+    }
+
+    /** The search for a shadow starts in the leaf where something was seen last, wherever that is. */
+    @Test
+    void shadowIsFoundFromAnyLeaf() {
+        List<Primitive> primitives = spheres(1000, new Random(5));
+        ObjectTree tree = new ObjectTree(primitives, 1);
+        ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
+        NearestHit inTree = new NearestHit(new RayCounts());
+        Random random = new Random(13);
+
+        int shadows = 0;
+        for (int i = 0; i < 500; i++) {
+            tree.nearest(ray(random), inTree);
+            Ray ray = ray(random);
+            boolean shadow = list.shadow(ray, 5, new NearestHit(new RayCounts())) != null;
+            shadows += shadow ? 1 : 0;
+
+            assertThat(tree.shadow(ray, 5, inTree) != null).isEqualTo(shadow);
+        }
+        assertThat(shadows).isBetween(50, 450);
+        assertThat(inTree.leaf()).isNotNull();
+    }
+
+    /** 0 times infinity is no number, which must not make a box count as missed. */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void aRayAlongASideOfABoxMeetsIt(boolean least) {
+        Bounds bounds = Bounds.around(new Vector3d(1, 2, 3), new Vector3d(2, 4, 6));
+        TreeNode node = new TreeNode(bounds, new Primitive[0], 0, 0);
+        double side = least ? bounds.widened().minX() : bounds.widened().maxX();
+
+        assertThat(node.entry(side, 3, 0, 1 / 0.0, 1 / 0.0, 1, Primitive.NO_HIT))
+                .isNotEqualTo(TreeNode.MISSED);
+        assertThat(node.entry(1.5, 3, 0, 1 / 0.0, 1 / 0.0, 1, Primitive.NO_HIT)).isCloseTo(3, within(1e-9));
+        assertThat(node.entry(1.5, 3, 7, 1 / 0.0, 1 / 0.0, 1, Primitive.NO_HIT)).isEqualTo(TreeNode.MISSED);
+        assertThat(node.entry(1.5, 5, 0, 1 / 0.0, 1 / 0.0, 1, Primitive.NO_HIT)).isEqualTo(TreeNode.MISSED);
+    }
+
+    @Test
+    void raysAllAroundDoNotEnterTheTreeTogether() {
+        ObjectTree tree = new ObjectTree(spheres(100, new Random(1)), 1);
+        Ray[] opposite = {Ray.from(0, 0, 0, 0, 0, 1, 0), Ray.from(0, 0, 0, 0, 0, -1, 0)};
+
+        assertThat(new EntryNodes(new PacketSearch()).find(tree, block(opposite), 0, 2))
+                .isFalse();
+    }
+
+    private static RayPacket block(Ray... rays) {
+        RayPacket block = new RayPacket(rays.length);
+        block.begin(rays.length);
+        for (int i = 0; i < rays.length; i++) {
+            block.set(i, rays[i]);
+        }
+        return block;
+    }
+
+    /** Rays that start near another and go almost the same way. */
+    private static Ray[] neighbours(Ray ray, double spread, Random random) {
+        Ray[] rays = new Ray[EntryNodes.RAYS];
+        for (int i = 0; i < rays.length; i++) {
+            Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz)
+                    .add(random.nextDouble(spread + 1e-9), random.nextDouble(spread + 1e-9), 0)
+                    .normalize();
+            rays[i] = Ray.from(
+                    ray.x + random.nextDouble(spread + 1e-9), ray.y, ray.z, direction.x, direction.y, direction.z, 0);
+        }
+        return rays;
+    }
+
+    /** Of a hundred spheres in one place the first is seen, whatever the tree makes of them. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 1000})
+    void ofEquallyNearHitsTheOneListedFirstCounts(int smallestTree) {
+        PrimitiveCollector collector = new PrimitiveCollector();
+        for (int i = 0; i < 100; i++) {
+            new Sphere("sphere " + i, new Vector3d(0, 0, 10), 1, ColouredSurface.DEFAULT)
+                    .addTo(collector, Placement.NONE);
+        }
+        ObjectTree tree = new ObjectTree(collector.primitives(), smallestTree);
+        NearestHit nearest = new NearestHit(new RayCounts());
+
+        assertThat(tree.nearest(Ray.from(0, 0, 0, 0, 0, 1, 0), nearest)).isTrue();
+
+        assertThat(nearest.primitive().description()).isEqualTo("sphere 0");
+    }
+
+    /** Large trees are built by several threads. */
+    @Test
+    void theTreeIsTheSameEachTime() {
+        List<Primitive> primitives = spheres(30_000, new Random(3));
+
+        assertThat(shape(tree(primitives))).isEqualTo(shape(tree(primitives)));
+    }
+
+    /** Which primitive was found; the tree holds copies. */
+    private static int order(NearestHit nearest) {
+        return nearest.primitive() == null ? -1 : nearest.primitive().order();
+    }
+
+    private static TreeNode tree(List<Primitive> primitives) {
+        return TreeBuilder.build(primitives.toArray(Primitive[]::new), 2);
+    }
+
+    /** Numbers of primitives in the order of the leaves, with brackets for the nodes. */
+    private static String shape(TreeNode node) {
+        StringBuilder text = new StringBuilder();
+        append(text, node);
+        return text.toString();
+    }
+
+    private static void append(StringBuilder text, TreeNode node) {
+        text.append('(');
+        if (node.primitives == null) {
+            append(text, node.low);
+            append(text, node.high);
+        } else {
+            for (int i = node.from; i < node.to; i++) {
+                text.append(node.primitives[i].order()).append(' ');
+            }
+        }
+        text.append(')');
+    }
+
+    @Test
+    void manyPrimitivesInOnePlaceMakeNoDeepTree() {
+        PrimitiveCollector collector = new PrimitiveCollector();
+        for (int i = 0; i < 20_000; i++) {
+            // distances that shrink by half each time: every cut takes off one
+            double x = i < 900 ? Math.scalb(1.0, -i) : 0;
+            new Sphere("sphere", new Vector3d(x, 0, 10), 1e-3, ColouredSurface.DEFAULT)
+                    .addTo(collector, Placement.NONE);
+        }
+
+        assertThat(depth(tree(collector.primitives()))).isLessThan(NearestHit.DEEPEST_TREE);
+    }
+
+    /** Each cut through distances that grow by a factor takes off a few: without a bound the tree is a list. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1.01, 1.5, 4})
+    void objectsAtDistancesThatGrowByAFactorAreFoundInABoundedTree(double factor) {
+        PrimitiveCollector collector = new PrimitiveCollector();
+        // 1e-75 to 1e75; several in one place where that is fewer than there are
+        int different = (int) Math.min(2000, 150 * Math.log(10) / Math.log(factor));
+        for (int i = 0; i < 2000; i++) {
+            double distance = Math.pow(factor, i % different - different / 2);
+            // beside the axis, so that rays along it and across it pass some
+            Vector3d centre = new Vector3d(distance, (i % 3 - 1) * distance, 0);
+            new Sphere("sphere", centre, distance / 2, ColouredSurface.DEFAULT).addTo(collector, Placement.NONE);
+        }
+        ObjectTree tree = new ObjectTree(collector.primitives(), 1);
+        ObjectTree list = new ObjectTree(collector.primitives(), Integer.MAX_VALUE);
+        NearestHit inTree = new NearestHit(new RayCounts());
+        NearestHit inList = new NearestHit(new RayCounts());
+        Random random = new Random(17);
+
+        assertThat(depth(tree.root())).isLessThan(NearestHit.DEEPEST_TREE);
+        int hits = 0;
+        for (int i = 0; i < 300; i++) {
+            Vector3d direction = new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), 0).normalize();
+            Ray ray = Ray.from(random.nextDouble(), 0, 0, direction.x, direction.y, direction.z, 0);
+            boolean hit = list.nearest(ray, inList);
+            hits += hit ? 1 : 0;
+
+            assertThat(tree.nearest(ray, inTree)).isEqualTo(hit);
+            assertThat(order(inTree)).isEqualTo(order(inList));
+            assertThat(inTree.distance()).isEqualTo(inList.distance());
+        }
+        assertThat(hits).isBetween(30, 300);
+    }
+
+    private static int depth(TreeNode node) {
+        return node.primitives == null ? 1 + Math.max(depth(node.low), depth(node.high)) : 1;
+    }
+
+    private static Ray ray(Random random) {
+        Vector3d from = new Vector3d(random.nextDouble(-2, 2), random.nextDouble(-2, 2), -3);
+        Vector3d to = new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(0, 1));
+        Vector3d direction = to.sub(from).normalize();
+        return Ray.from(from.x, from.y, from.z, direction.x, direction.y, direction.z, 0);
+    }
+
+    private static List<Primitive> spheres(int count, Random random) {
+        PrimitiveCollector collector = new PrimitiveCollector();
+        double radius = 0.5 / Math.sqrt(count);
+        List<SceneObject> objects = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            Vector3d centre =
+                    new Vector3d(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
+            objects.add(new Sphere("sphere", centre, radius, ColouredSurface.DEFAULT));
+        }
+        objects.forEach(object -> object.addTo(collector, Placement.NONE));
+        return collector.primitives();
+    }
+}

@@ -1,0 +1,215 @@
+package tompkins.search;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.fuzz.RandomStudio;
+import tompkins.primitive.Primitive;
+import tompkins.primitive.RayStarts;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.RayPacket;
+import tompkins.sceneobject.Cylinder;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.surface.ColouredSurface;
+
+/** What tells rays from a primitive without testing them never tells one that hits, and tells most that miss. */
+class QuickRejectionTest {
+
+    private static final int RAYS = 200;
+    private static final double RADIUS = 0.02;
+
+    private final RandomAims aims = new RandomAims(3);
+
+    static Stream<Primitive> primitives() {
+        return Arrays.stream(SceneObject.class.getPermittedSubclasses())
+                .flatMap(type -> Stream.of(1, 2, 3, 4)
+                        .flatMap(seed ->
+                                PrimitiveCollector.primitivesOf(
+                                                RandomStudio.object(seed, type, ColouredSurface.DEFAULT))
+                                        .stream()
+                                        .limit(3)));
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void noRayThatHitsHasAMarginBelowZero(boolean oneStart) {
+        int hits = 0;
+        for (Primitive primitive : primitives().toList()) {
+            hits += hitsThatKeepTheirMargin(primitive, 30, oneStart);
+        }
+        assertThat(hits).isGreaterThan(5000);
+    }
+
+    /** Rounding grows with the distance of the start; the margin knows. */
+    @ParameterizedTest
+    @MethodSource("thinOnes")
+    void rayThatStartsFarAwayAndHitsHasNoMarginBelowZero(Primitive primitive) {
+        for (double distance : new double[] {1e2, 1e4, 1e6, 1e8}) {
+            assertThat(hitsThatKeepTheirMargin(primitive, distance, false)).isPositive();
+            assertThat(hitsThatKeepTheirMargin(primitive, distance, true)).isPositive();
+        }
+    }
+
+    static Stream<Primitive> thinOnes() {
+        return Stream.of(
+                        new Cylinder(
+                                "rod",
+                                new Vector3d(-3, 1, 2),
+                                new Vector3d(4, 2, 3),
+                                RADIUS,
+                                false,
+                                ColouredSurface.DEFAULT),
+                        new Sphere("ball", new Vector3d(1, 2, 3), RADIUS, ColouredSurface.DEFAULT))
+                .map(object -> PrimitiveCollector.primitivesOf(object).get(0));
+    }
+
+    private int hitsThatKeepTheirMargin(Primitive primitive, double reach, boolean oneStart) {
+        RayPacket rays = new RayPacket(RAYS);
+        rays.begin(RAYS);
+        Vector3d start = aims.vector(reach);
+        for (int i = 0; i < RAYS; i++) {
+            rays.set(i, aimed(primitive, oneStart ? start : aims.vector(reach)));
+        }
+        RayStarts starts = new RayStarts();
+        starts.measure(rays, 0, RAYS);
+        assertThat(starts.areOne()).isEqualTo(oneStart);
+        double[] margins = new double[RAYS];
+        if (!primitive.missMargins(rays, starts, margins)) {
+            return 0;
+        }
+        int hits = 0;
+        for (int i = 0; i < RAYS; i++) {
+            if (primitive.distance(rays.ray(i), Primitive.NO_HIT) < Primitive.NO_HIT) {
+                hits++;
+                assertThat(margins[i])
+                        .as("%s, ray %d", primitive.description(), i)
+                        .isGreaterThanOrEqualTo(0);
+            }
+        }
+        return hits;
+    }
+
+    /** Rays pass the axis of the rod, or the centre of the ball, at a distance that is known. */
+    @ParameterizedTest
+    @MethodSource("thinOnes")
+    void rayThatPassesHalfARadiusBesideIsTold(Primitive primitive) {
+        assertThat(marginsOfRaysThatPass(primitive, 0.99)).allMatch(margin -> margin > 0);
+        assertThat(marginsOfRaysThatPass(primitive, 1.5)).allMatch(margin -> margin < 0);
+    }
+
+    /** Two rays from one start, and two from different ones. */
+    private static List<Double> marginsOfRaysThatPass(Primitive primitive, double radii) {
+        Vector3d middle = primitive.bounds().centre();
+        Vector3d axis = new Vector3d(7, 1, 1);
+        Vector3d direction = axis.cross(0, 0, 1, new Vector3d()).normalize();
+        Vector3d beside = axis.cross(direction, new Vector3d()).normalize(radii * RADIUS);
+        RayPacket rays = new RayPacket(2);
+        rays.begin(2);
+        RayStarts starts = new RayStarts();
+        List<Double> all = new ArrayList<>();
+        for (double apart : new double[] {0, 1}) {
+            for (int i = 0; i < 2; i++) {
+                Vector3d start =
+                        new Vector3d(direction).mul(-10 - i * apart).add(middle).add(beside);
+                rays.set(i, ray(start, direction));
+            }
+            starts.measure(rays, 0, 2);
+            double[] margins = new double[2];
+            assertThat(primitive.missMargins(rays, starts, margins)).isTrue();
+            all.add(margins[0]);
+            all.add(margins[1]);
+        }
+        return all;
+    }
+
+    @Test
+    void noRayThatHitsIsSurelyMissing() {
+        for (Primitive primitive : primitives().toList()) {
+            for (int i = 0; i < RAYS; i++) {
+                Ray ray = aimed(primitive, aims.vector(30));
+                boolean hits = primitive.distance(ray, Primitive.NO_HIT) < Primitive.NO_HIT;
+                assertThat(hits && primitive.surelyMisses(startOf(ray), ray.dx, ray.dy, ray.dz))
+                        .isFalse();
+            }
+        }
+    }
+
+    /** Half of all directions lead out of a surface, and from none of them does a convex shape get in the way. */
+    @Test
+    void rayThatLeavesAPrimitiveOutwardsSurelyMissesIt() {
+        int outwards = 0;
+        int inwards = 0;
+        for (Primitive primitive : primitives().toList()) {
+            for (int i = 0; i < RAYS; i++) {
+                Ray ray = aimed(primitive, aims.vector(30));
+                double distance = primitive.distance(ray, Primitive.NO_HIT);
+                if (distance == Primitive.NO_HIT) {
+                    continue;
+                }
+                Hit hit = primitive.hit(ray, distance);
+                Vector3d away = aims.vector(1).normalize();
+                double hitsItself =
+                        primitive.distance(Ray.blank().setShadow(hit, away.x, away.y, away.z), Primitive.NO_HIT);
+                if (away.dot(hit.normalX, hit.normalY, hit.normalZ) > 0) {
+                    outwards++;
+                    assertThat(primitive.surelyMisses(hit, away.x, away.y, away.z))
+                            .as(primitive.description())
+                            .isTrue();
+                    assertThat(hitsItself).as(primitive.description()).isEqualTo(Primitive.NO_HIT);
+                } else if (hitsItself < Primitive.NO_HIT) {
+                    inwards++;
+                    assertThat(primitive.surelyMisses(hit, away.x, away.y, away.z))
+                            .as(primitive.description())
+                            .isFalse();
+                }
+            }
+        }
+        assertThat(outwards).isGreaterThan(3000);
+        assertThat(inwards).isGreaterThan(1000);
+    }
+
+    @Test
+    void planeTellsRaysThatGoAwayFromIt() {
+        Primitive floor = PrimitiveCollector.primitivesOf(
+                        new Plane("floor", new Vector3d(0, -1, 0), new Vector3d(0, 1, 0), ColouredSurface.DEFAULT))
+                .get(0);
+        Hit above = startOf(Ray.from(0, 2, 0, 1, 0, 0, 0));
+
+        assertThat(floor.surelyMisses(above, 0.6, 0.8, 0)).isTrue();
+        assertThat(floor.surelyMisses(above, 0.6, -0.8, 0)).isFalse();
+    }
+
+    private static Hit startOf(Ray ray) {
+        return Hit.blank().set(ray, 0, 0, 0, 1, null, 0, null);
+    }
+
+    private Ray aimed(Primitive primitive, Vector3dc start) {
+        Vector3d target = aims.placeIn(primitive);
+        if (primitive.longAxis() != null) {
+            // most rays to the box of a rod miss it: here to its axis
+            double along = aims.mix(-0.5, 0.5);
+            target = new Vector3d(primitive.longAxis())
+                    .mul(along)
+                    .add(primitive.bounds().centre());
+        }
+        return ray(start, target.sub(start, new Vector3d()));
+    }
+
+    private static Ray ray(Vector3dc start, Vector3dc towards) {
+        Vector3d d = towards.normalize(new Vector3d());
+        return Ray.from(start.x(), start.y(), start.z(), d.x, d.y, d.z, 0);
+    }
+}

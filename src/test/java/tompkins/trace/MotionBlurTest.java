@@ -1,0 +1,94 @@
+package tompkins.trace;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.camera.Camera;
+import tompkins.camera.ThinLensCamera;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.SceneObject;
+import tompkins.shutter.AperturePlaneShutter;
+import tompkins.shutter.RollingShutter;
+import tompkins.shutter.SweepDirection;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
+
+/** How far things move in the picture while the shutter is open, against the closed form for a wall that is passed. */
+class MotionBlurTest {
+
+    private static final int WIDTH = 640;
+    private static final int HEIGHT = 480;
+    private static final double DEPTH = 10;
+    private static final double PER_PIXEL = 2 * Math.tan(Math.toRadians(25)) / WIDTH;
+
+    private static Studio wall(double speed, double exposure, RollingShutter rolling) {
+        SceneObject wall = new Plane("wall", new Vector3d(0, 0, DEPTH), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT);
+        Camera camera = ThinLensCamera.DEFAULT
+                .withHorizontalAngle(50)
+                .withShutter(new AperturePlaneShutter(3))
+                .withExposureTime(exposure)
+                .withRollingShutter(rolling);
+        return Studio.DEFAULT
+                .withScene(List.of(wall))
+                .withVelocity(Velocity.of(speed, 0, 0))
+                .withCamera(camera)
+                .withSettings(Studio.DEFAULT.settings().withSize(WIDTH, HEIGHT));
+    }
+
+    /**
+     * A point of the wall is seen at X with X Z = x0 - v (t - Z sqrt(1 + X^2 + Y^2)), so that X changes by -v dt/(Z (1
+     * - v X/sqrt(1 + X^2 + Y^2))).
+     */
+    private static double length(double speed, double exposure, int column, int row) {
+        double x = (column + 0.5 - WIDTH / 2.0) * PER_PIXEL;
+        double y = (row + 0.5 - HEIGHT / 2.0) * PER_PIXEL;
+        return speed * exposure / (DEPTH * (1 - speed * x / Math.sqrt(1 + x * x + y * y))) / PER_PIXEL;
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.001, 100", "0.5, 0.4", "0.9, 0.1"})
+    void lengthsAreThoseOfTheClosedForm(double speed, double exposure) {
+        MotionBlur blur = new MotionBlur(RenderPlan.of(wall(speed, exposure, RollingShutter.DEFAULT)));
+        double middle = length(speed, exposure, WIDTH / 2, HEIGHT / 2);
+        double corner = length(speed, exposure, WIDTH - 1, HEIGHT - 1);
+        assertThat(corner).isGreaterThanOrEqualTo(middle);
+        assertThat(blur.inTheMiddle()).isCloseTo(middle, within(0.01 * middle));
+        assertThat(blur.inTheWorstCorner()).isCloseTo(corner, within(0.02 * corner));
+        assertThat(RenderPlan.of(wall(speed, exposure, RollingShutter.DEFAULT)).sentences())
+                .anyMatch(sentence -> sentence.startsWith("The shutter stays open for "));
+    }
+
+    /** A shutter that rolls after what moves sees it longer: 1/(1 - speed in pictures per sweep) times as far. */
+    @Test
+    void rollingShutterStretchesTheBlur() {
+        double sweep = 2;
+        double speed = 0.1;
+        double motion = length(speed, 1, WIDTH / 2, HEIGHT / 2) * sweep / WIDTH;
+        MotionBlur blur =
+                new MotionBlur(RenderPlan.of(wall(speed, 0.2, new RollingShutter(SweepDirection.LEFT, sweep))));
+        double instant = length(speed, 0.2, WIDTH / 2, HEIGHT / 2);
+        assertThat(blur.inTheMiddle()).isCloseTo(instant / (1 - motion), within(0.01 * instant));
+    }
+
+    @Test
+    void skyAndCompanionsStaySharp() {
+        Studio empty = wall(0.5, 1, RollingShutter.DEFAULT).withScene(List.of());
+        assertThat(new MotionBlur(RenderPlan.of(empty)).inTheMiddle()).isZero();
+        Studio companion = empty.withCameraFrame(
+                List.of(new Plane("sheet", new Vector3d(0, 0, 5), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT)));
+        assertThat(new MotionBlur(RenderPlan.of(companion)).inTheWorstCorner()).isZero();
+    }
+
+    @Test
+    void restHasNothingToSay() {
+        List<String> sentences = RenderPlan.of(wall(0, 1, new RollingShutter(SweepDirection.UP, 2)))
+                .sentences();
+        assertThat(sentences).noneMatch(sentence -> sentence.contains("stays open") || sentence.contains("rolls"));
+    }
+}
