@@ -28,6 +28,7 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JFileChooser;
 import javax.swing.JMenuItem;
+import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
 import tompkins.studio.Studio;
 import tompkins.ui.picture.Picture;
@@ -177,7 +178,14 @@ public final class WindowDriver implements AutoCloseable {
     /** Makes a component visible in its scroll pane, and gives its centre on the screen. */
     Point centre(JComponent component) {
         anchor(component);
-        onEventThread(() -> component.scrollRectToVisible(new Rectangle(component.getSize())));
+        onEventThread(() -> {
+            if (component.getParent() instanceof JComponent parent && !(parent instanceof JViewport)) {
+                // a text field keeps such a wish to itself
+                parent.scrollRectToVisible(component.getBounds());
+            } else {
+                component.scrollRectToVisible(new Rectangle(component.getSize()));
+            }
+        });
         settle();
         return onEventThread(() -> {
             Point corner = component.getLocationOnScreen();
