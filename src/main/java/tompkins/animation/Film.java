@@ -2,11 +2,11 @@ package tompkins.animation;
 
 import tompkins.studio.Studio;
 
-/** Photographs that follow each other, {@link #FRAME_RATE} in a second. */
+/** Photographs that follow each other. */
 public interface Film {
 
-    /** Photographs in a second of a film in a file. */
-    int FRAME_RATE = 25;
+    /** Photographs in a second. */
+    int frameRate();
 
     /** Number of photographs. */
     int frames();

@@ -18,6 +18,7 @@ public final class RideFilm implements Film {
     private final RideMoment end;
     private final double recorded;
     private final double seconds;
+    private final int frameRate;
 
     /**
      * The film in the time in which the ride was recorded.
@@ -25,11 +26,17 @@ public final class RideFilm implements Film {
      * @throws tompkins.property.InvalidPropertyException if the ride leads too far, gets too fast or takes too long
      */
     public RideFilm(Studio studio) {
-        this(studio, studio.ride().stream().mapToDouble(RideLeg::seconds).sum());
+        this(studio, Animation.FRAME_RATE);
     }
 
-    /** The film in a time of its own, in seconds; otherwise as {@link #RideFilm(Studio)}. */
-    public RideFilm(Studio studio, double seconds) {
+    /** The film with a number of photographs in a second; otherwise as {@link #RideFilm(Studio)}. */
+    public RideFilm(Studio studio, int frameRate) {
+        this(studio, studio.ride().stream().mapToDouble(RideLeg::seconds).sum(), frameRate);
+    }
+
+    /** The film in a time of its own, in seconds; otherwise as {@link #RideFilm(Studio, int)}. */
+    public RideFilm(Studio studio, double seconds, int frameRate) {
+        this.frameRate = Require.within("frameRate", frameRate, 1, Animation.HIGHEST_FRAME_RATE);
         legs = studio.ride();
         recorded = legs.stream().mapToDouble(RideLeg::seconds).sum();
         Require.within("ride", recorded, 0, LONGEST);
@@ -61,13 +68,18 @@ public final class RideFilm implements Film {
     }
 
     @Override
+    public int frameRate() {
+        return frameRate;
+    }
+
+    @Override
     public int frames() {
-        return Math.max(1, 1 + (int) Math.round(seconds * FRAME_RATE));
+        return Math.max(1, 1 + (int) Math.round(seconds * frameRate));
     }
 
     /** The moment of a photograph. */
     public RideMoment moment(int frame) {
-        return frame == frames() - 1 ? end : moment((double) frame / FRAME_RATE);
+        return frame == frames() - 1 ? end : moment((double) frame / frameRate);
     }
 
     @Override

@@ -43,8 +43,7 @@ import tompkins.ui.Captions;
         versionProvider = ProgramVersion.class,
         description =
                 "Takes photographs while a number of the scene, such as the speed of the camera, runs from one value"
-                        + " to another, or of a recorded ride, and saves them as an animation with 25 pictures a"
-                        + " second.")
+                        + " to another, or of a recorded ride, and saves them as an animation.")
 final class AnimateCommand implements Callable<Integer>, SceneCommand {
 
     /** How long it plays if nobody says it. */
@@ -89,6 +88,13 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
             description = "seconds that it plays, from 0.1 to 600; default: 4, or those of the recorded ride")
     private Double seconds;
 
+    @Option(
+            names = "--fps",
+            defaultValue = "" + Animation.FRAME_RATE,
+            paramLabel = "N",
+            description = "pictures a second, from 1 to 60; default: ${DEFAULT-VALUE}")
+    private int frameRate;
+
     @Option(names = "--back", description = "go back to the first value in the same time, so that it can run in a loop")
     private boolean back;
 
@@ -124,7 +130,7 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
         PrintWriter err = spec.commandLine().getErr();
         ProgressLine progress = new ProgressLine(err);
         Path place;
-        try (AnimationWriter writer = open()) {
+        try (AnimationWriter writer = open(recording.film.frameRate())) {
             warnings.addAll(AnimationRecorder.record(recording.film, writer, recording.caption, progress)
                     .sentences());
             place = writer.finish();
@@ -154,6 +160,11 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
                         "--duration", () -> Require.within("duration", seconds, Animation.SHORTEST, Animation.LONGEST));
     }
 
+    private int frameRate() {
+        return MistakeException.inOption(
+                "--fps", () -> Require.within("fps", frameRate, 1, Animation.HIGHEST_FRAME_RATE));
+    }
+
     private Recording ofRide(Studio studio) {
         ParseResult given = spec.commandLine().getParseResult();
         for (String other : List.of("--number", "--from", "--to", "--back")) {
@@ -166,7 +177,7 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
             throw new MistakeException("--ride: no ride is recorded in " + scene + "; the window records one");
         }
         double recorded = studio.ride().stream().mapToDouble(RideLeg::seconds).sum();
-        RideFilm film = MistakeException.inOption("--ride", () -> new RideFilm(studio, duration(recorded)));
+        RideFilm film = MistakeException.inOption("--ride", () -> new RideFilm(studio, duration(recorded), frameRate()));
         return new Recording(film, Captions.ofPictures(film, captioned));
     }
 
@@ -178,7 +189,8 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
                 from,
                 to,
                 duration(DEFAULT_SECONDS),
-                back ? Animation.Course.THERE_AND_BACK : Animation.Course.FORWARDS);
+                back ? Animation.Course.THERE_AND_BACK : Animation.Course.FORWARDS,
+                frameRate());
         with("--from", from, studio, animated);
         with("--to", to, studio, animated);
         for (int i = 0; i < animation.frames(); i++) {
@@ -224,11 +236,11 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
         }
     }
 
-    private AnimationWriter open() {
+    private AnimationWriter open(int rate) {
         try {
             AnimationFormat format =
                     OutputOption.namesFolder(spec) ? AnimationFormat.NUMBERED_PNG : AnimationFormat.of(output);
-            return force ? format.open(output, Film.FRAME_RATE) : format.openNew(output, Film.FRAME_RATE);
+            return force ? format.open(output, rate) : format.openNew(output, rate);
         } catch (FileException wrongPlace) {
             // no disk has failed yet: the user named the place
             throw new MistakeException(wrongPlace.getMessage());

@@ -6,6 +6,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
@@ -16,7 +17,6 @@ import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
 import tompkins.image.FileException;
 import tompkins.render.Progress;
-import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.FormatFilter;
@@ -36,28 +36,40 @@ final class AnimationExport {
         this.captions = captions;
     }
 
+    /** Makes a film of a studio, with a number of photographs in a second. */
+    private interface FilmMaker {
+
+        Film make(Studio studio, int frameRate);
+    }
+
     /** Asks where to save an animation of a studio. */
     void ask(Studio studio, Animation animation) {
-        ask(animation.film(studio), wanted -> Captions.ofPictures(studio, animation.number(), wanted));
+        boolean captioned = captions.areShown();
+        ask(
+                studio,
+                (chosen, rate) -> animation.withFrameRate(rate).film(chosen),
+                film -> Captions.ofPictures(studio, animation.number(), captioned));
     }
 
-    /** Asks where to save the film of a ride. */
-    void ask(RideFilm film) {
-        ask(film, wanted -> Captions.ofPictures(film, wanted));
+    /** Asks where to save the film of the ride that begins with a studio. */
+    void askForRide(Studio studio) {
+        boolean captioned = captions.areShown();
+        ask(studio, RideFilm::new, film -> Captions.ofPictures((RideFilm) film, captioned));
     }
 
-    private void ask(Film film, Function<Boolean, Film.Caption> caption) {
+    private void ask(Studio studio, FilmMaker maker, Function<Film, Film.Caption> caption) {
         List<FormatFilter<AnimationFormat>> formats = Stream.of(AnimationFormat.values())
                 .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
                 .toList();
-        RenderSettings size = film.studio(0).settings();
+        AnimationOptions options = new AnimationOptions(
+                studio, rate -> maker.make(studio, rate).frames());
+        JFileChooser chooser = dialogs.chooser();
+        chooser.setAccessory(options.component());
         SaveDialog.ask(
-                frame,
-                dialogs.chooser(),
-                Texts.get("play.exportTitle", film.frames(), size.width(), size.height()),
-                "animation",
-                formats,
-                (file, format, replace) -> save(film, caption.apply(captions.areShown()), file, format, replace));
+                frame, chooser, Texts.get("play.exportTitle"), dialogs.fileName(), formats, (file, format, replace) -> {
+                    Film film = maker.make(options.studio(), options.frameRate());
+                    save(film, caption.apply(film), file, format, replace);
+                });
     }
 
     /** Saves a film, with progress and cancel. */
@@ -66,7 +78,8 @@ final class AnimationExport {
         BackgroundTask.start(
                 frame,
                 Texts.get("file.saving", file),
-                progress -> exported.set(write(film, caption, () -> open(file, format, replace), progress)),
+                progress -> exported.set(
+                        write(film, caption, () -> open(file, format, film.frameRate(), replace), progress)),
                 () -> dialogs.exported(
                         exported.get().place(), exported.get().warnings().sentences()),
                 () -> dialogs.sayNotSaved(file));
@@ -75,8 +88,9 @@ final class AnimationExport {
     /** What was saved: where it lies, and what the user should know about it. */
     record Exported(Path place, FrameWarnings warnings) {}
 
-    private static AnimationWriter open(Path file, AnimationFormat format, boolean replace) throws FileException {
-        return replace ? format.open(file, Film.FRAME_RATE) : format.openNew(file, Film.FRAME_RATE);
+    private static AnimationWriter open(Path file, AnimationFormat format, int rate, boolean replace)
+            throws FileException {
+        return replace ? format.open(file, rate) : format.openNew(file, rate);
     }
 
     /** Takes all pictures and writes them; leaves nothing behind if the task is cancelled or fails. */

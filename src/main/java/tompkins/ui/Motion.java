@@ -154,7 +154,7 @@ final class Motion {
 
     private void showRidePanel() {
         if (ride == null) {
-            ride = new RidePanel(model, pilot, canvas::requestFocusInWindow, export::ask);
+            ride = new RidePanel(model, pilot, canvas::requestFocusInWindow, export::askForRide);
             bars.add(ride.component());
         }
         ride.setShown(true);

@@ -22,6 +22,7 @@ import tompkins.search.ObjectTree;
 import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
+import tompkins.surface.Refractive;
 
 /**
  * The scene, ready to be met by rays: for each velocity in it an inertial frame with the primitives that rest there in
@@ -46,6 +47,7 @@ public final class World {
     private final boolean followsCamera;
     private final List<FrameObjects> frames;
     private final List<ObjectTree> objects;
+    private final List<List<Primitive>> refractive;
 
     // for each lamp its frame and what it sees; lights that have no place belong to the scene frame
     private final List<LightSource> lights = new ArrayList<>();
@@ -83,6 +85,11 @@ public final class World {
         int smallestTree = plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE;
         objects = frames.stream()
                 .map(frame -> new ObjectTree(frame.primitives(), smallestTree))
+                .toList();
+        refractive = objects.stream()
+                .map(tree -> tree.primitives().stream()
+                        .filter(primitive -> primitive.surface() instanceof Refractive)
+                        .toList())
                 .toList();
         prepareShadows(plain);
     }
@@ -190,6 +197,11 @@ public final class World {
                 : Bounds.around(Stream.of(box.corners())
                         .map(corner -> motion.placeInScene(law, corner, sceneTime))
                         .toArray(Vector3dc[]::new));
+    }
+
+    /** The boundaries of media that rest in a frame. */
+    public List<Primitive> refractive(int frame) {
+        return refractive.get(frame);
     }
 
     /** Whether there are primitives in any frame. */

@@ -187,7 +187,7 @@ class RideMomentTest {
         isSame(film.moment(45), moment);
         assertThat(film.studio(0)).isEqualTo(start);
         assertThat(film.studio(30).ride()).isEmpty();
-        isSame(new RideFilm(recorded, 3.6).moment(3.0), middle);
+        isSame(new RideFilm(recorded, 3.6, 10).moment(3.0), middle);
     }
 
     private static void isSame(RideMoment one, RideMoment other) {

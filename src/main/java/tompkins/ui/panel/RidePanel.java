@@ -1,6 +1,7 @@
 package tompkins.ui.panel;
 
 import com.formdev.flatlaf.FlatClientProperties;
+import java.util.Objects;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -43,9 +44,9 @@ public final class RidePanel {
      * The bar.
      *
      * @param flown told that keys are wanted for the ride
-     * @param exporter asks where to save the film of a ride
+     * @param exporter asks where to save the film of the ride that begins with a studio
      */
-    public RidePanel(StudioModel model, RidePilot pilot, Runnable flown, Consumer<RideFilm> exporter) {
+    public RidePanel(StudioModel model, RidePilot pilot, Runnable flown, Consumer<Studio> exporter) {
         this.model = model;
         this.pilot = pilot;
         ValueSlider slider = new ValueSlider(
@@ -131,9 +132,13 @@ public final class RidePanel {
         export.setEnabled(recorded && !pilot.isRecording());
     }
 
-    private void export(Consumer<RideFilm> exporter) {
+    private void export(Consumer<Studio> exporter) {
         pilot.setRiding(false);
         Studio studio = model.studio();
-        note.attempt(() -> exporter.accept(new RideFilm(studio)));
+        note.attempt(() -> {
+            // refuses a ride that leads too far before anybody chooses a file
+            Objects.requireNonNull(new RideFilm(studio));
+            exporter.accept(studio);
+        });
     }
 }

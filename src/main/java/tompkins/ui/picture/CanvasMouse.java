@@ -5,24 +5,30 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import javax.swing.SwingUtilities;
 
 /** What the mouse does on a canvas: it points, clicks, and drags the divider. */
 final class CanvasMouse extends MouseAdapter {
 
     private static final int GRIP = 6;
 
-    /** Farther than that the mouse does not move in a click, in pixels. */
-    private static final int LARGEST_CLICK = 4;
+    /** How far a press may move and be a click: a hand shakes. */
+    private static final int LARGEST_CLICK = 5;
 
     private final PictureCanvas canvas;
     private Point pressed = new Point();
     private boolean draggingDivider;
     private boolean dragged;
 
+    /** By how much the wheel was turned since the last step: a touchpad takes many small turns for one. */
+    private double turned;
+
     CanvasMouse(PictureCanvas canvas) {
         this.canvas = canvas;
         canvas.addMouseListener(this);
         canvas.addMouseMotionListener(this);
+        canvas.addMouseWheelListener(this);
     }
 
     private boolean isNearDivider(Point point) {
@@ -49,8 +55,12 @@ final class CanvasMouse extends MouseAdapter {
 
     @Override
     public void mouseDragged(MouseEvent event) {
-        dragged |= !canvas.isPicking() && event.getPoint().distance(pressed) > LARGEST_CLICK;
-        if (draggingDivider) {
+        Point before = canvas.mouseAt();
+        dragged |= event.getPoint().distance(pressed) > LARGEST_CLICK;
+        if (SwingUtilities.isMiddleMouseButton(event) && before != null) {
+            canvas.pointMouse(event.getPoint());
+            canvas.zoom().pan(event.getX() - before.x, event.getY() - before.y);
+        } else if (draggingDivider) {
             canvas.pointMouse(event.getPoint());
             Rectangle bounds = canvas.pictureBounds();
             canvas.setDivider((double) (event.getX() - bounds.x) / bounds.width);
@@ -73,6 +83,21 @@ final class CanvasMouse extends MouseAdapter {
     public void mouseExited(MouseEvent event) {
         canvas.pointMouse(null);
         canvas.tellPointed();
+    }
+
+    /** With Alt, the wheel enlarges; turned away from the hand, as elsewhere. */
+    @Override
+    public void mouseWheelMoved(MouseWheelEvent event) {
+        if (event.isAltDown()) {
+            canvas.pointMouse(event.getPoint());
+            turned += event.getPreciseWheelRotation();
+            for (; turned <= -1; turned++) {
+                canvas.zoom().enlarge();
+            }
+            for (; turned >= 1; turned--) {
+                canvas.zoom().reduce();
+            }
+        }
     }
 
     @Override

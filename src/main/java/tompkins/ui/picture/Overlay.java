@@ -10,7 +10,8 @@ public interface Overlay {
      * Paints it.
      *
      * @param picture the picture on the screen
-     * @param bounds where that lies
+     * @param bounds where that lies; beyond the canvas where it is enlarged
+     * @param visible the part of it that is seen
      */
-    void paint(Graphics2D g, Picture picture, Rectangle bounds);
+    void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible);
 }

@@ -8,18 +8,13 @@ import java.awt.Graphics2D;
 import java.awt.GraphicsConfiguration;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.RenderingHints;
-import java.awt.Shape;
 import java.awt.geom.Point2D;
-import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
-import tompkins.image.PictureLabel;
-import tompkins.image.PictureLabel.Corner;
 import tompkins.studio.Studio;
 import tompkins.ui.widget.Texts;
 
@@ -29,7 +24,7 @@ import tompkins.ui.widget.Texts;
 @SuppressWarnings("serial") // never written to a stream
 public final class PictureCanvas extends JPanel {
 
-    /** Told what the mouse does on the picture; places in pixels of the picture. */
+    /** Told what the mouse does on the picture; places in pixels of the photograph. */
     public interface Mouse {
 
         /** The mouse is over a place of the picture that is seen there; both are null if it has left the pictures. */
@@ -39,13 +34,16 @@ public final class PictureCanvas extends JPanel {
         void clicked(Point2D place, Picture seen);
     }
 
-    private final Consumer<Dimension> resized;
+    /** Between two pictures beside each other. */
+    private static final int GAP = 8;
+
+    private final Consumer<Room> resized;
     private ScreenPicture shown = ScreenPicture.EMPTY;
     private Comparison comparison = Comparison.NONE;
     private String otherName = "";
     private boolean otherAlone;
     private double divider = 0.5;
-    private final transient List<Overlay> overlays = new ArrayList<>();
+    private final CanvasZoom zoom = new CanvasZoom(this);
     private Point2D pin;
     private boolean picking;
 
@@ -57,11 +55,12 @@ public final class PictureCanvas extends JPanel {
 
     private final KeyPointer keyPointer;
     private final transient CanvasMouse hand;
+    private final transient List<Overlay> overlays = new ArrayList<>();
 
     private Mouse mouse;
 
-    /** A canvas that tells of its size in pixels of the screen. */
-    public PictureCanvas(Consumer<Dimension> resized) {
+    /** A canvas that tells of the room that it has for each picture. */
+    public PictureCanvas(Consumer<Room> resized) {
         this.resized = resized;
         setName("picture");
         setFocusable(true);
@@ -150,7 +149,7 @@ public final class PictureCanvas extends JPanel {
         repaint();
     }
 
-    /** Where the divider is, from 0 at the left edge to 1. */
+    /** Moves the divider, from 0 at the left edge to 1. */
     void setDivider(double place) {
         divider = Math.max(0, Math.min(1, place));
         tellAgain();
@@ -182,57 +181,57 @@ public final class PictureCanvas extends JPanel {
 
     /** Where the picture lies in this component. */
     public Rectangle pictureBounds() {
-        return arrangement().bounds();
+        return PicturePainter.inUnits(arrangement().bounds(), scale());
     }
 
-    /** Where the picture, or the one beside it, lies that is seen at a point of this component; null if none is. */
-    Rectangle boundsAt(Point point) {
-        return arrangement().boundsAt(point);
+    PictureArrangement arrangement() {
+        return arrangement(otherAlone);
     }
 
-    /** Where the divider is on this component; a point far away if there is none, or a click is waited for. */
-    int dividerX() {
-        return splits() && !picking ? arrangement().dividerX() : Integer.MIN_VALUE / 2;
+    private PictureArrangement arrangement(boolean alone) {
+        double scale = scale();
+        Dimension size = new Dimension(inPixels(getWidth(), scale), inPixels(getHeight(), scale));
+        return new PictureArrangement(shown, comparison, alone, divider, zoom.now(), size, inPixels(GAP, scale));
     }
 
-    /** Whether the next click picks a point. */
-    boolean isPicking() {
-        return picking;
+    private PicturePainter painter() {
+        Font font =
+                getFont() == null ? UIManager.getFont("Label.font") : getFont().deriveFont(Font.BOLD);
+        return new PicturePainter(arrangement(), otherName, captions, font, scale());
     }
 
-    /** The mouse points somewhere now, and the keys no more; nowhere if it is null. */
-    void pointMouse(Point point) {
-        if (point != null) {
-            keyPointer.forget();
-        }
-        mouseAt = point;
+    /** Pixels of the screen for each unit of the canvas. */
+    double scale() {
+        GraphicsConfiguration screen = getGraphicsConfiguration();
+        return screen == null ? 1 : screen.getDefaultTransform().getScaleX();
     }
 
-    /** What the mouse does. */
-    CanvasMouse hand() {
-        return hand;
+    private static int inPixels(double length, double scale) {
+        return Math.max(1, (int) Math.round(length * scale));
     }
 
-    /** Paints something over the pictures that is no part of them. */
-    public void addOverlay(Overlay overlay) {
-        overlays.add(overlay);
+    private Point inPixels(Point point) {
+        double scale = scale();
+        return new Point((int) ((point.x + 0.5) * scale), (int) ((point.y + 0.5) * scale));
     }
 
-    private PictureArrangement arrangement() {
-        return new PictureArrangement(shown, comparison, otherAlone, divider, getSize());
+    /** How the picture is enlarged, and what enlarges it. */
+    public CanvasZoom zoom() {
+        return zoom;
+    }
+
+    /** It is enlarged in another way. */
+    void zoomed() {
+        tellSize();
+        tellAgain();
+        repaint();
     }
 
     private void tellSize() {
-        if (getWidth() == 0 || getHeight() == 0) {
-            return;
+        if (getWidth() > 0 && getHeight() > 0) {
+            // a picture that is shown alone for a moment keeps its pixels
+            resized.accept(new Room(arrangement(false).room().getSize(), zoom.now() != null));
         }
-        GraphicsConfiguration screen = getGraphicsConfiguration();
-        double scale = screen == null ? 1 : screen.getDefaultTransform().getScaleX();
-        resized.accept(new Dimension(inPixels(arrangement().room(), scale), inPixels(getHeight(), scale)));
-    }
-
-    private static int inPixels(int length, double scale) {
-        return Math.max(1, (int) Math.round(length * scale));
     }
 
     /** Whether two pictures are seen. */
@@ -249,102 +248,79 @@ public final class PictureCanvas extends JPanel {
         Graphics2D g = (Graphics2D) graphics.create();
         g.setColor(UIManager.getColor("Tompkins.canvas"));
         g.fillRect(0, 0, getWidth(), getHeight());
-        g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
         if (shown.nowImage() != null) {
-            paintPictures(g);
+            PicturePainter painter = painter();
+            painter.paint(g);
+            paintOverlays(g);
+            if (pin != null) {
+                painter.paintPin(g, pin);
+            }
+            if (keyPointer.place() != null) {
+                painter.paintRing(g, keyPointer.place());
+            }
         }
         g.dispose();
     }
 
-    private void paintPictures(Graphics2D g) {
-        PictureArrangement seen = arrangement();
-        Rectangle bounds = seen.bounds();
-        if (seen.showsDifference()) {
-            paint(g, shown.difference(), bounds);
-            label(g, Texts.get("compare.differenceLabel", otherName), bounds, Corner.TOP_LEFT);
-            caption(g, shown.now(), bounds, Corner.BOTTOM_LEFT);
-        } else if (seen.showsOtherAlone()) {
-            paint(g, shown.otherImage(), bounds);
-            label(g, otherName, bounds, Corner.TOP_LEFT);
-            caption(g, shown.other(), bounds, Corner.BOTTOM_LEFT);
-        } else if (seen.splits()) {
-            paintSplit(g, bounds, seen.dividerX());
-        } else {
-            paint(g, shown.nowImage(), bounds);
-            caption(g, shown.now(), bounds, Corner.BOTTOM_LEFT);
-        }
-        if (comparison != Comparison.NONE && shown.other() != null && shown.otherImage() == null) {
-            label(g, Texts.get("compare.otherShape", otherName), bounds, Corner.TOP_LEFT);
-        }
-        if (seen.isBeside() && shown.otherImage() != null) {
-            paintBeside(g, bounds, seen.otherBounds());
-        }
+    private void paintOverlays(Graphics2D g) {
+        Rectangle bounds = pictureBounds();
+        Rectangle visible = bounds.intersection(PicturePainter.inUnits(arrangement().room(), scale()));
+        Graphics2D clipped = (Graphics2D) g.create();
+        clipped.clip(visible);
         for (Overlay overlay : overlays) {
-            overlay.paint(g, shown.now(), bounds);
+            overlay.paint(clipped, shown.now(), bounds, visible);
         }
-        if (pin != null) {
-            paintPin(g, bounds);
+        clipped.dispose();
+    }
+
+    /** Paints something over the pictures that is no part of them. */
+    public void addOverlay(Overlay overlay) {
+        overlays.add(overlay);
+    }
+
+    /** Where the picture, or the one beside it, lies that is seen at a point of this component; null if none is. */
+    Rectangle boundsAt(Point point) {
+        Rectangle bounds = arrangement().boundsAt(inPixels(point));
+        return bounds == null ? null : PicturePainter.inUnits(bounds, scale());
+    }
+
+    /** Where the divider is on this component; a point far away if there is none, or a click is waited for. */
+    int dividerX() {
+        return splits() && !picking ? (int) Math.round(arrangement().dividerX() / scale()) : Integer.MIN_VALUE / 2;
+    }
+
+    /** Whether the next click picks a point. */
+    boolean isPicking() {
+        return picking;
+    }
+
+    /** Where the mouse is; null if that is elsewhere. */
+    Point mouseAt() {
+        return mouseAt;
+    }
+
+    /** The mouse points somewhere now, and the keys no more; nowhere if it is null. */
+    void pointMouse(Point point) {
+        if (point != null) {
+            keyPointer.forget();
         }
-        keyPointer.paint(g);
+        mouseAt = point;
     }
 
-    private void paintBeside(Graphics2D g, Rectangle bounds, Rectangle there) {
-        paint(g, shown.otherImage(), there);
-        label(g, otherName, there, Corner.TOP_LEFT);
-        caption(g, shown.other(), there, Corner.BOTTOM_LEFT);
-        label(g, Texts.get("compare.now"), bounds, Corner.TOP_LEFT);
-        if (pin != null) {
-            paintPin(g, there);
-        }
-    }
-
-    private static void paint(Graphics2D g, BufferedImage image, Rectangle bounds) {
-        g.drawImage(image, bounds.x, bounds.y, bounds.width, bounds.height, null);
-    }
-
-    private void paintSplit(Graphics2D g, Rectangle bounds, int x) {
-        Shape clip = g.getClip();
-        Rectangle left = new Rectangle(bounds.x, bounds.y, x - bounds.x, bounds.height);
-        Rectangle right = new Rectangle(x, bounds.y, bounds.x + bounds.width - x, bounds.height);
-        g.clip(right);
-        paint(g, shown.otherImage(), bounds);
-        label(g, otherName, right, Corner.TOP_RIGHT);
-        caption(g, shown.other(), right, Corner.BOTTOM_RIGHT);
-        g.setClip(clip);
-        g.clip(left);
-        paint(g, shown.nowImage(), bounds);
-        label(g, Texts.get("compare.now"), left, Corner.TOP_LEFT);
-        caption(g, shown.now(), left, Corner.BOTTOM_LEFT);
-        g.setClip(clip);
-        Mark.paintDivider(g, x, bounds.y, bounds.height);
-    }
-
-    private void caption(Graphics2D g, Picture picture, Rectangle bounds, Corner corner) {
-        if (captions != null) {
-            label(g, captions.apply(picture.studio()), bounds, corner);
-        }
-    }
-
-    private void label(Graphics2D g, String text, Rectangle bounds, Corner corner) {
-        Font font =
-                getFont() == null ? UIManager.getFont("Label.font") : getFont().deriveFont(Font.BOLD);
-        PictureLabel.paint(g, font, text, bounds, corner);
-    }
-
-    private void paintPin(Graphics2D g, Rectangle bounds) {
-        double scale = (double) bounds.width / shown.now().image().width();
-        Mark.paintPin(g, bounds.x + pin.getX() * scale, bounds.y + pin.getY() * scale);
+    /** What the mouse does. */
+    CanvasMouse hand() {
+        return hand;
     }
 
     /** The place of the picture, or of the one beside it, at a point of this component; null if there is none. */
     public Point2D pictureAt(Point point) {
-        return arrangement().pictureAt(point);
+        return arrangement().pictureAt(inPixels(point));
     }
 
     /**
      * The picture that is seen at a point of this component, beyond the divider the other one; null if there is none.
      */
     public Picture shownAt(Point point) {
-        return arrangement().shownAt(point);
+        return arrangement().shownAt(inPixels(point));
     }
 }

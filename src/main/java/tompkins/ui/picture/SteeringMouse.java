@@ -90,8 +90,8 @@ public final class SteeringMouse extends MouseAdapter {
     private PicturePlace pointed() {
         Picture picture = canvas.shown().now();
         Point2D place = canvas.pointedPlace();
-        int width = picture.image().width();
-        int height = picture.image().height();
+        int width = picture.ownWidth();
+        int height = picture.ownHeight();
         return place == null
                 ? new PicturePlace(width / 2.0, height / 2.0, width, height)
                 : new PicturePlace(place.getX(), place.getY(), width, height);
@@ -100,8 +100,8 @@ public final class SteeringMouse extends MouseAdapter {
     /** The place of the picture at a point of the canvas, be it outside the picture. */
     private PicturePlace place(Point point, Rectangle bounds) {
         Picture picture = canvas.shown().now();
-        int width = picture.image().width();
-        int height = picture.image().height();
+        int width = picture.ownWidth();
+        int height = picture.ownHeight();
         return new PicturePlace(
                 (point.x + 0.5 - bounds.x) / bounds.width * width,
                 (point.y + 0.5 - bounds.y) / bounds.height * height,

@@ -40,7 +40,7 @@ public final class VelocityArrow implements Overlay {
     }
 
     @Override
-    public void paint(Graphics2D g, Picture picture, Rectangle bounds) {
+    public void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible) {
         Studio studio = picture.studio();
         if (!shown || studio.velocity().isRest() || picture.plan().isAtRest()) {
             return;
@@ -48,19 +48,19 @@ public final class VelocityArrow implements Overlay {
         Vector3dc ahead = studio.velocity().direction();
         Vector2dc head = place(picture, ahead, bounds);
         Vector2dc tail = place(picture, new Vector3d().sub(ahead), bounds);
-        if (isIn(bounds, head)) {
+        if (isIn(visible, head)) {
             paintHead(g, head);
         } else {
-            paintArrow(g, sideways(studio.camera(), ahead), bounds);
+            paintArrow(g, sideways(studio.camera(), ahead), visible);
         }
-        if (isIn(bounds, tail)) {
+        if (isIn(visible, tail)) {
             paintTail(g, tail);
         }
     }
 
     private static Vector2dc place(Picture picture, Vector3dc direction, Rectangle bounds) {
-        int width = picture.image().width();
-        int height = picture.image().height();
+        int width = picture.ownWidth();
+        int height = picture.ownHeight();
         Vector2dc place = PicturePlace.of(picture.studio().camera(), direction, width, height);
         return place == null
                 ? null

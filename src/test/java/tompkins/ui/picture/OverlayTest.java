@@ -32,12 +32,12 @@ class OverlayTest {
     private static BufferedImage painted(Overlay overlay, Studio studio) {
         Studio large = studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT));
         LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
-        Picture picture = new Picture(RenderPlan.of(large), image, true, Duration.ZERO, 1, 0, List.of());
+        Picture picture = new Picture(large, RenderPlan.of(large), image, true, Duration.ZERO, 1, 0, List.of());
         BufferedImage canvas = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = canvas.createGraphics();
         g.setColor(Color.GRAY);
         g.fillRect(0, 0, WIDTH, HEIGHT);
-        overlay.paint(g, picture, new Rectangle(WIDTH, HEIGHT));
+        overlay.paint(g, picture, new Rectangle(WIDTH, HEIGHT), new Rectangle(WIDTH, HEIGHT));
         g.dispose();
         return canvas;
     }
