@@ -66,14 +66,15 @@ class GoldenLampsTest {
         NaiveMotion lamp = new NaiveMotion(row.vector("vl_"));
         Event inLamp = lamp.into(hit.minus(new Event(place.x, place.y, place.z, 0)));
         Vector3d way = row.vector("q_").sub(inLamp.position());
-        Event atSurface = new NaiveMotion(row.vector("vs_"))
-                .into(lamp.outOf(new Event(way.x, way.y, way.z, -way.length())));
+        Event atSurface =
+                new NaiveMotion(row.vector("vs_")).into(lamp.outOf(new Event(way.x, way.y, way.z, -way.length())));
         return -atSurface.time() / way.length();
     }
 
     @Test
     void lightIsAsLongOnItsWayInEachFrame() {
-        List<GoldenRow> rows = LAMPS.stream().filter(row -> row.isNumber("r_surface")).toList();
+        List<GoldenRow> rows =
+                LAMPS.stream().filter(row -> row.isNumber("r_surface")).toList();
         assertThat(Worst.of(rows, row -> {
                     LampWay way = new LampWay(row);
                     // the hit in the frame of the lamp is rounded, as its place and its time
@@ -134,10 +135,10 @@ class GoldenLampsTest {
             hit.setPlace(x.x, x.y, x.z, row.number("t"));
             Sightline sight = new Sightline();
             LampWays ways = scene.lampWays();
-            if (!ways.find(0, 0, hit, sight)) {
+            if (!ways.find(0, 0, hit, 0, hit, sight)) {
                 throw new IllegalStateException("no light");
             }
-            isBlocked = !ways.isClear(0, 0, hit, sight);
+            isBlocked = !ways.isClear(0, 0, hit, 0, hit, sight);
             Vector3d to = new Vector3d(sight.x, sight.y, sight.z);
             length = to.length();
             to.div(length);

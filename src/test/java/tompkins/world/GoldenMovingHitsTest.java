@@ -45,7 +45,9 @@ class GoldenMovingHitsTest {
                 .isGreaterThan(1e3);
         // it is the same hit: where nothing is fast, the naive form will do
         assertThat(Worst.of(
-                        rows.stream().filter(row -> row.text("class").equals("both_move")).toList(),
+                        rows.stream()
+                                .filter(row -> row.text("class").equals("both_move"))
+                                .toList(),
                         row -> row.relativeDifference(NaiveMotion.lambda(row, measures), "lambda") / 1e-9))
                 .matches(Worst::passes);
     }

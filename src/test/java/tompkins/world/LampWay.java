@@ -38,7 +38,9 @@ final class LampWay {
         Event there = scene.routes.transform(0, frame, hit);
         Hit memory = Hit.blank();
         memory.setPlace(there.x(), there.y(), there.z(), there.time());
-        if (!scene.lampWays().find(0, frame, memory, sight)) {
+        Hit inScene = Hit.blank();
+        inScene.setPlace(hit.x(), hit.y(), hit.z(), hit.time());
+        if (!scene.lampWays().find(0, frame, memory, 0, inScene, sight)) {
             throw new IllegalStateException("no light");
         }
     }

@@ -59,9 +59,7 @@ enum MovingQuantity {
     DOPPLER_FACTOR {
         @Override
         double excess(GoldenRow row, FoundHit hit, boolean measures) {
-            return measures || !row.isNumber("D")
-                    ? 0
-                    : share(row, row.difference(hit.dopplerFactor(), "D"), "D");
+            return measures || !row.isNumber("D") ? 0 : share(row, row.difference(hit.dopplerFactor(), "D"), "D");
         }
     };
 
