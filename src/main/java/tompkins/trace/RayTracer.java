@@ -235,7 +235,8 @@ final class RayTracer implements Tracer, Lighting {
         Ray ray = start;
         boolean hits = startHits;
         Colour light = Colour.BLACK;
-        Colour share = way;
+        // the light of a branch is weakened by whoever has asked for it, unless it is shifted where it begins
+        Colour share = shifts() ? way : Colour.WHITE;
         if (hits && place == Frame.SCENE) {
             counts.sceneHits++;
         }
