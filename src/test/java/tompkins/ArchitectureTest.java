@@ -36,6 +36,7 @@ import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -44,6 +45,7 @@ import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
 /** Holds what the design promises about packages, names, state and size, over all classes and source files. */
+@Tag("slow")
 class ArchitectureTest {
 
     /** In order: a package may use those before it, never those after it. */
@@ -61,6 +63,7 @@ class ArchitectureTest {
             "camera",
             "image",
             "studio",
+            "world",
             "trace",
             "render",
             "io",
@@ -141,6 +144,17 @@ class ArchitectureTest {
                 .should()
                 .dependOnClassesThat()
                 .resideInAPackage("tompkins.ui")
+                .check(CLASSES);
+    }
+
+    @Test
+    void onlyKeysAsksForTheMenuKey() {
+        // which fails without a display
+        noClasses()
+                .that()
+                .doNotHaveFullyQualifiedName("tompkins.ui.widget.Keys")
+                .should()
+                .callMethodWhere(target(name("getMenuShortcutKeyMaskEx")))
                 .check(CLASSES);
     }
 

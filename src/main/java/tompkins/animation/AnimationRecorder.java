@@ -17,7 +17,7 @@ public final class AnimationRecorder {
     private AnimationRecorder() {}
 
     /**
-     * Takes all photographs, adds them to a file and completes that.
+     * Takes all photographs and adds them to a file, which is not completed yet.
      *
      * @param caption what is written into the photograph of a studio; nothing if it is empty
      * @return what the user should know about the photographs
@@ -42,7 +42,6 @@ public final class AnimationRecorder {
                 warnings.add(i + 1, photograph.report().warnings());
             }
         }
-        writer.finish();
         return warnings;
     }
 }

@@ -2,7 +2,6 @@ package tompkins.app;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
@@ -40,7 +39,7 @@ import tompkins.ui.Captions;
         description =
                 "Takes photographs while a number of the scene, such as the speed of the camera, runs from one value"
                         + " to another, and saves them as an animation with 25 pictures a second.")
-final class AnimateCommand implements Callable<Integer> {
+final class AnimateCommand implements Callable<Integer>, SceneCommand {
 
     @Parameters(paramLabel = "SCENE", description = "scene file, or saved photograph")
     private Path scene;
@@ -102,6 +101,11 @@ final class AnimateCommand implements Callable<Integer> {
     private CommandSpec spec;
 
     @Override
+    public Path scene() {
+        return scene;
+    }
+
+    @Override
     public Integer call() throws IOException, InterruptedException {
         Studio studio = picture.applyTo(quality.applyTo(options.applyTo(StudioReader.read(scene))));
         Animation animation = animation(studio);
@@ -109,10 +113,12 @@ final class AnimateCommand implements Callable<Integer> {
         long start = System.nanoTime();
         PrintWriter err = spec.commandLine().getErr();
         ProgressLine progress = new ProgressLine(err);
+        Path place;
         try (AnimationWriter writer = open()) {
             Function<Studio, String> caption = Captions.ofPictures(studio, animation.number(), captioned);
             warnings.addAll(AnimationRecorder.record(studio, animation, writer, caption, progress)
                     .sentences());
+            place = writer.finish();
         } finally {
             progress.clear();
         }
@@ -122,7 +128,7 @@ final class AnimateCommand implements Callable<Integer> {
                 .println(String.format(
                         Locale.ROOT,
                         "%s  (%.2f s, %d pictures)",
-                        output.toRealPath(LinkOption.NOFOLLOW_LINKS),
+                        place.toRealPath(LinkOption.NOFOLLOW_LINKS),
                         (System.nanoTime() - start) / 1e9,
                         animation.frames()));
         Photographer.tellFilesToKeep(studio, err);
@@ -152,8 +158,8 @@ final class AnimateCommand implements Callable<Integer> {
             with("--number " + number, animation.value(animation.timeOf(i)), studio, animation.number());
         }
         Photographer.requireMemory(studio.settings(), Quality.of(studio));
-        if (!force && Files.isRegularFile(output)) {
-            throw new MistakeException(output + ": there is a file of this name already; --force replaces it");
+        if (!force) {
+            Photographer.requireFree(output);
         }
         return Stream.concat(begin.warnings().stream(), end.warnings().stream()).toList();
     }
@@ -169,7 +175,9 @@ final class AnimateCommand implements Callable<Integer> {
 
     private AnimationWriter open() {
         try {
-            return AnimationFormat.of(output).open(output, Animation.FRAME_RATE);
+            AnimationFormat format =
+                    OutputOption.namesFolder(spec) ? AnimationFormat.NUMBERED_PNG : AnimationFormat.of(output);
+            return force ? format.open(output, Animation.FRAME_RATE) : format.openNew(output, Animation.FRAME_RATE);
         } catch (FileException wrongPlace) {
             // no disk has failed yet: the user named the place
             throw new MistakeException(wrongPlace.getMessage());

@@ -21,6 +21,7 @@ import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.MutuallyExclusiveArgsException;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
+import tompkins.image.FileFailure;
 import tompkins.io.Spelling;
 
 /** Says what is wrong with arguments in the words of the user, where the library that reads them speaks of Java. */
@@ -41,9 +42,10 @@ final class ArgumentMistake {
                     ? withoutValue(option)
                     : fileLikeOption(arguments).orElse("needs " + explained(missing.getMissing()));
         }
-        if (mistake.getCause() instanceof InvalidPathException) {
+        if (mistake.getCause() instanceof InvalidPathException notAName) {
             String name = mistake.getValue();
-            return (name.isEmpty() ? "\"\"" : CONTROLS.matcher(name).replaceAll("?")) + ": no file can have this name";
+            return (name.isEmpty() ? "\"\"" : CONTROLS.matcher(name).replaceAll("?")) + ": "
+                    + FileFailure.reason(notAName);
         }
         if (mistake.getArgSpec() instanceof OptionSpec option && mistake.getValue() != null) {
             return withWrongValue(option, mistake);

@@ -11,6 +11,7 @@ import tompkins.image.FileException;
 import tompkins.image.PhotographFile;
 import tompkins.io.SceneFileException;
 import tompkins.io.StudioReader;
+import tompkins.render.Quality;
 import tompkins.studio.Studio;
 
 /** Looks for mistakes in scene files, and for damage in saved photographs. */
@@ -18,23 +19,33 @@ import tompkins.studio.Studio;
         mixinStandardHelpOptions = true,
         versionProvider = ProgramVersion.class,
         description = "Looks for mistakes in scene files, and for damage in saved photographs.")
-final class CheckCommand implements Callable<Integer> {
+final class CheckCommand implements Callable<Integer>, SceneCommand {
 
     @Parameters(arity = "1..*", paramLabel = "SCENE", description = "scene files, or saved photographs")
     private List<Path> scenes;
+
+    private Path current;
 
     @Spec
     private CommandSpec spec;
 
     @Override
+    public Path scene() {
+        return current;
+    }
+
+    @Override
     public Integer call() {
         int code = 0;
         for (Path scene : scenes) {
+            current = scene;
             try {
                 Studio studio = StudioReader.read(scene);
                 ScenePlan.of(studio, scene)
                         .warnings()
                         .forEach(warning -> spec.commandLine().getErr().println(scene + ": warning: " + warning));
+                Photographer.info(studio, scene);
+                Photographer.requireMemory(studio.settings(), Quality.of(studio));
                 PhotographFile.requireWhole(scene);
                 spec.commandLine().getOut().println(scene + ": no mistakes");
             } catch (SceneFileException | MistakeException mistakes) {

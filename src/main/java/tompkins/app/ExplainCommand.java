@@ -23,7 +23,7 @@ import tompkins.trace.RenderPlan;
         mixinStandardHelpOptions = true,
         versionProvider = ProgramVersion.class,
         description = "Says what the picture of a scene models, what it leaves out, and why, and what it will cost.")
-final class ExplainCommand implements Callable<Integer> {
+final class ExplainCommand implements Callable<Integer>, SceneCommand {
 
     private static final double MILLION = 1e6;
 
@@ -38,6 +38,11 @@ final class ExplainCommand implements Callable<Integer> {
 
     @Spec
     private CommandSpec spec;
+
+    @Override
+    public Path scene() {
+        return scene;
+    }
 
     @Override
     public Integer call() throws InterruptedException {

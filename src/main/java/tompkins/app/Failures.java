@@ -4,13 +4,17 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Objects;
+import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import tompkins.image.FileFailure;
 import tompkins.io.SceneFileException;
-import tompkins.render.RenderFailedException;
+import tompkins.ui.Displays;
 
 /** What the program says when it cannot do what it was asked, and its exit codes. */
 final class Failures {
@@ -29,6 +33,9 @@ final class Failures {
     /** Reports what a command threw; only errors in the program itself show where they happened. */
     static int report(Exception exception, CommandLine commandLine, ParseResult arguments) throws Exception {
         PrintWriter err = commandLine.getErr();
+        if (isOfMemory(exception)) {
+            return reportMemory(commandLine);
+        }
         if (exception instanceof SceneFileException || exception instanceof MistakeException) {
             err.println(exception.getMessage());
             return MISTAKE;
@@ -41,17 +48,31 @@ final class Failures {
             err.println(exception.getMessage());
             return FAILURE;
         }
-        if (exception instanceof RenderFailedException failed && failed.getCause() instanceof OutOfMemoryError) {
-            return reportMemory(err);
-        }
         throw exception;
     }
 
+    /** Whether memory ran out, however that was passed on. */
+    private static boolean isOfMemory(Throwable failure) {
+        return Stream.iterate(failure, Objects::nonNull, Throwable::getCause)
+                .anyMatch(OutOfMemoryError.class::isInstance);
+    }
+
     /** Reports that what was asked is more than the memory holds. */
-    static int reportMemory(PrintWriter err) {
-        long most = Runtime.getRuntime().maxMemory();
-        err.println("not enough memory: Java may use " + (most >> 20) + " MB; start java with a larger -Xmx");
+    static int reportMemory(CommandLine commandLine) {
+        ParseResult called = commandLine.getParseResult();
+        while (called.hasSubcommand()) {
+            called = called.subcommand();
+        }
+        Path scene = called.commandSpec().userObject() instanceof SceneCommand command ? command.scene() : null;
+        commandLine.getErr().println(memoryMessage(scene));
         return FAILURE;
+    }
+
+    /** What is said when the memory does not hold what is to be done with a file, or null. */
+    static String memoryMessage(Path file) {
+        long most = Runtime.getRuntime().maxMemory();
+        return (file == null ? "" : file + ": ") + "not enough memory: Java may use " + (most >> 20)
+                + " MB; start java with a larger -Xmx";
     }
 
     /** Reports that words of the program were lost; the exit code with that. */
@@ -61,11 +82,17 @@ final class Failures {
     }
 
     /** Reports a mistake in the arguments, with the name that was perhaps meant. */
-    static int reportUsage(ParameterException exception, String[] arguments) {
+    static int reportUsage(ParameterException exception, String[] arguments) throws IOException {
         CommandLine commandLine = exception.getCommandLine();
         PrintWriter err = commandLine.getErr();
-        err.println(Ansi.AUTO.string("@|bold " + commandLine.getCommandSpec().qualifiedName() + ":|@ ")
-                + ArgumentMistake.message(exception, arguments));
+        String mistake = ArgumentMistake.message(exception, arguments);
+        err.println(Ansi.AUTO.string("@|bold " + commandLine.getCommandSpec().qualifiedName() + ":|@ ") + mistake);
+        if (exception.getCause() instanceof InvalidPathException
+                && TompkinsCommand.opensWindow(arguments)
+                && Displays.usable()) {
+            TompkinsCommand.openWindow(mistake);
+            return WINDOW_IS_OPEN;
+        }
         err.println("Try '" + commandLine.getCommandSpec().qualifiedName() + " --help'.");
         return MISTAKE;
     }

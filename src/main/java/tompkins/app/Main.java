@@ -45,7 +45,7 @@ public final class Main {
      */
     private static boolean opensFirstScene() {
         try {
-            TompkinsCommand.openWindow(null);
+            TompkinsCommand.openWindow("");
             return true;
         } catch (IOException incomplete) {
             // the command line tells of it
@@ -82,7 +82,7 @@ public final class Main {
         try {
             return commandLine.execute(arguments);
         } catch (OutOfMemoryError tooMuch) {
-            return Failures.reportMemory(err);
+            return Failures.reportMemory(commandLine);
         }
     }
 }

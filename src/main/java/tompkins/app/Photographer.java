@@ -14,6 +14,7 @@ import tompkins.image.FileException;
 import tompkins.image.PhotographFile;
 import tompkins.image.PhotographInfo;
 import tompkins.image.PictureFormat;
+import tompkins.image.ToneCurve;
 import tompkins.io.SelfDescription;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
@@ -51,9 +52,9 @@ final class Photographer {
      */
     void takeDefault(Path file, Path folder) throws IOException, InterruptedException {
         Studio studio = StudioReader.read(file);
-        Path target =
-                free(targetOf(file, folder), place -> Files.exists(place) && !isPhotographOf(place, studio, file));
-        take(file, studio, Quality.of(studio), target, PictureFormat.of(target), Files.exists(target));
+        Predicate<Path> isPhotograph = place -> isPhotographOf(place, studio, file);
+        Path target = free(targetOf(file, folder), place -> Files.exists(place) && !isPhotograph.test(place));
+        take(file, studio, Quality.of(studio), target, PictureFormat.of(target), isPhotograph);
     }
 
     /** The name of a picture, or if it is taken the same with the first number before its ending that is not. */
@@ -87,10 +88,15 @@ final class Photographer {
         return folder.resolve(stem + (PhotographFile.isPicture(scene) ? "-again" : "") + ".png");
     }
 
-    /** Takes the picture of a scene file and saves it; says where. */
-    void take(Path scene, Studio studio, Quality quality, Path target, PictureFormat format, boolean replace)
+    /**
+     * Takes the picture of a scene file and saves it; says where. What has its name is replaced if it may be, or the
+     * picture gets a number: nobody wants to lose what took an hour.
+     *
+     * @param mayReplace whether a file may be replaced; asked before and after the picture is taken
+     */
+    void take(Path scene, Studio studio, Quality quality, Path target, PictureFormat format, Predicate<Path> mayReplace)
             throws IOException, InterruptedException {
-        requirePossible(studio, quality, target, replace);
+        requirePossible(studio, quality, target, mayReplace);
         PhotographInfo info = info(studio, scene);
         RenderPlan plan = ScenePlan.of(studio, scene);
         ProgressLine progress = new ProgressLine(err);
@@ -101,11 +107,15 @@ final class Photographer {
         } finally {
             progress.clear();
         }
-        // somebody may have put a file there meanwhile
-        Path free = replace ? target : free(target, Files::exists);
-        PhotographFile.write(free, job.image(), format, studio.settings().toneCurve(), info);
+        ToneCurve curve = studio.settings().toneCurve();
+        Path place = target;
+        if (mayReplace.test(target)) {
+            PhotographFile.write(target, job.image(), format, curve, info);
+        } else {
+            place = PhotographFile.writeNew(target, job.image(), format, curve, info);
+        }
         plan.warnings().forEach(warning -> err.println("warning: " + warning));
-        report(free, job.report());
+        report(place, job.report());
         tellFilesToKeep(studio, err);
     }
 
@@ -121,12 +131,19 @@ final class Photographer {
     /**
      * Refuses a picture that could not be saved or held, before any time is spent on it; leaves everything as it was.
      */
-    static void requirePossible(Studio studio, Quality quality, Path target, boolean replace) {
-        if (!replace && Files.exists(target)) {
-            throw new MistakeException(target + ": there is a file of this name already; --force replaces it");
+    static void requirePossible(Studio studio, Quality quality, Path target, Predicate<Path> mayReplace) {
+        if (!mayReplace.test(target)) {
+            requireFree(target);
         }
         requireMemory(studio.settings(), quality);
         requireWritable(target);
+    }
+
+    /** Refuses the name of a file that is there. */
+    static void requireFree(Path target) {
+        if (Files.isRegularFile(target)) {
+            throw new MistakeException(target + ": there is a file of this name already; --force replaces it");
+        }
     }
 
     /** Refuses a place where nothing can be saved. */

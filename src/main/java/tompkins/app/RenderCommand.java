@@ -25,7 +25,7 @@ import tompkins.studio.Studio;
         versionProvider = ProgramVersion.class,
         description = "Takes the photographs of scene files. The scene travels inside the picture: render a saved"
                 + " photograph to take it again.")
-final class RenderCommand implements Callable<Integer> {
+final class RenderCommand implements Callable<Integer>, SceneCommand {
 
     /** More than any machine has cores, and fewer than systems refuse to start. */
     private static final int MOST_THREADS = 1024;
@@ -39,8 +39,9 @@ final class RenderCommand implements Callable<Integer> {
     @Option(
             names = {"-o", "--output"},
             paramLabel = "FILE",
-            description = "the picture (.png, .tif, .tiff, .hdr or .pic), or an existing folder; default: SCENE.png in"
-                    + " the current folder, or SCENE-again.png for a photograph")
+            description = "the picture (.png, .tif, .tiff, .hdr or .pic), or a folder, which is made if its name ends"
+                    + " in / and there is none; default: SCENE.png in the current folder, or SCENE-again.png for a"
+                    + " photograph")
     private Path output;
 
     @Option(
@@ -66,22 +67,36 @@ final class RenderCommand implements Callable<Integer> {
     @Mixin
     private StudioOptions options;
 
+    private Path current;
+
     @Spec
     private CommandSpec spec;
 
     @Override
+    public Path scene() {
+        return current;
+    }
+
+    @Override
     public Integer call() throws Exception {
-        if (scenes.size() > 1 && output != null && !Files.isDirectory(output)) {
-            throw new MistakeException(
-                    "-o must name an existing folder if there is more than one scene, was " + output);
+        if (OutputOption.namesFolder(spec)) {
+            return OutputOption.inFolder(output, this::takeAll);
         }
+        if (scenes.size() > 1 && output != null && !Files.isDirectory(output)) {
+            throw new MistakeException("-o must name a folder if there is more than one scene, was " + output
+                    + "; write " + output + "/ to make it");
+        }
+        return takeAll();
+    }
+
+    private int takeAll() throws IOException, InterruptedException {
         Photographer photographer = new Photographer(spec.commandLine(), threads());
         if (scenes.size() > 1) {
             requireAllPossible();
         }
         for (Path scene : scenes) {
             Order order = order(scene);
-            photographer.take(scene, order.studio, order.quality, order.target, order.format, force);
+            photographer.take(scene, order.studio, order.quality, order.target, order.format, target -> force);
         }
         return 0;
     }
@@ -100,13 +115,15 @@ final class RenderCommand implements Callable<Integer> {
                 throw new MistakeException(scene + ": its picture would be " + order.target + ", as that of " + other
                         + "; render one of them alone, with another name after -o");
             }
-            Photographer.requirePossible(order.studio, order.quality, order.target, force);
+            Photographer.requirePossible(order.studio, order.quality, order.target, target -> force);
             ScenePlan.of(order.studio, scene);
+            Photographer.info(order.studio, scene);
         }
     }
 
     /** What is to be made of a scene. */
     private Order order(Path scene) throws IOException {
+        current = scene;
         // read first: what can be read has a name, and so has its picture
         Studio studio = studio(scene);
         Path target = target(scene);

@@ -3,6 +3,7 @@ package tompkins.app;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
@@ -18,6 +19,7 @@ import tompkins.property.Require;
 import tompkins.shutter.RollingShutter;
 import tompkins.shutter.Shutter;
 import tompkins.shutter.SweepDirection;
+import tompkins.spacetime.MetricSpeed;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.FrontWindow;
@@ -36,8 +38,9 @@ final class StudioOptions {
         @Option(
                 names = "--beta",
                 paramLabel = "B|X,Y,Z",
-                description = "speed of the camera in units of c, which keeps its direction, along z if the scene gives"
-                        + " none; or its velocity; a Lorentz window in front of the lens that has the same keeps it")
+                description =
+                        "speed of the camera in units of c, or as \"150000 km/s\"; it keeps its direction, along z if the scene"
+                                + " gives none; or its velocity; a Lorentz window in front of the lens that has the same keeps it")
         private String beta;
 
         @Option(
@@ -126,7 +129,7 @@ final class StudioOptions {
     private Studio withVelocity(Studio studio) {
         Vector3dc direction = studio.velocity().givenDirection();
         if (motion.beta != null) {
-            double[] beta = numbers("--beta", motion.beta, "0.9", "0,0,0.9");
+            double[] beta = beta(motion.beta);
             String hint = SpeedScale.roundingHint(Stream.of(motion.beta.split(",")));
             String fasterSpeeds = hint.isEmpty() ? "" : hint + ", and --gamma";
             return MistakeException.inOption(
@@ -144,6 +147,18 @@ final class StudioOptions {
             return FrontWindow.withVelocity(studio, Velocity.of(SpeedScale.GAMMA, gamma, direction));
         }
         return studio;
+    }
+
+    private static double[] beta(String text) {
+        try {
+            OptionalDouble metric = MetricSpeed.parse(text);
+            if (metric.isPresent()) {
+                return new double[] {metric.getAsDouble()};
+            }
+        } catch (NumberFormatException notANumber) {
+            // the message below says what is allowed
+        }
+        return numbers("--beta", text, "0.9", "0,0,0.9");
     }
 
     private RenderSettings sized(RenderSettings settings) {
@@ -178,7 +193,13 @@ final class StudioOptions {
 
     /** Numbers with commas between them, as many as one of the examples has. */
     static double[] numbers(String option, String text, String... examples) {
+        List<Integer> counts =
+                Stream.of(examples).map(example -> example.split(",").length).toList();
         String[] parts = text.split(",", -1);
+        if (!counts.contains(parts.length) && counts.contains(1)) {
+            // such as 0,9
+            parts = new String[] {text};
+        }
         double[] numbers = new double[parts.length];
         try {
             for (int i = 0; i < parts.length; i++) {
@@ -187,8 +208,6 @@ final class StudioOptions {
         } catch (NumberFormatException notANumber) {
             numbers = new double[0];
         }
-        List<Integer> counts =
-                Stream.of(examples).map(example -> example.split(",").length).toList();
         if (!counts.contains(numbers.length) || !Arrays.stream(numbers).allMatch(Double::isFinite)) {
             throw new MistakeException(option + " must be " + either(counts.stream())
                     + " numbers with commas between them, such as "

@@ -37,7 +37,7 @@ import tompkins.study.StudySetup;
         description =
                 "Charts speed against accuracy: measures methods against each other and writes charts, figures and"
                         + " what they show. A study that was stopped with Ctrl-C continues where it stopped when it is started again.")
-final class StudyCommand implements Callable<Integer> {
+final class StudyCommand implements Callable<Integer>, SceneCommand {
 
     private static final String ALL = "all";
     private static final String PAGE_OF_ALL = "speed-and-accuracy";
@@ -61,8 +61,8 @@ final class StudyCommand implements Callable<Integer> {
     @Option(
             names = {"-o", "--output"},
             paramLabel = "FOLDER",
-            description = "an existing folder for the page, and for a folder of charts and figures beside it; default:"
-                    + " the current folder")
+            description = "a folder for the page, and for a folder of charts and figures beside it, which is made if"
+                    + " there is none; default: the current folder")
     private Path output = Path.of("");
 
     @Option(names = "--seed", paramLabel = "N", defaultValue = "1", description = "seed of everything that is random")
@@ -79,16 +79,23 @@ final class StudyCommand implements Callable<Integer> {
     private ConsoleLine line;
 
     @Override
+    public Path scene() {
+        return scene;
+    }
+
+    @Override
     public Integer call() throws Exception {
         List<StudyKind> kinds = kinds();
-        if (!Files.isDirectory(output)) {
-            throw new MistakeException("-o must name an existing folder, was " + output);
-        }
         Studio own = scene == null ? null : StudioReader.read(scene);
         if (own != null) {
             kinds = requireScene(kinds);
         }
         StudySetup setup = new StudySetup(seed, own, StudyCommand::bundled, bundledNames());
+        List<StudyKind> fitting = kinds;
+        return OutputOption.inFolder(output, () -> study(fitting, setup));
+    }
+
+    private int study(List<StudyKind> kinds, StudySetup setup) throws IOException {
         StudyPage page = page(kinds);
         Photographer.requireWritable(page.file());
         Map<StudyKind, Study> studies = new EnumMap<>(StudyKind.class);
@@ -104,7 +111,7 @@ final class StudyCommand implements Callable<Integer> {
         return holds ? 0 : Failures.FAILURE;
     }
 
-    private StudyPage page(List<StudyKind> kinds) {
+    private StudyPage page(List<StudyKind> kinds) throws IOException {
         if (kinds.size() == StudyKind.values().length) {
             return new StudyPage(output, PAGE_OF_ALL, StudyPage.introduction(SelfDescription.program()));
         }
@@ -148,14 +155,17 @@ final class StudyCommand implements Callable<Integer> {
         for (StudyKind kind : studies.keySet()) {
             Path file = page.dataOf(kind);
             madeBefore |= Files.exists(file);
+            if (!Files.exists(file)) {
+                page.chartsOf(kind, studies.get(kind)).forEach(Photographer::requireFree);
+            }
             if (data(kind, studies.get(kind), page).holdsOther()) {
                 throw new MistakeException(
                         file
                                 + ": holds figures of other settings, another machine or another version; --force replaces them");
             }
         }
-        if (Files.exists(page.file()) && !madeBefore) {
-            throw new MistakeException(page.file() + ": there is a file of this name already; --force replaces it");
+        if (!madeBefore) {
+            Photographer.requireFree(page.file());
         }
     }
 

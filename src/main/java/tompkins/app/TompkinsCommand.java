@@ -1,5 +1,6 @@
 package tompkins.app;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,9 +14,11 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import tompkins.io.BundledScenes;
+import tompkins.io.SceneFileException;
 import tompkins.io.StudioReader;
 import tompkins.studio.Studio;
 import tompkins.ui.Displays;
+import tompkins.ui.FirstScene;
 import tompkins.ui.TompkinsWindow;
 
 /** The program as a whole. */
@@ -29,7 +32,7 @@ import tompkins.ui.TompkinsWindow;
             "Without a command: opens the window, with a scene file or saved photograph if one is given; without a display,"
                     + " takes the photograph."
         })
-final class TompkinsCommand implements Callable<Integer> {
+final class TompkinsCommand implements Callable<Integer>, SceneCommand {
 
     /** The name of the command that shows the help of another one. */
     static final String HELP = "help";
@@ -79,22 +82,61 @@ final class TompkinsCommand implements Callable<Integer> {
     }
 
     /**
-     * Opens a window with a scene file, or with the first scene of the program if that is null.
+     * Opens a window with the first scene of the program.
      *
+     * @param problem what the window says of it; empty if it is nothing
      * @throws IOException if the program comes without its scenes
      */
-    static void openWindow(Path scene) throws IOException {
-        Studio studio = scene == null ? BundledScenes.firstStudio() : StudioReader.read(scene);
-        TompkinsWindow.open(studio, scene, BundledScenes::studios, new WindowCommandLine());
+    static void openWindow(String problem) throws IOException {
+        openWindow(new FirstScene(BundledScenes.firstStudio(), null, problem));
+    }
+
+    private static void openWindow(FirstScene first) {
+        TompkinsWindow.open(first, BundledScenes::studios, new WindowCommandLine());
+    }
+
+    /** Opens a window with a scene file. One that cannot be read is a matter of the window: there may be no console. */
+    private void openWindow(Path file) throws IOException {
+        Studio studio;
+        try {
+            studio = StudioReader.read(file);
+        } catch (SceneFileException mistakes) {
+            openWithProblem(mistakes.getMessage());
+            return;
+        } catch (OutOfMemoryError tooMuch) {
+            openWithProblem(Failures.memoryMessage(file));
+            return;
+        }
+        openWindow(new FirstScene(studio, file));
+    }
+
+    private void openWithProblem(String problem) throws IOException {
+        spec.commandLine().getErr().println(problem);
+        openWindow(problem);
+    }
+
+    @Override
+    public Path scene() {
+        return scene;
+    }
+
+    /** Whether a word looks like the name of a file, and not like that of a command. */
+    private static boolean isFileName(String word) {
+        return word.contains(".") || word.contains(File.separator);
     }
 
     @Override
     public Integer call() throws Exception {
-        if (scene != null && Files.notExists(scene)) {
+        boolean hasDisplay = Displays.usable();
+        if (scene != null && Files.notExists(scene) && !(hasDisplay && isFileName(scene.toString()))) {
             throw new MistakeException(ArgumentMistake.unknownWord(scene.toString(), spec));
         }
-        if (Displays.usable()) {
-            openWindow(scene);
+        if (hasDisplay) {
+            if (scene == null) {
+                openWindow("");
+            } else {
+                openWindow(scene);
+            }
             return Failures.WINDOW_IS_OPEN;
         }
         spec.commandLine()

@@ -34,7 +34,7 @@ import tompkins.trace.RenderPlan;
                 + " it splits, as in glass, all hits of the weaker branch come first, indented; entry and frequency are those of"
                 + " the main branch. The share is the most light of the pixel that the ray of a hit can still add."
                 + " Several --pixel show several rays, each under its pixel, with --json in one list.")
-final class TraceCommand implements Callable<Integer> {
+final class TraceCommand implements Callable<Integer>, SceneCommand {
 
     /** Half of the way from the centre of the lens to its right edge. */
     private static final String PUPIL_EXAMPLE = "0.5,0";
@@ -75,6 +75,11 @@ final class TraceCommand implements Callable<Integer> {
 
     @Spec
     private CommandSpec spec;
+
+    @Override
+    public Path scene() {
+        return scene;
+    }
 
     @Override
     public Integer call() {

@@ -22,7 +22,7 @@ final class FocusSurface {
      * @throws tompkins.property.InvalidPropertyException if it is too large or too small to work with
      */
     FocusSurface(SceneObject object) {
-        PrimitiveCollector collector = new PrimitiveCollector(point -> point);
+        PrimitiveCollector collector = new PrimitiveCollector();
         collector.add("focus", object, Placement.NONE);
         primitives = collector.primitives();
     }

@@ -107,6 +107,7 @@ public record ThinLensCamera(
         Require.notNegativeBelow("verticalAngleDegrees", verticalAngleDegrees, 180);
         Require.notNegative("apertureRadius", apertureRadius);
         Require.present("focus", focus);
+        SceneObject.requireAtRest("focus", focus);
         if (focus instanceof Plane plane
                 && plane.point().sub(position, new Vector3d()).dot(plane.normal()) == 0) {
             throw new InvalidPropertyException(

@@ -62,7 +62,7 @@ public enum AnimationFormat {
     }
 
     /**
-     * Begins an animation.
+     * Begins an animation that replaces the file that has its name, if there is one.
      *
      * @param target the file, or for numbered pictures the folder, which must be new or empty
      * @param framesPerSecond from 1 to {@link #FASTEST}
@@ -70,6 +70,27 @@ public enum AnimationFormat {
      * @throws IllegalArgumentException if {@code framesPerSecond} is out of range
      */
     public AnimationWriter open(Path target, int framesPerSecond) throws FileException {
+        return open(target, framesPerSecond, PendingFile::replacing);
+    }
+
+    /**
+     * Begins an animation that replaces nothing: if its name is taken when it is complete, it gets the same with a
+     * number. Else as {@link #open}.
+     */
+    public AnimationWriter openNew(Path target, int framesPerSecond) throws FileException {
+        return open(target, framesPerSecond, file -> {
+            PendingFile.requireReplaceable(file);
+            return PendingFile.newFile(file);
+        });
+    }
+
+    /** Begins a file. */
+    private interface Beginning {
+
+        PendingFile begin(Path target) throws IOException;
+    }
+
+    private AnimationWriter open(Path target, int framesPerSecond, Beginning file) throws FileException {
         if (framesPerSecond < 1 || framesPerSecond > FASTEST) {
             throw new IllegalArgumentException(
                     "framesPerSecond must be a whole number from 1 to " + FASTEST + ", was " + framesPerSecond);
@@ -79,10 +100,13 @@ public enum AnimationFormat {
         }
         try {
             return switch (this) {
-                case APNG -> new ApngWriter(target, framesPerSecond);
-                case GIF -> new GifWriter(target, framesPerSecond);
-                case MP4 -> new Mp4Writer(target, framesPerSecond, Mp4Writer.program());
-                case NUMBERED_PNG -> new NumberedPngWriter(target);
+                case APNG -> new ApngWriter(file.begin(target), framesPerSecond);
+                case GIF -> new GifWriter(file.begin(target), framesPerSecond);
+                case MP4 -> {
+                    Path program = Mp4Writer.program();
+                    yield new Mp4Writer(file.begin(target), framesPerSecond, program);
+                }
+                case NUMBERED_PNG -> new NumberedPngWriter(PendingFile.newFolder(target));
             };
         } catch (IOException e) {
             throw FileException.cannotWrite(target, e);

@@ -20,15 +20,13 @@ import java.nio.file.Path;
 public abstract sealed class AnimationWriter implements Closeable
         permits ApngWriter, GifWriter, Mp4Writer, NumberedPngWriter {
 
-    private final Path target;
     private final PendingFile pending;
     private int width;
     private int height;
     private int frames;
     private boolean ended;
 
-    AnimationWriter(Path target, PendingFile pending) {
-        this.target = target;
+    AnimationWriter(PendingFile pending) {
         this.pending = pending;
     }
 
@@ -79,18 +77,20 @@ public abstract sealed class AnimationWriter implements Closeable
     /**
      * Completes the animation and gives it its name.
      *
+     * @return where it lies: under another name with a number, if its own was taken meanwhile and must not be replaced
      * @throws FileException if it cannot be written; it is then closed
      * @throws IllegalStateException if there is no frame, or after {@link #finish} or {@link #close}
      */
-    public final void finish() throws FileException {
+    public final Path finish() throws FileException {
         requireOpen();
         if (frames == 0) {
             throw new IllegalStateException("an animation must have a frame");
         }
         try {
             complete(frames);
-            pending.commit();
+            Path place = pending.commit();
             ended = true;
+            return place;
         } catch (IOException e) {
             throw givenUp(e);
         }
@@ -98,7 +98,7 @@ public abstract sealed class AnimationWriter implements Closeable
 
     /** After a failure nothing can be added: half a frame may be in the file. */
     private FileException givenUp(IOException cause) {
-        FileException failure = FileException.cannotWrite(target, cause);
+        FileException failure = FileException.cannotWrite(pending, cause);
         try {
             close();
         } catch (FileException e) {
@@ -119,14 +119,9 @@ public abstract sealed class AnimationWriter implements Closeable
         }
         ended = true;
         try {
-            abandon();
-        } catch (IOException e) {
-            // What is thrown away need not be complete.
-        }
-        try {
             pending.close();
         } catch (IOException e) {
-            throw FileException.cannotWrite(target, e);
+            throw FileException.cannotWrite(pending, e);
         }
     }
 
@@ -146,7 +141,4 @@ public abstract sealed class AnimationWriter implements Closeable
 
     /** Writes what comes after the last frame, and closes all streams. */
     abstract void complete(int frames) throws IOException;
-
-    /** Closes all streams and ends all processes. */
-    abstract void abandon() throws IOException;
 }

@@ -8,9 +8,6 @@ import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.channels.Channels;
 import java.nio.channels.SeekableByteChannel;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 
 /**
  * An animated PNG (PNG specification, third edition, section 11.3.6): the chunks of ordinary PNG pictures, with the
@@ -27,10 +24,10 @@ final class ApngWriter extends AnimationWriter {
     private long animationControlAt;
     private int sequenceNumber;
 
-    ApngWriter(Path target, int framesPerSecond) throws IOException {
-        super(target, PendingFile.file(target));
+    ApngWriter(PendingFile pending, int framesPerSecond) throws IOException {
+        super(pending);
         this.framesPerSecond = framesPerSecond;
-        this.channel = Files.newByteChannel(pending().path(), StandardOpenOption.WRITE);
+        this.channel = pending.openChannel();
         this.out = new BufferedOutputStream(Channels.newOutputStream(channel), 1 << 16);
     }
 
@@ -90,10 +87,5 @@ final class ApngWriter extends AnimationWriter {
         channel.position(animationControlAt);
         animationControl(frames).write(out);
         out.close();
-    }
-
-    @Override
-    void abandon() throws IOException {
-        channel.close();
     }
 }

@@ -2,15 +2,34 @@ package tompkins.image;
 
 import java.io.FileNotFoundException;
 import java.io.IOException;
+import java.nio.channels.ClosedChannelException;
+import java.nio.charset.Charset;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
+import java.nio.file.InvalidPathException;
 import java.nio.file.NoSuchFileException;
 
 /** Says in words why a file cannot be read or written. */
 public final class FileFailure {
 
+    static final String STOPPED = "the program is being stopped";
+
     private FileFailure() {}
+
+    /** Why no file can have a name: often it is not the name that is at fault, but the locale. */
+    public static String reason(InvalidPathException failure) {
+        String encoding = System.getProperty("sun.jnu.encoding", "");
+        String name = failure.getInput();
+        boolean isNameAtFault = name.indexOf('\0') >= 0
+                || encoding.equals("UTF-8")
+                || !Charset.isSupported(encoding)
+                || Charset.forName(encoding).newEncoder().canEncode(name);
+        return isNameAtFault
+                ? "no file can have this name"
+                : "the locale has no such letters for the names of files (it has " + encoding
+                        + "); set one with UTF-8, such as LC_ALL=C.UTF-8, and start the program again";
+    }
 
     /** The reason in a few words and one line, without the name of the file. */
     public static String reason(IOException failure) {
@@ -22,6 +41,10 @@ public final class FileFailure {
         }
         if (failure instanceof FileAlreadyExistsException) {
             return "there is a file of this name already";
+        }
+        if (failure instanceof ClosedChannelException) {
+            // nothing else closes a file while it is written
+            return STOPPED;
         }
         String message = failure instanceof FileSystemException system && system.getReason() != null
                 ? system.getReason()

@@ -3,7 +3,6 @@ package tompkins.image;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.file.Path;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageTypeSpecifier;
 import javax.imageio.ImageWriteParam;
@@ -27,11 +26,11 @@ final class GifWriter extends AnimationWriter {
     private final ImageOutputStream stream;
     private final ImageWriter writer;
 
-    GifWriter(Path target, int framesPerSecond) throws IOException {
-        super(target, PendingFile.file(target));
+    GifWriter(PendingFile pending, int framesPerSecond) throws IOException {
+        super(pending);
         this.framesPerSecond = framesPerSecond;
         this.writer = ImageProviders.gifWriter();
-        this.out = pending().open();
+        this.out = pending.open();
         this.stream = new MemoryCacheImageOutputStream(out);
     }
 
@@ -89,11 +88,6 @@ final class GifWriter extends AnimationWriter {
     @Override
     void complete(int frames) throws IOException {
         writer.endWriteSequence();
-        abandon();
-    }
-
-    @Override
-    void abandon() throws IOException {
         writer.dispose();
         try (out) {
             stream.close();

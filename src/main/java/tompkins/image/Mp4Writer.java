@@ -2,14 +2,19 @@ package tompkins.image;
 
 import java.awt.image.BufferedImage;
 import java.io.BufferedOutputStream;
+import java.io.BufferedReader;
 import java.io.File;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
@@ -18,13 +23,17 @@ import java.util.stream.Stream;
 /** H.264 video, by feeding the pixels to the program ffmpeg. What it complains of becomes the message. */
 final class Mp4Writer extends AnimationWriter {
 
+    /** What the system says, and ffmpeg at the end of a line. */
+    private static final String FULL_DISK = "No space left on device";
+
     private final Path program;
     private final int framesPerSecond;
     private Process process;
+    private Complaints complaints;
     private OutputStream pixels;
 
-    Mp4Writer(Path target, int framesPerSecond, Path program) throws IOException {
-        super(target, PendingFile.file(target));
+    Mp4Writer(PendingFile pending, int framesPerSecond, Path program) {
+        super(pending);
         this.program = program;
         this.framesPerSecond = framesPerSecond;
     }
@@ -68,14 +77,16 @@ final class Mp4Writer extends AnimationWriter {
     private void start(int width, int height) throws IOException {
         process = new ProcessBuilder(command(width, height))
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-                .redirectError(complaints().toFile())
                 .start();
+        complaints = new Complaints(process.getErrorStream());
+        pending().stopAtEnd(this::kill);
         pixels = new BufferedOutputStream(process.getOutputStream(), 1 << 16);
     }
 
-    /** What ffmpeg says, beside the pending file, with which it goes. */
-    private Path complaints() {
-        return pending().path().resolveSibling("ffmpeg.log");
+    private void kill() throws IOException {
+        // not a wait that can be interrupted: an interruption is a usual way to get here
+        process.destroyForcibly().onExit().join();
+        process.getOutputStream().close();
     }
 
     private List<String> command(int width, int height) {
@@ -85,7 +96,8 @@ final class Mp4Writer extends AnimationWriter {
         // A player that is not told how colours are coded guesses, and may turn green into something darker.
         String colours = "-colorspace bt709 -color_range tv -color_primaries bt709 -color_trc iec61966-2-1";
         String output = "-c:v libx264 -pix_fmt yuv420p -crf 18 -movflags +faststart -f mp4";
-        List<String> command = new ArrayList<>(List.of(program.toString(), "-y", "-loglevel", "error"));
+        // without -xerror it counts a film as made whose end did not fit on the disk
+        List<String> command = new ArrayList<>(List.of(program.toString(), "-y", "-loglevel", "error", "-xerror"));
         command.addAll(List.of(String.join(" ", input, shape, colours, output).split(" ")));
         command.add(pending().path().toString());
         return command;
@@ -116,7 +128,6 @@ final class Mp4Writer extends AnimationWriter {
         if (awaitExit() != 0) {
             throw failure(null);
         }
-        abandon();
     }
 
     private int awaitExit() throws IOException {
@@ -132,22 +143,68 @@ final class Mp4Writer extends AnimationWriter {
     private IOException failure(IOException consequence) throws IOException {
         process.destroy();
         int exitCode = process.onExit().join().exitValue();
-        String said = new String(Files.readAllBytes(complaints()), StandardCharsets.UTF_8).strip();
-        String last = said.substring(said.lastIndexOf('\n') + 1).strip();
-        IOException failure =
-                new IOException("ffmpeg failed with exit code " + exitCode + (last.isEmpty() ? "" : ": " + last));
+        if (pending().isEnded()) {
+            return new InterruptedIOException(FileFailure.STOPPED);
+        }
+        IOException failure = new IOException(reason(complaints.lines(), exitCode));
         if (consequence != null) {
             failure.addSuppressed(consequence);
         }
         return failure;
     }
 
-    @Override
-    void abandon() throws IOException {
-        if (process != null) {
-            // Not a wait that can be interrupted: an interruption is a usual way to get here.
-            process.destroyForcibly().onExit().join();
-            process.getOutputStream().close();
+    private String reason(List<String> complaints, int exitCode) {
+        if (complaints.stream().anyMatch(line -> line.endsWith(FULL_DISK))) {
+            return FULL_DISK;
+        }
+        String last = complaints.isEmpty() ? "" : ": " + complaints.get(complaints.size() - 1);
+        // nobody knows the hidden place
+        return "ffmpeg failed with exit code " + exitCode
+                + last.replace(pending().path().toString(), pending().toString());
+    }
+
+    /** The last lines that a program writes. They are kept in memory: the disk may be what is full. */
+    private static final class Complaints {
+
+        private static final int MOST_LINES = 20;
+
+        /** Whatever the program has started may live on and keep the stream open. */
+        private static final long PATIENCE_MILLISECONDS = 1000;
+
+        private final Deque<String> lines = new ArrayDeque<>();
+        private final Thread reader;
+
+        Complaints(InputStream stream) {
+            reader = new Thread(() -> read(stream), "tompkins-ffmpeg");
+            reader.setDaemon(true);
+            reader.start();
+        }
+
+        private void read(InputStream stream) {
+            try (BufferedReader text = new BufferedReader(new InputStreamReader(stream, StandardCharsets.UTF_8))) {
+                text.lines().map(String::strip).filter(line -> !line.isEmpty()).forEach(this::add);
+            } catch (IOException | UncheckedIOException ended) {
+                // there is nothing more to read
+            }
+        }
+
+        private synchronized void add(String line) {
+            if (lines.size() == MOST_LINES) {
+                lines.removeFirst();
+            }
+            lines.addLast(line);
+        }
+
+        /** The lines, once the program has ended. */
+        List<String> lines() {
+            try {
+                reader.join(PATIENCE_MILLISECONDS);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+            synchronized (this) {
+                return List.copyOf(lines);
+            }
         }
     }
 }

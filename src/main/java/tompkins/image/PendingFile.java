@@ -5,66 +5,109 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
-import java.io.UncheckedIOException;
+import java.nio.channels.SeekableByteChannel;
 import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Set;
 import java.util.UUID;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 
 /**
  * A file, or a folder of files, that appears in its place only when it is complete. Until {@link #commit} it lies,
  * under its own name, in a folder of its own beside that place: a name that cannot be had is refused at once, not after
- * the work. {@link #close} without it removes every trace, and what was there before stays.
+ * the work. {@link #close} without it removes every trace, and what was there before stays; so does the end of the
+ * program.
  */
 public final class PendingFile implements Closeable {
 
-    /** What is not closed yet: when the program is stopped in the middle, nobody else removes it. */
-    private static final Set<PendingFile> OPEN = new HashSet<>();
+    private static final int BUFFER = 1 << 16;
 
-    /** Whether the program is being stopped; from then on nothing is begun. */
-    private static final AtomicBoolean STOPPED = new AtomicBoolean();
-
-    static {
-        Runtime.getRuntime().addShutdownHook(new Thread(PendingFile::removeAll, "tompkins-remove"));
+    private enum Kind {
+        REPLACING_FILE,
+        NEW_FILE,
+        NEW_FOLDER
     }
 
+    private final Kind kind;
     private final Path target;
     private final Path room;
     private final Path temporary;
 
-    private PendingFile(Path target, Path room) {
+    /** What writes here and is not closed yet. It is stopped before the file is removed, or it would write on. */
+    private final List<Closeable> writers = new ArrayList<>();
+
+    private boolean ended;
+
+    private PendingFile(Kind kind, Path target, Path room) {
+        this.kind = kind;
         this.target = target;
         this.room = room;
         temporary = room.resolve(target.getFileName());
     }
 
     /**
-     * A pending file that will have the name of {@code target}. A link is followed: what it points to is replaced.
+     * A pending file that will have the name of {@code target}, and replaces what has it. A link is followed: what it
+     * points to is replaced.
      *
-     * @throws IOException if there is no such folder, something that must not be replaced has the name, or it is a link
-     *     to a file of another kind
+     * @throws IOException as {@link #requireReplaceable}, or if there is no such folder
      */
-    public static PendingFile file(Path target) throws IOException {
+    public static PendingFile replacing(Path target) throws IOException {
+        requireReplaceable(target);
+        return beside(Kind.REPLACING_FILE, followed(target));
+    }
+
+    /**
+     * A pending file that will have the name of {@code target}, or the same with a number if something has that name
+     * when the file is complete.
+     *
+     * @throws IOException if there is no such folder, or nothing can be written there
+     */
+    public static PendingFile newFile(Path target) throws IOException {
+        return beside(Kind.NEW_FILE, target);
+    }
+
+    /**
+     * A pending folder that will have the name of {@code target}, or the same with a number if somebody takes that name
+     * meanwhile. A link is followed: the empty folder that it points to is replaced.
+     *
+     * @throws IOException if there is no such folder to put it in, a file or a folder with content has the name, or it
+     *     is a link to nothing
+     */
+    static PendingFile newFolder(Path target) throws IOException {
+        if (Files.exists(target) && !isEmptyFolder(target)) {
+            throw new FileException(target + ": cannot be written: it exists; name a new or an empty folder");
+        }
+        return beside(Kind.NEW_FOLDER, followed(target));
+    }
+
+    /**
+     * Refuses what must not be replaced by a file, although it has the name.
+     *
+     * @throws IOException if the name is that of a folder, a device, a pipe, a file that is write-protected, or a link
+     *     to nothing or to a file of another kind
+     */
+    static void requireReplaceable(Path target) throws IOException {
         if (Files.isDirectory(target)) {
             throw new FileException(target + ": cannot be written: it is a folder; name a file in it");
+        }
+        if (Files.exists(target) && !Files.isRegularFile(target)) {
+            throw new FileException(target + ": cannot be written: it is no file but a device or a pipe");
         }
         if (Files.exists(target) && !Files.isWritable(target)) {
             throw new FileException(target + ": cannot be written: the file is write-protected");
         }
-        Path place = followed(target);
         if (Files.isSymbolicLink(target)) {
-            requireSameKind(target, place);
+            requireSameKind(target, followed(target));
         }
-        return beside(place, false);
     }
 
     /** What a link points to; what is no link stays as it is. */
@@ -90,51 +133,6 @@ public final class PendingFile implements Closeable {
         return name.substring(name.lastIndexOf('.') + 1);
     }
 
-    /**
-     * A pending folder that will have the name of {@code target}. A link is followed: the empty folder that it points
-     * to is replaced.
-     *
-     * @throws IOException if there is no such folder to put it in, a file or a folder with content has the name, or it
-     *     is a link to nothing
-     */
-    static PendingFile folder(Path target) throws IOException {
-        if (Files.exists(target) && !isEmptyFolder(target)) {
-            throw new FileException(target + ": cannot be written: it exists; name a new or an empty folder");
-        }
-        return beside(followed(target), true);
-    }
-
-    private static PendingFile beside(Path target, boolean isFolder) throws IOException {
-        Path folder = target.toAbsolutePath().getParent();
-        if (folder == null || !Files.isDirectory(folder)) {
-            throw new FileException(target + ": cannot be written: there is no folder " + folder);
-        }
-        PendingFile pending = new PendingFile(target, folder.resolve(".tompkins-" + UUID.randomUUID() + ".part"));
-        try {
-            pending.begin(isFolder);
-        } catch (IOException refused) {
-            pending.close();
-            throw refused;
-        }
-        return pending;
-    }
-
-    private void begin(boolean isFolder) throws IOException {
-        synchronized (OPEN) {
-            if (STOPPED.get()) {
-                throw new InterruptedIOException("the program is being stopped");
-            }
-            OPEN.add(this);
-            // Not Files.createTempDirectory nor createTempFile, which hide from everybody but the owner.
-            Files.createDirectory(room);
-            if (isFolder) {
-                Files.createDirectory(temporary);
-            } else {
-                Files.createFile(temporary);
-            }
-        }
-    }
-
     private static boolean isEmptyFolder(Path path) throws IOException {
         if (!Files.isDirectory(path)) {
             return false;
@@ -144,56 +142,227 @@ public final class PendingFile implements Closeable {
         }
     }
 
-    /** Where the content is to be written. */
-    public Path path() {
+    private static PendingFile beside(Kind kind, Path target) throws IOException {
+        Path folder = target.toAbsolutePath().getParent();
+        if (folder == null || !Files.isDirectory(folder)) {
+            throw new FileException(target + ": cannot be written: there is no folder " + folder);
+        }
+        PendingFile pending = new PendingFile(kind, target, folder.resolve(".tompkins-" + UUID.randomUUID() + ".part"));
+        try {
+            Unfinished.begin(pending);
+            pending.makeRoom();
+        } catch (IOException refused) {
+            pending.close();
+            throw refused;
+        }
+        return pending;
+    }
+
+    private synchronized void makeRoom() throws IOException {
+        requireOpen();
+        // Not Files.createTempDirectory nor createTempFile, which hide from everybody but the owner.
+        Files.createDirectory(room);
+        if (kind == Kind.NEW_FOLDER) {
+            Files.createDirectory(temporary);
+        } else {
+            Files.createFile(temporary);
+        }
+    }
+
+    /** Whether it is complete, was given up, or the program is being stopped. */
+    synchronized boolean isEnded() {
+        return ended;
+    }
+
+    private void requireOpen() throws InterruptedIOException {
+        if (ended) {
+            throw new InterruptedIOException(FileFailure.STOPPED);
+        }
+    }
+
+    /** Where it will lie. */
+    @Override
+    public String toString() {
+        return target.toString();
+    }
+
+    /** Where other programs are to write the content; see {@link #stopAtEnd}. */
+    Path path() {
         return temporary;
     }
 
     /** A buffered stream into the pending file. */
-    OutputStream open() throws IOException {
-        return new BufferedOutputStream(Files.newOutputStream(temporary, StandardOpenOption.WRITE), 1 << 16);
+    public OutputStream open() throws IOException {
+        return open(temporary, StandardOpenOption.WRITE);
     }
 
-    /** Gives the complete file its name; all streams into it must be closed. */
-    public void commit() throws IOException {
-        synchronized (OPEN) {
-            if (Files.isDirectory(temporary)) {
-                // Not every system replaces a folder, even an empty one.
-                Files.deleteIfExists(target);
-            }
-            try {
-                Files.move(temporary, target, StandardCopyOption.ATOMIC_MOVE);
-            } catch (AtomicMoveNotSupportedException e) {
-                Files.move(temporary, target, StandardCopyOption.REPLACE_EXISTING);
-            }
-            remove();
+    /** Writes all of the content. */
+    public void write(byte[] content) throws IOException {
+        try (OutputStream stream = open()) {
+            stream.write(content);
         }
     }
 
-    private static void removeAll() {
-        synchronized (OPEN) {
-            STOPPED.set(true);
-            for (PendingFile pending : List.copyOf(OPEN)) {
-                try {
-                    pending.remove();
-                } catch (IOException | UncheckedIOException kept) {
-                    // there is nobody left to tell
-                }
+    /** A buffered stream into a new file of the pending folder. */
+    OutputStream open(String name) throws IOException {
+        return open(temporary.resolve(name), StandardOpenOption.CREATE_NEW);
+    }
+
+    private synchronized OutputStream open(Path file, StandardOpenOption option) throws IOException {
+        requireOpen();
+        OutputStream stream = stopAtEnd(Files.newOutputStream(file, StandardOpenOption.WRITE, option));
+        return new BufferedOutputStream(stream, BUFFER) {
+            @Override
+            public void close() throws IOException {
+                super.close();
+                closed(stream);
+            }
+        };
+    }
+
+    private synchronized void closed(Closeable writer) {
+        writers.remove(writer);
+    }
+
+    /** The pending file, for those who change what they have written; it stays open until the end. */
+    synchronized SeekableByteChannel openChannel() throws IOException {
+        requireOpen();
+        return stopAtEnd(Files.newByteChannel(temporary, StandardOpenOption.WRITE));
+    }
+
+    /**
+     * Takes notice of something that writes here, and returns it. It is closed before the file is removed.
+     *
+     * @throws InterruptedIOException if that has happened already; it is then closed
+     */
+    synchronized <C extends Closeable> C stopAtEnd(C writer) throws IOException {
+        if (ended) {
+            writer.close();
+        }
+        requireOpen();
+        writers.add(writer);
+        return writer;
+    }
+
+    /**
+     * Gives the complete file its name; all streams into it must be closed. A new file or folder replaces nothing: if
+     * its name has been taken meanwhile, it gets the same with the first free number before its ending.
+     *
+     * @return where it lies now
+     */
+    public synchronized Path commit() throws IOException {
+        requireOpen();
+        Path place = target;
+        if (kind == Kind.REPLACING_FILE) {
+            move(place);
+        } else {
+            for (int number = 2; !takes(place); number++) {
+                place = numbered(target, number);
+            }
+        }
+        close();
+        return place;
+    }
+
+    private boolean takes(Path place) throws IOException {
+        return kind == Kind.NEW_FOLDER ? takesFolder(place) : takesFile(place);
+    }
+
+    /** The name of a file with a number before its ending. */
+    private static Path numbered(Path file, int number) {
+        String name = file.getFileName().toString();
+        int dot = name.lastIndexOf('.');
+        int end = dot > 0 ? dot : name.length();
+        return file.resolveSibling(name.substring(0, end) + "-" + number + name.substring(end));
+    }
+
+    /** Whether a name could be had: a link is made where there is nothing, or not at all. */
+    private boolean takesFile(Path place) throws IOException {
+        try {
+            Files.createLink(place, temporary);
+            return true;
+        } catch (FileAlreadyExistsException taken) {
+            return false;
+        } catch (UnsupportedOperationException | FileSystemException noLinksHere) {
+            return takesFileWithoutLinks(place);
+        }
+    }
+
+    /** As above, by an empty file that only one can make. */
+    private boolean takesFileWithoutLinks(Path place) throws IOException {
+        try {
+            Files.createFile(place);
+        } catch (FileAlreadyExistsException taken) {
+            return false;
+        }
+        try {
+            move(place);
+        } catch (IOException failure) {
+            Files.deleteIfExists(place);
+            throw failure;
+        }
+        return true;
+    }
+
+    /** As above for a folder, which systems put in the place of an empty one at most. */
+    private boolean takesFolder(Path place) throws IOException {
+        try {
+            move(place);
+            return true;
+        } catch (FileSystemException refused) {
+            if (Files.notExists(place, LinkOption.NOFOLLOW_LINKS)) {
+                throw refused;
+            }
+        }
+        try {
+            if (!isEmptyFolder(place)) {
+                return false;
+            }
+            // not every system replaces a folder, even an empty one
+            Files.delete(place);
+            move(place);
+            return true;
+        } catch (FileSystemException filledMeanwhile) {
+            return false;
+        }
+    }
+
+    private void move(Path place) throws IOException {
+        try {
+            Files.move(temporary, place, StandardCopyOption.ATOMIC_MOVE);
+        } catch (AtomicMoveNotSupportedException e) {
+            if (kind == Kind.NEW_FOLDER) {
+                Files.move(temporary, place);
+            } else {
+                Files.move(temporary, place, StandardCopyOption.REPLACE_EXISTING);
             }
         }
     }
 
-    /** Removes what was not committed. */
+    /** Stops what writes here, and removes what was not committed. */
     @Override
-    public void close() throws IOException {
-        synchronized (OPEN) {
-            remove();
+    public synchronized void close() throws IOException {
+        ended = true;
+        try {
+            stopWriters();
+            removeRoom();
+        } finally {
+            Unfinished.end(this);
         }
     }
 
-    /** Whoever calls this holds the lock: the program must not end in the middle of it. */
-    private void remove() throws IOException {
-        OPEN.remove(this);
+    private void stopWriters() {
+        for (Closeable writer : writers) {
+            try {
+                writer.close();
+            } catch (IOException e) {
+                // what is thrown away need not be complete
+            }
+        }
+        writers.clear();
+    }
+
+    private void removeRoom() throws IOException {
         if (Files.notExists(room)) {
             return;
         }

@@ -23,8 +23,8 @@ public final class PhotographFile {
     private PhotographFile() {}
 
     /**
-     * Saves a photograph. The file appears complete or not at all, and what was there before stays until then. The same
-     * arguments give the same bytes.
+     * Saves a photograph, in the place of the file that has its name, if there is one. The file appears complete or not
+     * at all, and what was there before stays until then. The same arguments give the same bytes.
      *
      * @param curve how light becomes levels; formats that hold the light itself do without
      * @throws FileException if the file's name does not fit the format, or the file cannot be written
@@ -32,14 +32,37 @@ public final class PhotographFile {
     public static void write(Path file, LinearImage image, PictureFormat format, ToneCurve curve, PhotographInfo info)
             throws FileException {
         format.requireFor(file);
-        try (PendingFile pending = PendingFile.file(file)) {
-            try (OutputStream out = pending.open()) {
-                encode(out, image, format, curve, info);
-            }
-            pending.commit();
+        try (PendingFile pending = PendingFile.replacing(file)) {
+            write(pending, image, format, curve, info);
         } catch (IOException e) {
             throw FileException.cannotWrite(file, e);
         }
+    }
+
+    /**
+     * Saves a photograph as {@link #write} does, but replaces nothing: if its name is taken when it is complete, it
+     * gets the same with a number.
+     *
+     * @return where it lies
+     */
+    public static Path writeNew(
+            Path file, LinearImage image, PictureFormat format, ToneCurve curve, PhotographInfo info)
+            throws FileException {
+        format.requireFor(file);
+        try (PendingFile pending = PendingFile.newFile(file)) {
+            return write(pending, image, format, curve, info);
+        } catch (IOException e) {
+            throw FileException.cannotWrite(file, e);
+        }
+    }
+
+    private static Path write(
+            PendingFile pending, LinearImage image, PictureFormat format, ToneCurve curve, PhotographInfo info)
+            throws IOException {
+        try (OutputStream out = pending.open()) {
+            encode(out, image, format, curve, info);
+        }
+        return pending.commit();
     }
 
     /**
@@ -63,7 +86,7 @@ public final class PhotographFile {
      * @throws FileException if there is no such folder, or no permission to write there
      */
     public static void requireWritable(Path file) throws FileException {
-        try (PendingFile pending = PendingFile.file(file)) {
+        try (PendingFile pending = PendingFile.replacing(file)) {
             pending.open().close();
         } catch (IOException e) {
             throw FileException.cannotWrite(file, e);
@@ -130,26 +153,37 @@ public final class PhotographFile {
      */
     public static void requireWhole(Path file) throws FileException {
         try {
-            Optional<PictureEncoding> encoding = encoding(file);
-            if (encoding.isPresent()) {
-                readLastRow(encoding.get(), file);
+            PictureEncoding encoding = encoding(file).orElse(null);
+            if (encoding == PictureEncoding.HDR) {
+                requireWholeRadiance(file);
+            } else if (encoding != null) {
+                readLastRow(encoding, file);
             }
+        } catch (FileException e) {
+            throw e;
         } catch (IOException | RuntimeException e) {
             throw new FileException(file + ": the picture is damaged: " + FileException.reason(e), e);
+        }
+    }
+
+    private static void requireWholeRadiance(Path file) throws IOException {
+        try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {
+            RadianceReader.requireWhole(in, file.toString());
         }
     }
 
     private static void readLastRow(PictureEncoding encoding, Path file) throws IOException {
         ImageReader reader = ImageProviders.reader(encoding);
         try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
-            reader.setInput(stream, true, true);
-            int width = reader.getWidth(0);
-            // there is no reader for the rows of a Radiance picture that is very narrow or very wide
-            if (encoding != PictureEncoding.HDR || RadianceFile.isPacked(width)) {
-                ImageReadParam lastRow = reader.getDefaultReadParam();
-                lastRow.setSourceRegion(new Rectangle(0, reader.getHeight(0) - 1, width, 1));
-                reader.read(0, lastRow);
+            if (encoding == PictureEncoding.TIFF) {
+                // Another program may have packed it anew, in a way that is not read.
+                TiffKind.of(TiffDirectory.read(stream), file.toString());
+                stream.seek(0);
             }
+            reader.setInput(stream, true, true);
+            ImageReadParam lastRow = reader.getDefaultReadParam();
+            lastRow.setSourceRegion(new Rectangle(0, reader.getHeight(0) - 1, reader.getWidth(0), 1));
+            reader.read(0, lastRow);
         } finally {
             reader.dispose();
         }

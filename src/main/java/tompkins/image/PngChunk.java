@@ -26,6 +26,9 @@ record PngChunk(String type, byte[] data) {
     /** The bytes before the first chunk. */
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
+    /** Where the first chunk begins. */
+    static final int SIGNATURE_LENGTH = SIGNATURE.length;
+
     /** The chunks of a PNG file that this program has made. */
     static List<PngChunk> all(byte[] png) throws IOException {
         DataInputStream in = new DataInputStream(new ByteArrayInputStream(png));

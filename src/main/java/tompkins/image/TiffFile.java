@@ -1,12 +1,9 @@
 package tompkins.image;
 
-import com.twelvemonkeys.imageio.metadata.Entry;
 import com.twelvemonkeys.imageio.metadata.tiff.TIFF;
-import com.twelvemonkeys.imageio.metadata.tiff.TIFFReader;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.lang.reflect.Array;
 import java.nio.file.Path;
 import java.util.Optional;
 import javax.imageio.IIOImage;
@@ -56,11 +53,8 @@ final class TiffFile {
     /** Whether the channels are stored as floating point. */
     static boolean isFloatingPoint(Path file) throws IOException {
         try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
-            Entry format = new TIFFReader().read(stream).getEntryById(TIFF.TAG_SAMPLE_FORMAT);
-            Object value = format == null ? null : format.getValue();
-            Object first = value != null && value.getClass().isArray() ? Array.get(value, 0) : value;
-            return first instanceof Number number
-                    && number.intValue() == BaselineTIFFTagSet.SAMPLE_FORMAT_FLOATING_POINT;
+            return TiffDirectory.read(stream).number(TIFF.TAG_SAMPLE_FORMAT, 0)
+                    == BaselineTIFFTagSet.SAMPLE_FORMAT_FLOATING_POINT;
         }
     }
 
@@ -70,12 +64,8 @@ final class TiffFile {
      */
     static Optional<String> readScene(Path file) throws IOException {
         try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
-            Entry description = new TIFFReader().read(stream).getEntryById(TIFF.TAG_IMAGE_DESCRIPTION);
-            Object value = description == null ? null : description.getValue();
-            if (value instanceof IOException damage) {
-                throw damage;
-            }
-            return value instanceof String text && text.stripLeading().startsWith("{")
+            return TiffDirectory.read(stream).value(TIFF.TAG_IMAGE_DESCRIPTION) instanceof String text
+                            && text.stripLeading().startsWith("{")
                     ? Optional.of(AsciiText.unescape(text))
                     : Optional.empty();
         }

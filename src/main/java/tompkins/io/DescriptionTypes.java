@@ -28,7 +28,7 @@ final class DescriptionTypes {
     /** The names of the records of a family. */
     static List<String> memberNames(Class<?> family) {
         return Descriptions.members(family).stream()
-                .<String>map(Class::getSimpleName)
+                .<String>map(Descriptions::name)
                 .toList();
     }
 

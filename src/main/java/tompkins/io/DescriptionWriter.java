@@ -61,7 +61,7 @@ final class DescriptionWriter {
     private Map<String, Object> record(Record record, boolean named) {
         Map<String, Object> members = new LinkedHashMap<>();
         if (named) {
-            members.put(DescriptionReader.TYPE, record.getClass().getSimpleName());
+            members.put(DescriptionReader.TYPE, Descriptions.name(record.getClass()));
         }
         Object standard = Descriptions.standard(record.getClass());
         for (RecordComponent component : Descriptions.components(record.getClass())) {

@@ -3,6 +3,7 @@ package tompkins.io;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import tompkins.io.JsonValue.JsonFlag;
 import tompkins.io.JsonValue.JsonList;
@@ -119,7 +120,11 @@ final class JsonParsing {
         return switch (parser.currentToken()) {
             case START_OBJECT -> object(path, depth, line, column);
             case START_ARRAY -> list(path, depth, line, column);
-            case VALUE_STRING -> new JsonText(line, column, string(path));
+            case VALUE_STRING -> {
+                String written = string(path);
+                requireWholeCharacters(written, line, column, path);
+                yield new JsonText(line, column, written);
+            }
             case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> new JsonNumber(line, column, string(path));
             case VALUE_TRUE -> new JsonFlag(line, column, true);
             case VALUE_FALSE -> new JsonFlag(line, column, false);
@@ -146,6 +151,7 @@ final class JsonParsing {
             if (key.length() > LONGEST_KEY) {
                 throw failure(keyLine, keyColumn, path, "unknown key " + Problems.quoted(key));
             }
+            requireWholeCharacters(key, keyLine, keyColumn, path);
             String inner = path.isEmpty() ? key : path + "." + key;
             next(inner);
             Member first = members.putIfAbsent(key, new Member(keyLine, keyColumn, value(inner, depth + 1)));
@@ -166,6 +172,20 @@ final class JsonParsing {
         return new JsonList(line, column, elements);
     }
 
+    /** Half of a pair that stands for one character could not be saved again. */
+    private void requireWholeCharacters(String written, int line, int column, String path) {
+        for (int i = 0; i < written.length(); i += Character.charCount(written.codePointAt(i))) {
+            int letter = written.codePointAt(i);
+            if (letter >= Character.MIN_SURROGATE && letter <= Character.MAX_SURROGATE) {
+                String message = String.format(
+                        Locale.ROOT,
+                        "a text must not contain \\u%04x alone: it is half of a character, and the other half is missing",
+                        letter);
+                throw failure(line, column, path, message);
+            }
+        }
+    }
+
     private void requireDepth(String path, int depth, int line, int column) {
         if (depth >= DEEPEST) {
             throw failure(line, column, path, "brackets and braces may be at most " + DEEPEST + " deep");
@@ -176,6 +196,11 @@ final class JsonParsing {
         TokenStreamLocation place = syntax.getLocation();
         if (place != null && SyntaxMistake.isInNumber(syntax)) {
             return numberFailure(path, place);
+        }
+        if (SyntaxMistake.isInComment(syntax) && SyntaxMistake.isSingleSlash(text)) {
+            int lineStart = Math.max(text.lastIndexOf('\n'), text.lastIndexOf('\r')) + 1;
+            int slashLine = (int) text.lines().count();
+            return failure(slashLine, text.length() - lineStart, path, SyntaxMistake.ofSlash());
         }
         boolean here = place == null || SyntaxMistake.isInComment(syntax);
         int line = here ? line() : place.getLineNr();

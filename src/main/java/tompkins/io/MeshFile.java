@@ -1,18 +1,19 @@
 package tompkins.io;
 
-import de.javagl.obj.ObjReader;
+import java.io.BufferedReader;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.InputStreamReader;
-import java.io.LineNumberReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import tompkins.image.FileException;
 import tompkins.image.WholeFile;
 import tompkins.ray.MeshData;
 
-/** Reads triangle meshes from OBJ files: vertices and faces; faces with more corners are cut into fans of triangles. */
+/**
+ * Reads triangle meshes from OBJ files: vertices and faces, which are cut into triangles. The axes of an OBJ file are
+ * right-handed, those of a scene left-handed: z changes its sign, and the corners of each triangle change their order.
+ */
 public final class MeshFile {
 
     /** The bytes of smaller files are kept, so that photographs hold the mesh. */
@@ -40,64 +41,39 @@ public final class MeshFile {
      * @throws FileException if they are no OBJ file with triangles
      */
     static MeshData read(byte[] file, String name) throws FileException {
-        InputStream bytes = new ByteArrayInputStream(file);
-        CurrentLine line = new CurrentLine(new InputStreamReader(bytes, StandardCharsets.UTF_8));
-        MeshCollector collector = new MeshCollector(line);
+        MeshFaces faces = new MeshFaces();
+        ObjStatements statements = new ObjStatements(
+                new BufferedReader(new InputStreamReader(new ByteArrayInputStream(file), StandardCharsets.UTF_8)));
         try {
-            ObjReader.read(line, collector);
-            collector.requireComplete();
-        } catch (IOException | RuntimeException mistake) {
-            String place = name + ":" + collector.lineOfMistake();
-            throw new FileException(place + ": " + reason(mistake, line.text()), mistake);
+            while (statements.next()) {
+                faces.add(statements);
+            }
+            faces.requireVertices();
+        } catch (ObjMistake mistake) {
+            throw new FileException(name + ":" + mistake.line() + ": " + mistake.getMessage(), mistake);
+        } catch (IOException impossible) {
+            throw FileException.cannotRead(Path.of(name), impossible);
         }
-        int[] triangles = collector.triangles();
-        if (triangles.length == 0) {
+        int[] corners = faces.triangles();
+        if (corners.length == 0) {
             throw new FileException(name + ": not an OBJ file with triangles: it has no lines such as \"f 1 2 3\"");
         }
+        double[] coordinates = faces.vertices();
+        turnOver(coordinates, corners);
         byte[] kept = file.length <= LARGEST_KEPT_FILE ? file : new byte[0];
-        return new MeshData(name, collector.vertices(), triangles, kept);
+        return new MeshData(name, coordinates, corners, kept);
     }
 
-    /**
-     * What the collector refuses it says itself; the library tells of its own classes, so the line is shown instead.
-     */
-    private static String reason(Exception mistake, String line) {
-        boolean clear = mistake instanceof IllegalArgumentException && !(mistake instanceof NumberFormatException);
-        return clear
-                ? mistake.getMessage()
-                : Problems.quoted(line) + " cannot be understood; a vertex is written like \"v 0 1.5 -2\", a face like"
-                        + " \"f 1 2 3\" with vertices counted from 1";
-    }
-
-    /**
-     * Remembers the line that was read last. Byte order marks, comments, and the normals and texture coordinates that a
-     * mesh does without never come to the library, which would stumble over some.
-     */
-    static final class CurrentLine extends LineNumberReader {
-
-        private static final String BYTE_ORDER_MARK = "\uFEFF";
-
-        private String text = "";
-
-        CurrentLine(InputStreamReader in) {
-            super(in);
+    /** From right-handed axes to left-handed ones, with the outside of each triangle kept. */
+    private static void turnOver(double[] coordinates, int[] corners) {
+        for (int z = 2; z < coordinates.length; z += 3) {
+            // no minus sign: there is no need for a zero below zero
+            coordinates[z] = 0 - coordinates[z];
         }
-
-        @Override
-        public String readLine() throws IOException {
-            String next = super.readLine();
-            if (next == null) {
-                return null;
-            }
-            String marked = next.startsWith(BYTE_ORDER_MARK) ? next.substring(1) : next;
-            int comment = marked.indexOf('#');
-            String plain = (comment < 0 ? marked : marked.substring(0, comment)).stripLeading();
-            text = plain.startsWith("vn") || plain.startsWith("vt") ? "" : plain;
-            return text;
-        }
-
-        String text() {
-            return text;
+        for (int i = 0; i < corners.length; i += 3) {
+            int second = corners[i + 1];
+            corners[i + 1] = corners[i + 2];
+            corners[i + 2] = second;
         }
     }
 }

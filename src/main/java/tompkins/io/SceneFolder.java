@@ -86,7 +86,7 @@ final class SceneFolder {
         try {
             relative = folder.getFileSystem().getPath(name);
         } catch (InvalidPathException impossible) {
-            throw new IOException(allowed, impossible);
+            throw new IOException(FileFailure.reason(impossible) + "; it " + allowed, impossible);
         }
         if (name.isBlank() || relative.getRoot() != null || name.startsWith("/") || name.contains("\\")) {
             throw new IOException(allowed);

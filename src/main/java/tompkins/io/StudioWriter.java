@@ -2,7 +2,6 @@ package tompkins.io;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collections;
@@ -84,14 +83,42 @@ public final class StudioWriter {
     }
 
     /**
-     * Saves a scene file. It names the pictures and meshes that lie under its folder, and holds the others. The file
-     * appears complete or not at all; what was there before stays until then.
+     * Saves a scene file, in the place of the file that has its name, if there is one. It names the pictures and meshes
+     * that lie under its folder, and holds the others. The file appears complete or not at all; what was there before
+     * stays until then.
      *
      * @throws IOException with a message for the user, if the file cannot be written, or could not be read again: what
      *     is too large to be held does not lie under its folder, or another file of its name does, or the text is too
      *     long for a scene file
      */
     public static void save(Studio studio, Path file) throws IOException {
+        byte[] text = checkedText(studio, file);
+        try (PendingFile pending = PendingFile.replacing(file)) {
+            pending.write(text);
+            pending.commit();
+        } catch (IOException failure) {
+            throw FileException.cannotWrite(file, failure);
+        }
+    }
+
+    /**
+     * Saves a scene file as {@link #save} does, but replaces nothing: if its name is taken, it gets the same with a
+     * number.
+     *
+     * @return where it lies
+     */
+    public static Path saveNew(Studio studio, Path file) throws IOException {
+        byte[] text = checkedText(studio, file);
+        try (PendingFile pending = PendingFile.newFile(file)) {
+            pending.write(text);
+            return pending.commit();
+        } catch (IOException failure) {
+            throw FileException.cannotWrite(file, failure);
+        }
+    }
+
+    /** The text of a scene file, which can be read again. */
+    private static byte[] checkedText(Studio studio, Path file) throws IOException {
         SceneFolder folder = folderOf(file);
         Set<FileContent> large = new LinkedHashSet<>();
         byte[] text = text(studio, notingLarge(large::add, isNotIn(folder))).getBytes(StandardCharsets.UTF_8);
@@ -102,12 +129,7 @@ public final class StudioWriter {
         for (FileContent content : large) {
             requireIn(folder, content, file);
         }
-        try (PendingFile pending = PendingFile.file(file)) {
-            Files.write(pending.path(), text);
-            pending.commit();
-        } catch (IOException failure) {
-            throw FileException.cannotWrite(file, failure);
-        }
+        return text;
     }
 
     private static SceneFolder folderOf(Path file) {

@@ -16,6 +16,7 @@ final class SyntaxMistake {
 
     private static final String NOT_JSON = "not valid JSON: ";
     private static final String VALUES = "allowed are texts in quotes, numbers, true, false, lists [ ] and objects { }";
+    private static final String COMMENTS = "a comment begins with // or with /*";
     private static final String NUMBERS = "a number must be written like 0.5, -2 or 1e-9";
 
     private static final Pattern UNKNOWN_WORD = Pattern.compile("Unrecognized token '(.*?)'(:|$)", Pattern.DOTALL);
@@ -31,6 +32,8 @@ final class SyntaxMistake {
 
     /** What the library says, or a part of it, and what that means; the first that fits counts. */
     private static final List<Map.Entry<String, String>> MEANINGS = List.of(
+            Map.entry("'*' or '/' for a comment", COMMENTS),
+            Map.entry("surrogate", "a text must not contain half of a character; the other half is missing"),
             Map.entry("hex-digit", "after \\u in a text there must be four digits from 0 to 9 or a to f"),
             Map.entry("double-quote to start property name", "a key must stand in double quotes"),
             Map.entry("colon to separate", "a colon must stand between a key and its value"),
@@ -49,9 +52,46 @@ final class SyntaxMistake {
                 || syntax.getOriginalMessage().startsWith("Unexpected end-of-input");
     }
 
-    /** Whether the text ends in a comment; the library knows only the value before it. */
+    /**
+     * Whether the text ends in a comment, or in a slash that may have been meant to begin one; the library knows only
+     * the value before it.
+     */
     static boolean isInComment(JacksonException syntax) {
         return syntax.getOriginalMessage().endsWith("in a comment");
+    }
+
+    /** Whether the slash at the end of a text is a single one: all comments before it are closed. */
+    static boolean isSingleSlash(String text) {
+        int last = text.length() - 1;
+        int i = 0;
+        while (i < last) {
+            if (text.charAt(i) == '"') {
+                i = endOfQuoted(text, i + 1);
+            } else if (text.startsWith("/*", i)) {
+                int end = text.indexOf("*/", i + 2);
+                i = end < 0 ? text.length() : end + 2;
+            } else if (text.startsWith("//", i)) {
+                int end = text.indexOf('\n', i);
+                i = end < 0 ? text.length() : end;
+            } else {
+                i++;
+            }
+        }
+        return i == last;
+    }
+
+    /** The place behind the quote that ends what began before a place. */
+    private static int endOfQuoted(String text, int start) {
+        int i = start;
+        while (i < text.length() && text.charAt(i) != '"') {
+            i += text.charAt(i) == '\\' ? 2 : 1;
+        }
+        return i + 1;
+    }
+
+    /** What is wrong with a slash that begins no comment. */
+    static String ofSlash() {
+        return NOT_JSON + COMMENTS + ", found /";
     }
 
     /** Whether a number is wrong; the library knows a place in it or behind it. */

@@ -21,7 +21,7 @@ public record AmbientLight(
 
     @Override
     public void reflect(Ray ray, Hit hit, Colour diffuse, Colour specular, Illumination sum) {
-        sum.add(diffuse.red() * colour.red(), diffuse.green() * colour.green(), diffuse.blue() * colour.blue());
+        sum.add(diffuse.red() * colour.red(), diffuse.green() * colour.green(), diffuse.blue() * colour.blue(), 1);
     }
 
     @Override

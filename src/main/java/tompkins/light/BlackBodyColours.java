@@ -1,7 +1,9 @@
 package tompkins.light;
 
+import java.util.List;
 import org.joml.Matrix3d;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import tompkins.ray.Colour;
 
 /**
@@ -11,8 +13,8 @@ import tompkins.ray.Colour;
  * stands for a surface in the light of a black body of 6504 K, the colour temperature of a screen's white, that
  * reflects as much of all light below 494 nm, of all between 494 and 590 nm, and of all above as gives the colour. With
  * these edges no colour of a screen needs a negative amount of any band. Black-body radiation of temperature T, seen
- * with Doppler factor D, is that of temperature D T, because radiance divided by the cube of the frequency is the same
- * in all frames.
+ * with Doppler factor D, is that of temperature D T, because spectral radiance divided by the cube of the frequency is
+ * the same in all frames.
  */
 final class BlackBodyColours {
 
@@ -29,9 +31,11 @@ final class BlackBodyColours {
     /** Softness of the edges, so that sums over wavelengths are smooth. */
     private static final double SOFTNESS = 2;
 
-    private static final int SHORTEST = 360;
-    private static final int LONGEST = 830;
-    private static final int STEP = 2;
+    /** Beyond so many softnesses an edge is as good as sharp: exp(-40) added to 1 is 1. */
+    private static final double NOT_TOLD_FROM_ONE = 40;
+
+    /** The wavelength at which the fifth power in Planck's law counts as 1; any unit of light will do. */
+    private static final double WEIGHT_ONE = 555;
 
     /** Linear sRGB from CIE 1931 XYZ (IEC 61966-2-1). */
     private static final Matrix3d SCREEN =
@@ -46,7 +50,7 @@ final class BlackBodyColours {
     /** Logarithm of the largest one: beyond it the visible light of all black bodies grows with the temperature. */
     private static final double MOST = 9;
 
-    private static final int STEPS_PER_UNIT = 200;
+    private static final int STEPS_PER_UNIT = 400;
     private static final int ENTRIES = (int) ((MOST - LEAST) * STEPS_PER_UNIT) + 1;
 
     /**
@@ -98,7 +102,8 @@ final class BlackBodyColours {
     }
 
     private static double[] table() {
-        Matrix3d atRest = bands(1);
+        List<SpectralPoint> spectrum = spectrum();
+        Matrix3d atRest = bands(spectrum, 1);
         Vector3d white = atRest.transform(new Vector3d(1));
         // the camera is balanced to the light in which the scene is white
         Matrix3d balance = new Matrix3d().scaling(1 / white.x, 1 / white.y, 1 / white.z);
@@ -106,54 +111,52 @@ final class BlackBodyColours {
         double[] table = new double[9 * ENTRIES];
         for (int place = 0; place < ENTRIES; place++) {
             double dopplerFactor = Math.exp(LEAST + (double) place / STEPS_PER_UNIT);
-            Matrix3d change = balance.mul(bands(dopplerFactor), new Matrix3d()).mul(shares);
+            Matrix3d change =
+                    balance.mul(bands(spectrum, dopplerFactor), new Matrix3d()).mul(shares);
             // JOML stores columns, the table holds rows
             change.transpose().get(table, 9 * place);
         }
         return table;
     }
 
+    /**
+     * A wavelength, and what it adds to the channels of a screen for each unit of the Planck factor 1/(exp(h
+     * c/(wavelength k T)) - 1).
+     */
+    private record SpectralPoint(double wavelength, Vector3dc weight) {}
+
+    private static List<SpectralPoint> spectrum() {
+        return ColourMatching.table().stream()
+                .map(point -> new SpectralPoint(
+                        point.wavelength(),
+                        SCREEN.transform(point.xyz(), new Vector3d())
+                                .mul(Math.pow(point.wavelength() / WEIGHT_ONE, -5))))
+                .toList();
+    }
+
     /** The screen's colours, as columns, of the three bands of the black body: long wavelengths, middle, short. */
-    private static Matrix3d bands(double dopplerFactor) {
+    private static Matrix3d bands(List<SpectralPoint> spectrum, double dopplerFactor) {
         Vector3d longWaves = new Vector3d();
         Vector3d middle = new Vector3d();
         Vector3d shortWaves = new Vector3d();
-        for (int wavelength = SHORTEST; wavelength <= LONGEST; wavelength += STEP) {
-            double radiance = radiance(wavelength, dopplerFactor * WHITE_TEMPERATURE);
-            Vector3d seen = SCREEN.transform(matching(wavelength)).mul(radiance);
-            double inScene = dopplerFactor * wavelength;
+        double exponent = SECOND_RADIATION_CONSTANT / (dopplerFactor * WHITE_TEMPERATURE);
+        for (SpectralPoint point : spectrum) {
+            double planck = 1 / Math.expm1(exponent / point.wavelength());
+            double inScene = dopplerFactor * point.wavelength();
             double aboveFirst = above(FIRST_EDGE, inScene);
             double aboveSecond = above(SECOND_EDGE, inScene);
-            longWaves.fma(aboveSecond, seen);
-            middle.fma(aboveFirst - aboveSecond, seen);
-            shortWaves.fma(1 - aboveFirst, seen);
+            longWaves.fma(aboveSecond * planck, point.weight());
+            middle.fma((aboveFirst - aboveSecond) * planck, point.weight());
+            shortWaves.fma((1 - aboveFirst) * planck, point.weight());
         }
         return new Matrix3d(longWaves, middle, shortWaves);
     }
 
-    /** Planck's law, in any unit. */
-    private static double radiance(double wavelength, double temperature) {
-        return Math.pow(wavelength / SHORTEST, -5) / Math.expm1(SECOND_RADIATION_CONSTANT / (wavelength * temperature));
-    }
-
     private static double above(double edge, double wavelength) {
-        return 1 / (1 + Math.exp((edge - wavelength) / SOFTNESS));
-    }
-
-    /**
-     * The CIE 1931 colour-matching functions, after C. Wyman, P.-P. Sloan, P. Shirley, JCGT 2(2) (2013), equation (4).
-     */
-    private static Vector3d matching(double wavelength) {
-        return new Vector3d(
-                0.362 * lobe(wavelength, 442.0, 0.0624, 0.0374)
-                        + 1.056 * lobe(wavelength, 599.8, 0.0264, 0.0323)
-                        - 0.065 * lobe(wavelength, 501.1, 0.0490, 0.0382),
-                0.821 * lobe(wavelength, 568.8, 0.0213, 0.0247) + 0.286 * lobe(wavelength, 530.9, 0.0613, 0.0322),
-                1.217 * lobe(wavelength, 437.0, 0.0845, 0.0278) + 0.681 * lobe(wavelength, 459.0, 0.0385, 0.0725));
-    }
-
-    private static double lobe(double wavelength, double peak, double narrownessBelow, double narrownessAbove) {
-        double distance = (wavelength - peak) * (wavelength < peak ? narrownessBelow : narrownessAbove);
-        return Math.exp(-distance * distance / 2);
+        double depth = (edge - wavelength) / SOFTNESS;
+        if (Math.abs(depth) > NOT_TOLD_FROM_ONE) {
+            return depth < 0 ? 1 : 0;
+        }
+        return 1 / (1 + Math.exp(depth));
     }
 }

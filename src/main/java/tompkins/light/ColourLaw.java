@@ -63,6 +63,17 @@ public enum ColourLaw {
     public abstract Colour seen(Colour light, double dopplerFactor);
 
     /**
+     * How light that a lamp has sent to a surface looks in the camera frame.
+     *
+     * @param light its colour, as if lamp and surface had one frame
+     * @param lampFactor frequency in the frame of the surface divided by that in the frame of the lamp
+     * @param dopplerFactor frequency in the camera frame divided by that in the frame of the surface
+     */
+    public Colour seen(Colour light, double lampFactor, double dopplerFactor) {
+        return seen(light.times(brightness(lampFactor)), dopplerFactor);
+    }
+
+    /**
      * The luminance in the camera frame of light that is white in the scene, 1 if nothing changes.
      *
      * @param dopplerFactor D, from 0 upwards

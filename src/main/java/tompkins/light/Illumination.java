@@ -6,43 +6,66 @@ import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
 /**
- * The light sources of a frame, and the sum of what a surface sends back of their light. One for each thread, whose
- * memory is used again for every point: a colour for each source would be most of what a picture allocates.
+ * The light sources, and the sum of what a surface sends back of their light. One for each thread, whose memory is used
+ * again for every point: a colour for each source would be most of what a picture allocates.
  */
 public final class Illumination {
 
     private final List<LightSource> sources;
-    private final Visibility visibility;
+    private final Lighting lighting;
+    private final Sightline sight = new Sightline();
+    private Ray ray;
+    private Hit hit;
+    private int source;
     private double red;
     private double green;
     private double blue;
 
-    /** The light of some sources, where it is visible. */
-    public Illumination(List<LightSource> sources, Visibility visibility) {
+    /** The light of some sources, as far as it gets to where it is asked for. */
+    public Illumination(List<LightSource> sources, Lighting lighting) {
         this.sources = sources;
-        this.visibility = visibility;
+        this.lighting = lighting;
     }
 
     /** The light that a point with the given colours sends back along a ray that hit it. */
-    public Colour reflected(Ray ray, Hit hit, Colour diffuse, Colour specular) {
+    public Colour reflected(Ray newRay, Hit newHit, Colour diffuse, Colour specular) {
+        ray = newRay;
+        hit = newHit;
         red = 0;
         green = 0;
         blue = 0;
-        for (int i = 0; i < sources.size(); i++) {
-            sources.get(i).reflect(ray, hit, diffuse, specular, this);
+        for (source = 0; source < sources.size(); source++) {
+            sources.get(source).reflect(ray, hit, diffuse, specular, this);
         }
         return new Colour(red, green, blue);
     }
 
-    /** Adds the light of a source. */
-    void add(double moreRed, double moreGreen, double moreBlue) {
+    /** The light that a point sends out by itself along a ray that hit it. */
+    public Colour emitted(Ray hitting, Colour light) {
+        return lighting.shifts() ? lighting.seen(light, hitting, 1) : light;
+    }
+
+    /** Adds light that a source sends to the point and the point sends on. */
+    void add(double moreRed, double moreGreen, double moreBlue, double dopplerFactor) {
+        if (lighting.shifts()) {
+            Colour seen = lighting.seen(new Colour(moreRed, moreGreen, moreBlue), ray, dopplerFactor);
+            red += seen.red();
+            green += seen.green();
+            blue += seen.blue();
+            return;
+        }
         red += moreRed;
         green += moreGreen;
         blue += moreBlue;
     }
 
-    /** Whether nothing that throws a shadow lies between a hit and the place (x, y, z). */
-    boolean isClear(Hit from, double x, double y, double z) {
-        return visibility.isClear(from, x, y, z);
+    /** The way to the source, or null if its light does not get to the point. */
+    Sightline sight() {
+        return lighting.find(source, hit, sight) ? sight : null;
+    }
+
+    /** Whether nothing that throws a shadow lies on that way. */
+    boolean isClear() {
+        return lighting.isClear(source, hit, sight);
     }
 }

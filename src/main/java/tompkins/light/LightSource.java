@@ -5,8 +5,8 @@ import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
-/** A source of light, at rest in the frame that it lights. */
-public sealed interface LightSource permits AmbientLight, PointLight {
+/** A source of light: one that rests, or several that move. */
+public sealed interface LightSource permits AmbientLight, PointLight, MovingLights {
 
     /** Adds the light of this source that a surface with the given colours sends back along a ray that hit it. */
     void reflect(Ray ray, Hit hit, Colour diffuse, Colour specular, Illumination sum);

@@ -46,13 +46,17 @@ public record PointLight(
 
     @Override
     public void reflect(Ray ray, Hit hit, Colour diffuse, Colour specular, Illumination sum) {
-        double lx = position.x() - hit.x;
-        double ly = position.y() - hit.y;
-        double lz = position.z() - hit.z;
+        Sightline sight = sum.sight();
+        if (sight == null) {
+            return;
+        }
+        double lx = sight.x;
+        double ly = sight.y;
+        double lz = sight.z;
         double lightAlongNormal = lx * hit.normalX + ly * hit.normalY + lz * hit.normalZ;
         boolean behind = lightAlongNormal * hit.cosine(ray) > 0;
         double distance = Math.sqrt(lx * lx + ly * ly + lz * lz);
-        if (behind || distance == 0 || !sum.isClear(hit, position.x(), position.y(), position.z())) {
+        if (behind || distance == 0 || !sum.isClear()) {
             return;
         }
         double dull = Math.abs(lightAlongNormal) / distance;
@@ -61,7 +65,8 @@ public record PointLight(
         sum.add(
                 diffuse.red() * colour.red() * dull + specular.red() * highlightColour.red() * shine,
                 diffuse.green() * colour.green() * dull + specular.green() * highlightColour.green() * shine,
-                diffuse.blue() * colour.blue() * dull + specular.blue() * highlightColour.blue() * shine);
+                diffuse.blue() * colour.blue() * dull + specular.blue() * highlightColour.blue() * shine,
+                sight.dopplerFactor);
     }
 
     /** Cosine between the ray and the light that the surface mirrors; both point into the surface. */

@@ -22,7 +22,11 @@ public final class ConePrimitive extends Primitive {
     /** Null if the surface asks for no coordinates. */
     private final RoundCoordinates round;
 
-    /** The mantle of an object's cone, before it is placed. */
+    /**
+     * The mantle of an object's cone, before it is placed.
+     *
+     * @throws ArithmeticException if it is too large, too small or too flat to work with
+     */
     public ConePrimitive(
             Described object,
             Surface surface,
@@ -37,6 +41,8 @@ public final class ConePrimitive extends Primitive {
         axis = Vectors.unit(toBase);
         this.baseRadius = baseRadius * placement.scale();
         slope = this.baseRadius / height;
+        requireSquare(height);
+        requireSquare(1 + slope);
         round = surface.usesCoordinates()
                 ? RoundCoordinates.around(describedTip.sub(baseCentre, new Vector3d()), placement)
                 : null;
@@ -110,10 +116,10 @@ public final class ConePrimitive extends Primitive {
         double along = x * axis.x + y * axis.y + z * axis.z;
         Vector3d radial = new Vector3d(x - along * axis.x, y - along * axis.y, z - along * axis.z);
         double radius = radial.length();
-        if (radius > 0) {
+        if (hasSquare(radius)) {
             radial.div(radius);
         } else {
-            radial.set(Vectors.firstAxis(axis));
+            radial.set(radial.equals(0, 0, 0) ? Vectors.firstAxis(axis) : Vectors.unit(radial));
         }
         double steepness = 1 / Math.sqrt(1 + slope * slope);
         Vector3d normal =

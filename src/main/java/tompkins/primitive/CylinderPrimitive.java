@@ -36,7 +36,11 @@ public final class CylinderPrimitive extends Primitive {
     private final FaceCoordinates startFace;
     private final FaceCoordinates endFace;
 
-    /** A cylinder that is, or is part of, an object, before it is placed. */
+    /**
+     * A cylinder that is, or is part of, an object, before it is placed.
+     *
+     * @throws ArithmeticException if it is too large or too small to work with
+     */
     public CylinderPrimitive(
             Described object,
             Surface surface,
@@ -58,6 +62,8 @@ public final class CylinderPrimitive extends Primitive {
         squaredLength = axis.lengthSquared();
         length = axis.length();
         this.radius = radius * placement.scale();
+        requireSquare(length);
+        requireSquare(length + this.radius);
         this.caps = caps;
         boolean usesCoordinates = surface.usesCoordinates();
         round = usesCoordinates ? RoundCoordinates.around(toEnd, placement) : null;
@@ -229,11 +235,10 @@ public final class CylinderPrimitive extends Primitive {
                 wx + distance * ray.dx - along * axisX,
                 wy + distance * ray.dy - along * axisY,
                 wz + distance * ray.dz - along * axisZ);
-        if (normal.lengthSquared() > 0) {
+        if (hasSquare(normal.length())) {
             normal.normalize();
         } else {
-            // too thin to be told from its axis at this distance: facing the ray
-            normal.set(-ray.dx, -ray.dy, -ray.dz);
+            normal.set(unitOrFacing(ray, normal.x, normal.y, normal.z));
         }
         return memory.set(
                 ray,

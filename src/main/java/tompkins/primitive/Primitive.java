@@ -1,6 +1,7 @@
 package tompkins.primitive;
 
 import org.joml.Vector3d;
+import tompkins.math.Vectors;
 import tompkins.ray.Boundary;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -34,6 +35,7 @@ public abstract class Primitive implements Boundary, Cloneable {
     private final Shadow shadow;
     private int order;
     private double slack;
+    private RestFrame restFrame = RestFrame.OUTERMOST;
 
     /** A primitive of an object as a scene file describes it. */
     protected Primitive(Described object, Surface surface) {
@@ -104,6 +106,28 @@ public abstract class Primitive implements Boundary, Cloneable {
             margins[i] = most + margins[i] * margins[i] - (fx * fx + fy * fy + fz * fz);
         }
         return true;
+    }
+
+    /**
+     * Refuses a length whose square overflows, or is so near to 0 that it loses digits.
+     *
+     * @throws ArithmeticException if it does
+     */
+    static void requireSquare(double length) {
+        double square = length * length;
+        if (!(square >= Double.MIN_NORMAL && square < Double.POSITIVE_INFINITY)) {
+            throw new ArithmeticException("no square: " + length);
+        }
+    }
+
+    /**
+     * The unit vector along (x, y, z), also where its square is no number or 0; against the ray if it has no length, as
+     * on a shape that is too small to be told from its centre at this distance.
+     */
+    static Vector3d unitOrFacing(Ray ray, double x, double y, double z) {
+        return x == 0 && y == 0 && z == 0
+                ? new Vector3d(-ray.dx, -ray.dy, -ray.dz)
+                : Vectors.unit(new Vector3d(x, y, z));
     }
 
     /** Whether products of squares of a size are neither 0 nor infinite. */
@@ -226,6 +250,21 @@ public abstract class Primitive implements Boundary, Cloneable {
         this.order = order;
         Bounds bounds = bounds();
         slack = bounds == null ? 0 : SLACK * bounds.farthest();
+    }
+
+    @Override
+    public final double clockOffset() {
+        return restFrame.clockOffset() - restFrame.zero().time();
+    }
+
+    /** The frame in which the object rests. */
+    public final RestFrame restFrame() {
+        return restFrame;
+    }
+
+    /** Sets the frame in which the object rests. */
+    public final void setRestFrame(RestFrame frame) {
+        restFrame = frame;
     }
 
     /** The nearer of two distances that lies in front and not beyond a limit. */

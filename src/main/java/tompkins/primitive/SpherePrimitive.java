@@ -82,10 +82,16 @@ public final class SpherePrimitive extends Primitive {
         double ny = ray.y - y + distance * ray.dy;
         double nz = ray.z - z + distance * ray.dz;
         double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-        // too small to be told from its centre at this distance: facing the ray
-        nx = length > 0 ? nx / length : -ray.dx;
-        ny = length > 0 ? ny / length : -ray.dy;
-        nz = length > 0 ? nz / length : -ray.dz;
+        if (hasSquare(length)) {
+            nx /= length;
+            ny /= length;
+            nz /= length;
+        } else {
+            Vector3d normal = unitOrFacing(ray, nx, ny, nz);
+            nx = normal.x;
+            ny = normal.y;
+            nz = normal.z;
+        }
         SurfaceCoordinates coordinates = round == null ? null : coordinates(new Vector3d(nx, ny, nz));
         return memory.set(
                 ray, distance, x + radius * nx, y + radius * ny, z + radius * nz, nx, ny, nz, this, 0, coordinates);

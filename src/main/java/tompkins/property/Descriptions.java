@@ -25,6 +25,12 @@ public final class Descriptions {
 
     private Descriptions() {}
 
+    /** What scene files call a record type. */
+    public static String name(Class<?> type) {
+        TypeName name = type.getAnnotation(TypeName.class);
+        return name == null ? type.getSimpleName() : name.value();
+    }
+
     /** The components of a record type, in their order. */
     public static List<RecordComponent> components(Class<?> type) {
         return COMPONENTS.get(type);

@@ -28,6 +28,14 @@ public final class InvalidPropertyException extends IllegalArgumentException {
         this.byItself = byItself;
     }
 
+    /** What is wrong with a part of something, told of the whole: "scene[0] velocity must be ...". */
+    public InvalidPropertyException(String whole, InvalidPropertyException part) {
+        super(whole + ": " + part.getMessage(), part);
+        property = whole;
+        problem = part.getMessage();
+        byItself = part.byItself;
+    }
+
     private static String problem(String allowed, Object value) {
         return "must be " + allowed + ", was " + (value instanceof Double number ? NumberText.of(number) : value);
     }

@@ -18,19 +18,34 @@ public final class NumberText {
     private static final Pattern NUMBER =
             Pattern.compile("[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?|NaN|[+-]?Infinity");
 
+    private static final Pattern DECIMAL_COMMA = Pattern.compile("[+-]?[0-9]*,[0-9]+([eE][+-]?[0-9]+)?");
+
+    private static final Pattern THOUSANDS_COMMA = Pattern.compile("[+-]?[1-9][0-9]{0,2},[0-9]{3}([eE].*)?");
+
     private NumberText() {}
 
     /**
-     * The number that a text writes, with spaces around it or without; what else Java takes for one, such as {@code 3d}
-     * or {@code 0x1p3}, is none.
+     * The number that a text writes, with spaces around it or without, and with a point or a comma before its fraction,
+     * see {@link #withPoint}; what else Java takes for one, such as {@code 3d} or {@code 0x1p3}, is none.
      *
      * @throws NumberFormatException if the text is no number
      */
     public static double parse(String text) {
-        if (!NUMBER.matcher(text.trim()).matches()) {
+        String plain = withPoint(text.trim());
+        if (!NUMBER.matcher(plain).matches()) {
             throw new NumberFormatException(text);
         }
-        return Double.parseDouble(text);
+        return Double.parseDouble(plain);
+    }
+
+    /**
+     * A number with a decimal comma, such as {@code 0,9}, with a point instead. Any other text stays as it is; so does
+     * {@code 1,500}, in which the comma may also separate thousands.
+     */
+    public static String withPoint(String text) {
+        boolean decimal = DECIMAL_COMMA.matcher(text).matches()
+                && !THOUSANDS_COMMA.matcher(text).matches();
+        return decimal ? text.replace(',', '.') : text;
     }
 
     /** All digits of a number, but no more than it needs: read again, they give the same bits. */

@@ -96,6 +96,21 @@ public final class Hit {
         return this;
     }
 
+    /** What a clock at the hit shows, which rests with the object: its proper time and the offset of its clock. */
+    public double clockReading() {
+        return time + boundary.clockOffset();
+    }
+
+    /** Makes this a place and a time on nothing, to ask what light gets there. */
+    public void setPlace(double newX, double newY, double newZ, double newTime) {
+        x = newX;
+        y = newY;
+        z = newZ;
+        time = newTime;
+        boundary = null;
+        part = 0;
+    }
+
     /** Cosine between the ray and the outward normal: negative where the ray comes from outside. */
     public double cosine(Ray ray) {
         return ray.dx * normalX + ray.dy * normalY + ray.dz * normalZ;

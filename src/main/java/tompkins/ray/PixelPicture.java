@@ -71,10 +71,14 @@ public final class PixelPicture implements FileContent {
         return new Colour(rgba[index], rgba[index + 1], rgba[index + 2]);
     }
 
-    /** Whether (u, v) lies on a dark and opaque pixel: opacity at least 1/2, blue below level 127 of 255. */
+    /**
+     * Whether (u, v) lies on a dark and opaque pixel: opacity at least 1/2, and the luminance of its numbers (ITU-R
+     * BT.709) below level 127 of 255.
+     */
     public boolean isDark(double u, double v) {
         int index = index(u, v);
-        return rgba[index + 3] >= 0.5f && rgba[index + 2] < LEAST_BRIGHT;
+        double luminance = 0.2126 * rgba[index] + 0.7152 * rgba[index + 1] + 0.0722 * rgba[index + 2];
+        return rgba[index + 3] >= 0.5f && luminance < LEAST_BRIGHT;
     }
 
     private int index(double u, double v) {

@@ -35,6 +35,17 @@ public final class Ray {
     /** Frequency of the light in the frame of this ray, divided by its frequency in the camera frame. */
     public double frequency;
 
+    /**
+     * Length in this frame of the direction that had length 1 when the ray left the camera: a distance divided by it is
+     * the same number in all frames. For light in vacuum, under the Lorentz transformation, it is the frequency.
+     */
+    public double stretch;
+
+    /**
+     * Whether this is no light, but a line of events at one time of the camera: so things are measured instead of seen.
+     */
+    public boolean measures;
+
     /** Diameter, at the start, of the bundle of light that the ray stands for. */
     public double width;
 
@@ -72,18 +83,23 @@ public final class Ray {
         ray.time = time;
         ray.slowness = 1;
         ray.frequency = 1;
+        ray.stretch = 1;
         ray.throughput = 1;
         return ray;
     }
 
     /**
-     * The same light in another frame.
+     * Makes this the same light as another ray, which may be this one, in another frame.
      *
+     * @param other the ray in its frame
      * @param newSlowness slowness in the new frame
      * @param frequencyFactor frequency in the new frame divided by that in the frame of this ray
-     * @param angleFactor small angles between rays are divided by it
+     * @param lengthFactor length of the direction in the new frame, which is a unit vector in that of this ray; small
+     *     angles between rays are divided by it
+     * @return this
      */
-    public Ray inFrame(
+    public Ray setInFrame(
+            Ray other,
             double newX,
             double newY,
             double newZ,
@@ -93,36 +109,46 @@ public final class Ray {
             double newTime,
             double newSlowness,
             double frequencyFactor,
-            double angleFactor) {
-        Ray ray = copy();
-        ray.x = newX;
-        ray.y = newY;
-        ray.z = newZ;
-        ray.dx = newDx;
-        ray.dy = newDy;
-        ray.dz = newDz;
-        ray.time = newTime;
-        ray.slowness = newSlowness;
-        ray.frequency *= frequencyFactor;
-        ray.spread /= angleFactor;
-        ray.boundary = null;
-        ray.part = 0;
-        return ray;
+            double lengthFactor) {
+        set(other);
+        x = newX;
+        y = newY;
+        z = newZ;
+        dx = newDx;
+        dy = newDy;
+        dz = newDz;
+        time = newTime;
+        slowness = newSlowness;
+        frequency *= frequencyFactor;
+        stretch *= lengthFactor;
+        spread /= lengthFactor;
+        boundary = null;
+        part = 0;
+        return this;
+    }
+
+    /** Moves the start in space and time. */
+    public Ray move(double byX, double byY, double byZ, double byTime) {
+        x += byX;
+        y += byY;
+        z += byZ;
+        time += byTime;
+        return this;
     }
 
     /** The same ray with its start moved in space and time. */
     public Ray moved(double byX, double byY, double byZ, double byTime) {
-        Ray moved = copy();
-        moved.x += byX;
-        moved.y += byY;
-        moved.z += byZ;
-        moved.time += byTime;
-        return moved;
+        return copy().move(byX, byY, byZ, byTime);
     }
 
     /** The ray that goes on from a hit in a new unit direction, with a share of this ray's light. */
     public Ray bent(Hit hit, double newDx, double newDy, double newDz, double share) {
-        return bent(hit, newDx, newDy, newDz, slowness, 1, share);
+        return bent(hit, newDx, newDy, newDz, lightSlowness(), 1, share);
+    }
+
+    /** The slowness of this ray, or, if it measures, that of the light which goes on where a surface bends it: 1. */
+    public double lightSlowness() {
+        return measures ? 1 : slowness;
     }
 
     /**
@@ -134,6 +160,7 @@ public final class Ray {
             Hit hit, double newDx, double newDy, double newDz, double newSlowness, double angleFactor, double share) {
         Ray ray = copy();
         ray.startOn(hit);
+        ray.measures = false;
         ray.dx = newDx;
         ray.dy = newDy;
         ray.dz = newDz;
@@ -153,28 +180,36 @@ public final class Ray {
     }
 
     private Ray copy() {
-        Ray copy = new Ray();
-        copy.x = x;
-        copy.y = y;
-        copy.z = z;
-        copy.dx = dx;
-        copy.dy = dy;
-        copy.dz = dz;
-        copy.time = time;
-        copy.slowness = slowness;
-        copy.frequency = frequency;
-        copy.width = width;
-        copy.spread = spread;
-        copy.throughput = throughput;
-        copy.boundary = boundary;
-        copy.part = part;
-        copy.depth = depth;
-        return copy;
+        return new Ray().set(this);
+    }
+
+    /** Makes this equal to another ray. */
+    public Ray set(Ray other) {
+        x = other.x;
+        y = other.y;
+        z = other.z;
+        dx = other.dx;
+        dy = other.dy;
+        dz = other.dz;
+        time = other.time;
+        slowness = other.slowness;
+        frequency = other.frequency;
+        stretch = other.stretch;
+        measures = other.measures;
+        width = other.width;
+        spread = other.spread;
+        throughput = other.throughput;
+        boundary = other.boundary;
+        part = other.part;
+        depth = other.depth;
+        return this;
     }
 
     /** The same ray beyond a hit, with a share of its light. */
     public Ray straightOn(Hit hit, double share) {
-        return bent(hit, dx, dy, dz, share);
+        Ray ray = bent(hit, dx, dy, dz, slowness, 1, share);
+        ray.measures = measures;
+        return ray;
     }
 
     /**
@@ -182,12 +217,19 @@ public final class Ray {
      * way.
      */
     public Ray setShadow(Hit hit, double toX, double toY, double toZ) {
+        return setShadow(hit, toX, toY, toZ, 1);
+    }
+
+    /** As above, with a slowness. */
+    public Ray setShadow(Hit hit, double toX, double toY, double toZ, double newSlowness) {
         startOn(hit);
         dx = toX;
         dy = toY;
         dz = toZ;
-        slowness = 1;
+        slowness = newSlowness;
         frequency = 1;
+        stretch = 1;
+        measures = false;
         width = 0;
         spread = 0;
         throughput = 1;
@@ -197,7 +239,7 @@ public final class Ray {
 
     /** The ray of a shadow test, beyond something clear. */
     public Ray shadowBeyond(Hit hit) {
-        return new Ray().setShadow(hit, dx, dy, dz);
+        return new Ray().setShadow(hit, dx, dy, dz, slowness);
     }
 
     /** Time of the light at a distance from the start: it falls with the distance. */

@@ -39,14 +39,20 @@ public final class RayPacket {
     /** Frequencies in the frame of the rays, divided by those in the camera frame. */
     public final double[] frequency;
 
+    /** Lengths of the directions that had length 1 when the rays left the camera. */
+    public final double[] stretch;
+
     /** What a camera sets; the rest is the same for all its rays. */
     private final double[][] setByCamera;
+
+    private final double[][] numbers;
 
     private final double[] width;
     private final double[] throughput;
     private final int[] depth;
     private final int[] samples;
     private int count;
+    private boolean measures;
 
     /** A block without rays, with room for {@code most}. */
     public RayPacket(int most) {
@@ -59,12 +65,14 @@ public final class RayPacket {
         time = new double[most];
         slowness = new double[most];
         frequency = new double[most];
+        stretch = new double[most];
         width = new double[most];
         throughput = new double[most];
         depth = new int[most];
         spread = new double[most];
         samples = new int[most];
         setByCamera = new double[][] {x, y, z, dx, dy, dz, time, spread};
+        numbers = new double[][] {x, y, z, dx, dy, dz, time, spread, slowness, frequency, stretch, width, throughput};
     }
 
     /** Number of rays. */
@@ -77,9 +85,11 @@ public final class RayPacket {
      */
     public void begin(int newCount) {
         count = newCount;
+        measures = false;
         for (int i = 0; i < count; i++) {
             slowness[i] = 1;
             frequency[i] = 1;
+            stretch[i] = 1;
             width[i] = 0;
             throughput[i] = 1;
             depth[i] = 0;
@@ -90,6 +100,32 @@ public final class RayPacket {
     /** Lets all rays, which have just left the camera, start in a medium with a slowness. */
     public void startIn(double mediumSlowness) {
         Arrays.fill(slowness, 0, count, mediumSlowness);
+    }
+
+    /** Makes all rays, which have just left the camera, lines of events at one time of the camera. */
+    public void measure() {
+        startIn(0);
+        measures = true;
+    }
+
+    /** Makes this hold the same rays as another block. */
+    public void set(RayPacket other) {
+        count = other.count;
+        measures = other.measures;
+        for (int i = 0; i < numbers.length; i++) {
+            System.arraycopy(other.numbers[i], 0, numbers[i], 0, count);
+        }
+        System.arraycopy(other.depth, 0, depth, 0, count);
+        System.arraycopy(other.samples, 0, samples, 0, count);
+    }
+
+    /** Whether all rays are light in vacuum. */
+    public boolean isInVacuum() {
+        int others = 0;
+        for (int i = 0; i < count; i++) {
+            others += slowness[i] == 1 ? 0 : 1;
+        }
+        return others == 0;
     }
 
     /** Multiplies the opening angle of all rays by a factor, such as the part of its pixel that a ray stands for. */
@@ -134,6 +170,7 @@ public final class RayPacket {
         time[place] = ray.time;
         slowness[place] = ray.slowness;
         frequency[place] = ray.frequency;
+        stretch[place] = ray.stretch;
         width[place] = ray.width;
         throughput[place] = ray.throughput;
         depth[place] = ray.depth;
@@ -156,6 +193,8 @@ public final class RayPacket {
         memory.time = time[place];
         memory.slowness = slowness[place];
         memory.frequency = frequency[place];
+        memory.stretch = stretch[place];
+        memory.measures = measures;
         memory.width = width[place];
         memory.spread = spread[place];
         memory.throughput = throughput[place];

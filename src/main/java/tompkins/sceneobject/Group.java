@@ -26,6 +26,11 @@ public record Group(
     }
 
     @Override
+    public boolean moves() {
+        return objects.stream().anyMatch(SceneObject::moves);
+    }
+
+    @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
         for (SceneObject object : objects) {
             object.addTo(collector, placement);

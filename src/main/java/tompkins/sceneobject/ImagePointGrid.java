@@ -71,6 +71,11 @@ public record ImagePointGrid(
     }
 
     @Override
+    public boolean moves() {
+        return object.moves();
+    }
+
+    @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
         // copies of copies of nothing would take for ever, too
         if (object.primitiveCount() == 0) {
@@ -81,7 +86,7 @@ public record ImagePointGrid(
                 Vector3d point = new Vector3d(corner)
                         .add(new Vector3d(spanU).mul(share(i, points.x())))
                         .add(new Vector3d(spanV).mul(share(j, points.y())));
-                Vector3dc place = collector.imagePoints().inFrame(point);
+                Vector3dc place = collector.imagePoint(point);
                 // a point whose light never crosses the shutter is photographed nowhere
                 if (place.isFinite()) {
                     object.addTo(collector, placement.after(new Placement(1, new Matrix3d(), place)));

@@ -47,6 +47,11 @@ public record Placed(
     }
 
     @Override
+    public boolean moves() {
+        return object.moves();
+    }
+
+    @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
         Matrix3d rotation = new Matrix3d().rotation(Math.toRadians(rotationDegrees), Vectors.unit(rotationAxis));
         object.addTo(collector, placement.after(new Placement(scale, rotation, translation)));

@@ -2,32 +2,72 @@ package tompkins.sceneobject;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.joml.Matrix3d;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Placement;
 import tompkins.primitive.Primitive;
+import tompkins.primitive.RestFrame;
 import tompkins.property.InvalidPropertyException;
+import tompkins.spacetime.Event;
+import tompkins.spacetime.FrameMotion;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
 
-/** Collects the primitives of one frame for one picture, and numbers them in the order of the scene file. */
+/**
+ * Collects the primitives of a scene for one picture, one list for each velocity, and numbers them all in the order of
+ * the scene file.
+ */
 public final class PrimitiveCollector {
 
     /** The sizes that always work: their fourth powers are far from the limits of a double. Others may work, too. */
     private static final String ALLOWED = "of a size that can be worked with (lengths from 1e-50 to 1e50 always can)";
 
-    private final List<Primitive> primitives = new ArrayList<>();
+    private static final String VELOCITY = "velocity";
+
     private final ImagePoints imagePoints;
+    private final TransformationLaw law;
+    private final Function<FrameMotion, Event> origins;
+    private final List<FrameObjects> frames = new ArrayList<>();
+    private int count;
+
+    // where what is added now belongs
+    private FrameObjects frame;
+    private RestFrame rest;
 
     /**
-     * A collector for objects of one frame.
+     * A collector.
      *
      * @param imagePoints where points in front of the camera are photographed
+     * @param law how coordinates change from frame to frame
+     * @param origins says for each motion at which event the coordinates of its frame shall begin; asked with null for
+     *     the outermost frame
      */
-    public PrimitiveCollector(ImagePoints imagePoints) {
+    public PrimitiveCollector(ImagePoints imagePoints, TransformationLaw law, Function<FrameMotion, Event> origins) {
         this.imagePoints = imagePoints;
+        this.law = law;
+        this.origins = origins;
+        frame = new FrameObjects(null, null, origins.apply(null));
+        frames.add(frame);
+        rest = restFrame(Event.ORIGIN, 0);
+    }
+
+    /** What rests in the present frame, and is described from an event of it. */
+    private RestFrame restFrame(Event zero, double clockOffset) {
+        return new RestFrame(frame.motion(), zero.minus(frame.origin()), clockOffset);
+    }
+
+    /** A collector for objects at rest whose place does not depend on the camera; image points stay where they are. */
+    public PrimitiveCollector() {
+        this(point -> new Event(point.x(), point.y(), point.z(), 0), TransformationLaw.NONE, motion -> Event.ORIGIN);
     }
 
     /** Collects objects whose place does not depend on the camera; image points stay where they are. */
     public static List<Primitive> primitivesOf(SceneObject object) {
-        PrimitiveCollector collector = new PrimitiveCollector(point -> point);
+        PrimitiveCollector collector = new PrimitiveCollector();
         object.addTo(collector, Placement.NONE);
         return collector.primitives();
     }
@@ -41,18 +81,24 @@ public final class PrimitiveCollector {
      * Adds the primitives of an object.
      *
      * @param property what scene files call the place of the object
-     * @throws InvalidPropertyException if the object is too large or too small to work with
+     * @throws InvalidPropertyException if the object is too large or too small to work with, or too fast
      */
     public void add(String property, SceneObject object, Placement placement) {
-        int first = primitives.size();
         try {
             object.addTo(this, placement);
-            primitives.subList(first, primitives.size()).forEach(PrimitiveCollector::requireSize);
-        } catch (ArithmeticException | InvalidPropertyException beyondNumbers) {
-            InvalidPropertyException refusal = refusal(property, '"' + object.description() + '"');
-            refusal.initCause(beyondNumbers);
-            throw refusal;
+        } catch (ArithmeticException beyondNumbers) {
+            throw refused(property, object, beyondNumbers);
+        } catch (InvalidPropertyException invalid) {
+            throw invalid.property().equals(VELOCITY)
+                    ? new InvalidPropertyException(property, invalid)
+                    : refused(property, object, invalid);
         }
+    }
+
+    private static InvalidPropertyException refused(String property, SceneObject object, RuntimeException cause) {
+        InvalidPropertyException refusal = refusal(property, '"' + object.description() + '"');
+        refusal.initCause(cause);
+        return refusal;
     }
 
     /** Accepts what has a size that is a number, or none, as planes. */
@@ -65,17 +111,96 @@ public final class PrimitiveCollector {
 
     /** Adds one primitive behind those that are there. */
     public void add(Primitive primitive) {
-        primitive.setOrder(primitives.size());
-        primitives.add(primitive);
+        requireSize(primitive);
+        primitive.setOrder(count++);
+        primitive.setRestFrame(rest);
+        frame.growing().add(primitive);
     }
 
-    /** Where points in front of the camera are photographed. */
-    public ImagePoints imagePoints() {
-        return imagePoints;
+    /**
+     * Adds what moves. All that moves with one velocity shares one frame: another place at time 0 is another place in
+     * it, and another zero of the own time.
+     *
+     * @param velocity velocity in the frame in which the placement places
+     * @param place where the origin of what moves is at own time 0, before the placement
+     * @param offset what its clocks show then
+     * @param content adds what moves, placed as it is told
+     * @throws InvalidPropertyException if motions together are too fast, or velocities too many
+     */
+    public void addMoving(
+            Velocity velocity, Vector3dc place, double offset, Placement placement, Consumer<Placement> content) {
+        FrameObjects outerFrame = frame;
+        RestFrame outerRest = rest;
+        double clockOffset = rest.clockOffset() + offset;
+        double ownZero = rest.zero().plus(frame.origin()).time();
+        Velocity turned = placement.velocity(velocity);
+        if (law == TransformationLaw.NONE || turned.isRest()) {
+            rest = new RestFrame(rest.motion(), rest.zero(), clockOffset);
+            content.accept(placement.after(new Placement(1, new Matrix3d(), place)));
+        } else {
+            Vector3d at = placement.place(place);
+            Event start = new Event(at.x, at.y, at.z, ownZero);
+            frame = frameFor(turned, start);
+            Event shift = law.sceneFromCamera(turned)
+                    .inverse()
+                    .transform(start.minus(frame.motion().start()));
+            rest = restFrame(shift, clockOffset);
+            content.accept(placement.inFrame(shift.position(), frame.origin().position()));
+        }
+        frame = outerFrame;
+        rest = outerRest;
     }
 
-    /** All primitives so far. */
+    private FrameObjects frameFor(Velocity velocity, Event start) {
+        FrameObjects known = frame.moving(velocity);
+        if (known != null) {
+            return known;
+        }
+        if (frames.size() > Moving.MOST_FRAMES) {
+            throw new InvalidPropertyException(
+                    VELOCITY, "one of at most " + Moving.MOST_FRAMES + " in a scene", velocity.toString());
+        }
+        FrameMotion motion = new FrameMotion(frame.motion(), velocity, start);
+        if (law == TransformationLaw.LORENTZ) {
+            motion.requireGamma(VELOCITY);
+        }
+        FrameObjects found = new FrameObjects(frame, motion, origins.apply(motion));
+        frame.add(found);
+        frames.add(found);
+        return found;
+    }
+
+    /**
+     * Where a point that is fixed to the camera is photographed, in the coordinates in which what is added now is
+     * described.
+     */
+    Vector3dc imagePoint(Vector3dc point) {
+        Event event = intoFrame(frame, imagePoints.inScene(point));
+        return event.minus(rest.zero().plus(frame.origin())).position();
+    }
+
+    private Event intoFrame(FrameObjects inner, Event inScene) {
+        if (inner.motion() == null) {
+            return inScene;
+        }
+        Event inOuter = intoFrame(inner.outer(), inScene);
+        return law.sceneFromCamera(inner.motion().velocity())
+                .inverse()
+                .transform(inOuter.minus(inner.motion().start()));
+    }
+
+    /** The frame in which what is added now rests. */
+    public FrameObjects frame() {
+        return frame;
+    }
+
+    /** What rests in each frame, so far: first what does not move. */
+    public List<FrameObjects> frames() {
+        return List.copyOf(frames);
+    }
+
+    /** All primitives at rest so far. */
     public List<Primitive> primitives() {
-        return List.copyOf(primitives);
+        return frames.get(0).primitives();
     }
 }

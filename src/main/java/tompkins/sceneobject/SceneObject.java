@@ -2,6 +2,7 @@ package tompkins.sceneobject;
 
 import tompkins.primitive.Described;
 import tompkins.primitive.Placement;
+import tompkins.property.InvalidPropertyException;
 
 /** Something in the scene: a shape, or several of them. Descriptions, immutable, checked when they are made. */
 public sealed interface SceneObject extends Described
@@ -18,6 +19,7 @@ public sealed interface SceneObject extends Described
                 Silhouette,
                 Group,
                 Placed,
+                Moving,
                 ImagePointGrid,
                 Hidden {
 
@@ -29,6 +31,26 @@ public sealed interface SceneObject extends Described
      */
     default double primitiveCount() {
         return 1;
+    }
+
+    /**
+     * The object, where only what rests means something.
+     *
+     * @throws InvalidPropertyException if something in it moves
+     */
+    static SceneObject requireAtRest(String property, SceneObject object) {
+        if (object.moves()) {
+            throw new InvalidPropertyException(
+                    property,
+                    "at rest with the camera, without Moving in it",
+                    '"' + object.description() + "\", which moves");
+        }
+        return object;
+    }
+
+    /** Whether something in it moves in the frame of the object. */
+    default boolean moves() {
+        return false;
     }
 
     /** Adds the primitives of this object, placed, in the order in which they are listed. */

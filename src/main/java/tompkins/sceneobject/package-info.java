@@ -4,3 +4,5 @@
  * what rays meet.
  */
 package tompkins.sceneobject;
+
+import tompkins.primitive.Primitive;

@@ -36,7 +36,7 @@ public final class NearestHit {
     }
 
     /** Takes up what a search has found before. */
-    void resume(Primitive found, double foundDistance) {
+    public void resume(Primitive found, double foundDistance) {
         primitive = found;
         distance = foundDistance;
     }

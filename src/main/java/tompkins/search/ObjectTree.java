@@ -100,7 +100,12 @@ public final class ObjectTree {
      * @return whether there is one; it stands in {@code nearest}
      */
     public boolean nearest(Ray ray, NearestHit nearest) {
-        searchListed(ray, nearest);
+        return nearest(ray, Primitive.NO_HIT, nearest);
+    }
+
+    /** As above, of what is not farther than a limit. */
+    public boolean nearest(Ray ray, double limit, NearestHit nearest) {
+        searchListed(ray, limit, nearest);
         if (root != null) {
             searchTree(root, ray, nearest);
         }
@@ -109,15 +114,20 @@ public final class ObjectTree {
 
     /** As {@link #nearest(Ray, NearestHit)}, for a ray that enters the tree through some nodes. */
     public boolean nearest(Ray ray, EntryNodes entries, NearestHit nearest) {
-        searchListed(ray, nearest);
+        return nearest(ray, Primitive.NO_HIT, entries, nearest);
+    }
+
+    /** As above, of what is not farther than a limit. */
+    public boolean nearest(Ray ray, double limit, EntryNodes entries, NearestHit nearest) {
+        searchListed(ray, limit, nearest);
         for (int i = 0; i < entries.count() && entries.distance(i) <= nearest.distance(); i++) {
             searchTree(entries.node(i), ray, nearest);
         }
         return nearest.primitive() != null;
     }
 
-    private void searchListed(Ray ray, NearestHit nearest) {
-        nearest.start(Primitive.NO_HIT);
+    private void searchListed(Ray ray, double limit, NearestHit nearest) {
+        nearest.start(limit);
         for (Primitive primitive : listed) {
             nearest.test(primitive, ray);
         }

@@ -281,10 +281,15 @@ public final class PacketSearch {
      * @return whether there is one
      */
     public boolean nearest(Ray ray, int place, NearestHit nearest) {
+        return nearest(ray, place, Primitive.NO_HIT, nearest);
+    }
+
+    /** As above; what is farther than a limit may be left out. */
+    public boolean nearest(Ray ray, int place, double limit, NearestHit nearest) {
         if (inBatches) {
             begin(place, nearest);
         } else {
-            nearest.start(Primitive.NO_HIT);
+            nearest.start(limit);
             candidates.search(ray, place, nearest);
         }
         return nearest.primitive() != null;

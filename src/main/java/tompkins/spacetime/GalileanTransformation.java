@@ -1,5 +1,6 @@
 package tompkins.spacetime;
 
+import org.hipparchus.dfp.Dfp;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
@@ -45,6 +46,18 @@ final class GalileanTransformation implements SpaceTimeTransformation {
         return new Event(event.x() + beta.x() * time, event.y() + beta.y() * time, event.z() + beta.z() * time, time);
     }
 
+    @Override
+    public PreciseEvent transform(PreciseEvent event) {
+        Dfp time = event.coordinate(3);
+        Dfp[] moved = new Dfp[4];
+        for (int axis = 0; axis < 3; axis++) {
+            moved[axis] = event.coordinate(axis)
+                    .add(PreciseEvent.exact(beta.get(axis)).multiply(time));
+        }
+        moved[3] = time;
+        return new PreciseEvent(moved);
+    }
+
     /** A fused multiplication and addition rounds once, and what it leaves is small. */
     @Override
     public Vector3d placeFrom(Vector3dc near, Event event) {
@@ -63,14 +76,15 @@ final class GalileanTransformation implements SpaceTimeTransformation {
      * too, is left out.
      */
     @Override
-    public Ray transform(Ray ray) {
+    public Ray transform(Ray ray, Ray memory) {
         double slowness = ray.slowness;
         double dx = ray.dx - base.x() * slowness + rest.x() * slowness;
         double dy = ray.dy - base.y() * slowness + rest.y() * slowness;
         double dz = ray.dz - base.z() * slowness + rest.z() * slowness;
         double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
         double time = ray.time;
-        return ray.inFrame(
+        return memory.setInFrame(
+                ray,
                 ray.x + beta.x() * time,
                 ray.y + beta.y() * time,
                 ray.z + beta.z() * time,

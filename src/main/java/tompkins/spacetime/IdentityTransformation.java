@@ -19,8 +19,18 @@ public record IdentityTransformation() implements SpaceTimeTransformation {
     }
 
     @Override
+    public PreciseEvent transform(PreciseEvent event) {
+        return event;
+    }
+
+    @Override
     public Ray transform(Ray ray) {
         return ray;
+    }
+
+    @Override
+    public Ray transform(Ray ray, Ray memory) {
+        return memory == ray ? ray : memory.set(ray);
     }
 
     @Override

@@ -74,11 +74,21 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
 
     @Override
     public Vector3d placeFrom(Vector3dc near, Event event) {
-        return new PreciseTransformation(velocity, sign).placeFrom(near, event);
+        return transform(PreciseEvent.of(event))
+                .minus(new Event(near.x(), near.y(), near.z(), 0))
+                .position();
     }
 
     @Override
-    public Ray transform(Ray ray) {
+    public PreciseEvent transform(PreciseEvent event) {
+        return new PreciseTransformation(velocity, sign).transform(event);
+    }
+
+    @Override
+    public Ray transform(Ray ray, Ray memory) {
+        if (ray.slowness != 1) {
+            return transformSlow(ray, memory);
+        }
         double side = alongDirection(ray.dx, ray.dy, ray.dz) > 0 ? 1 : -1;
         double wx = ray.dx - side * nx;
         double wy = ray.dy - side * ny;
@@ -90,7 +100,8 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
         double scale = 1 / length;
         double event = alongProper(ray.x, ray.y, ray.z);
         double factor = event * shrink + ray.time;
-        return ray.inFrame(
+        return memory.setInFrame(
+                ray,
                 ray.x + ux * factor,
                 ray.y + uy * factor,
                 ray.z + uz * factor,
@@ -104,11 +115,44 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
     }
 
     /**
-     * The formulas of {@link #transform(Ray)} again, so that no ray is made that lives for a moment only. Several short
-     * loops without branches: the compiler makes instructions for several rays at once of them.
+     * Light in a medium, or a line of events, has the tangent (d, -s) with a slowness s other than 1: {@code d' = d + u
+     * ((u.d)/(gamma + 1) - s)}, {@code s' = (gamma s - u.d)/|d'|}, which is Fizeau's drag. The phase of a wave is the
+     * same in both frames: its frequency is {@code gamma - s u.d} of what it is here.
+     */
+    private Ray transformSlow(Ray ray, Ray memory) {
+        double slowness = ray.slowness;
+        double along = alongProper(ray.dx, ray.dy, ray.dz);
+        double push = along * shrink - slowness;
+        double dx = ray.dx + ux * push;
+        double dy = ray.dy + uy * push;
+        double dz = ray.dz + uz * push;
+        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        double event = alongProper(ray.x, ray.y, ray.z);
+        double factor = event * shrink + ray.time;
+        return memory.setInFrame(
+                ray,
+                ray.x + ux * factor,
+                ray.y + uy * factor,
+                ray.z + uz * factor,
+                dx / length,
+                dy / length,
+                dz / length,
+                gamma * ray.time + event,
+                (gamma * slowness - along) / length,
+                gamma - slowness * along,
+                length);
+    }
+
+    /**
+     * The formulas of {@link #transform(Ray, Ray)} again, so that no ray is made that lives for a moment only. Several
+     * short loops without branches: the compiler makes instructions for several rays at once of them.
      */
     @Override
     public void transform(RayPacket rays) {
+        if (!rays.isInVacuum()) {
+            SpaceTimeTransformation.super.transform(rays);
+            return;
+        }
         int count = rays.count();
         transformStarts(rays, count);
         int ahead = 0;
@@ -171,6 +215,9 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
             rays.frequency[i] *= lengthMiddle + lengthSlope * halves[i];
         }
         for (int i = from; i < to; i++) {
+            rays.stretch[i] *= lengthMiddle + lengthSlope * halves[i];
+        }
+        for (int i = from; i < to; i++) {
             rays.spread[i] /= lengthMiddle + lengthSlope * halves[i];
         }
         Arrays.fill(rays.slowness, from, to, 1);
@@ -206,7 +253,7 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
     }
 
     /**
-     * Turns a direction alone, by the formulas of {@link #transform(Ray)}.
+     * Turns a direction alone, by the formulas of {@link #transform(Ray, Ray)}.
      *
      * @param velocity its speed counts
      * @param along unit vector of the motion

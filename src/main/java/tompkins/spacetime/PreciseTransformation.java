@@ -3,19 +3,12 @@ package tompkins.spacetime;
 import org.hipparchus.dfp.Dfp;
 import org.hipparchus.dfp.DfpField;
 import org.hipparchus.dfp.DfpMath;
-import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/**
- * The Lorentz transformation of events with sixty digits, for the few places where a double has not enough of them: a
- * camera that has flown a distance of 1e12 has passed the rods of a scene by less than their radius. Slow; for one
- * event a picture.
- */
+/** The Lorentz transformation of events with sixty digits. */
 final class PreciseTransformation {
 
-    private static final int DIGITS = 60;
-
-    private final DfpField numbers = new DfpField(DIGITS);
+    private final DfpField numbers = PreciseEvent.NUMBERS;
     private final Dfp gamma;
     private final Dfp[] proper = new Dfp[3];
 
@@ -24,24 +17,24 @@ final class PreciseTransformation {
      */
     PreciseTransformation(Velocity velocity, double sign) {
         Vector3dc given = velocity.given();
-        Dfp squaredLength = exact(given.x())
-                .multiply(exact(given.x()))
-                .add(exact(given.y()).multiply(exact(given.y())))
-                .add(exact(given.z()).multiply(exact(given.z())));
+        Dfp squaredLength = PreciseEvent.exact(given.x())
+                .multiply(PreciseEvent.exact(given.x()))
+                .add(PreciseEvent.exact(given.y()).multiply(PreciseEvent.exact(given.y())))
+                .add(PreciseEvent.exact(given.z()).multiply(PreciseEvent.exact(given.z())));
         Dfp one = numbers.getOne();
         Dfp properSpeed;
         if (velocity.scale() == null) {
             gamma = one.divide(one.subtract(squaredLength).sqrt());
             properSpeed = gamma.multiply(squaredLength.sqrt());
         } else {
-            Dfp value = exact(velocity.value());
+            Dfp value = PreciseEvent.exact(velocity.value());
             gamma = gamma(velocity.scale(), value);
             properSpeed = gamma.subtract(one).multiply(gamma.add(one)).sqrt();
         }
         boolean rest = velocity.isRest();
         Dfp scale = rest ? numbers.getZero() : properSpeed.divide(squaredLength.sqrt());
         for (int axis = 0; axis < 3; axis++) {
-            proper[axis] = scale.multiply(exact(sign * given.get(axis)));
+            proper[axis] = scale.multiply(PreciseEvent.exact(sign * given.get(axis)));
         }
     }
 
@@ -59,23 +52,18 @@ final class PreciseTransformation {
         };
     }
 
-    private Dfp exact(double value) {
-        return numbers.newDfp(value);
-    }
-
-    /** The transformed place of an event minus a place that is near it. */
-    Vector3d placeFrom(Vector3dc near, Event event) {
+    PreciseEvent transform(PreciseEvent event) {
         Dfp along = proper[0]
-                .multiply(exact(event.x()))
-                .add(proper[1].multiply(exact(event.y())))
-                .add(proper[2].multiply(exact(event.z())));
-        Dfp factor = along.divide(gamma.add(numbers.getOne())).add(exact(event.time()));
-        Vector3d place = event.position();
-        Vector3d difference = new Vector3d();
+                .multiply(event.coordinate(0))
+                .add(proper[1].multiply(event.coordinate(1)))
+                .add(proper[2].multiply(event.coordinate(2)));
+        Dfp time = event.coordinate(3);
+        Dfp factor = along.divide(gamma.add(numbers.getOne())).add(time);
+        Dfp[] moved = new Dfp[4];
         for (int axis = 0; axis < 3; axis++) {
-            Dfp moved = exact(place.get(axis)).add(proper[axis].multiply(factor));
-            difference.setComponent(axis, moved.subtract(exact(near.get(axis))).toDouble());
+            moved[axis] = event.coordinate(axis).add(proper[axis].multiply(factor));
         }
-        return difference;
+        moved[3] = gamma.multiply(time).add(along);
+        return new PreciseEvent(moved);
     }
 }

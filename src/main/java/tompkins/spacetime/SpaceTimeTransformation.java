@@ -18,11 +18,19 @@ public sealed interface SpaceTimeTransformation
      */
     Vector3d placeFrom(Vector3dc near, Event event);
 
+    /** The same event in the other frame, with all digits. */
+    PreciseEvent transform(PreciseEvent event);
+
     /**
      * The same light ray in the other frame, starting at the same event. Its direction is NaN if the light stands still
      * there, as only that of a Galilean world can.
      */
-    Ray transform(Ray ray);
+    default Ray transform(Ray ray) {
+        return transform(ray, Ray.blank());
+    }
+
+    /** The same, in memory that is used again; it may be the ray itself. */
+    Ray transform(Ray ray, Ray memory);
 
     /** Takes each ray of a block into the other frame. */
     default void transform(RayPacket rays) {

@@ -3,6 +3,7 @@ package tompkins.spacetime;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import tompkins.property.Meaning;
+import tompkins.property.NumberText;
 import tompkins.property.OneLine;
 
 /** The numbers by which a speed can be given. */
@@ -24,6 +25,16 @@ public enum SpeedScale {
     ONE_MINUS_BETA("oneMinusBeta", "above 0 and at most 1");
 
     private static final int LONGEST_SHOWN = 40;
+
+    private static final int DIGITS = 4;
+
+    /** A number that differs from 1 by less has four digits only if more of them are told. */
+    private static final double NEAR_ONE = 0.01;
+
+    /** A number that differs from 1 by less is written as a sum. */
+    private static final double VERY_NEAR_ONE = 1e-6;
+
+    private static final int DIGITS_NEAR_ONE = 2;
 
     private static final Pattern BELOW_ONE = Pattern.compile("[-+]?0*\\.[0-9]+");
 
@@ -57,6 +68,31 @@ public enum SpeedScale {
                         + " was rounded to 1: nearer to the speed of light come \"gamma\" and"
                         + " \"oneMinusBeta\" in the velocity of a scene file")
                 .orElse("");
+    }
+
+    /**
+     * A velocity's speed on this scale, for reading: four digits, more near 1, and very near 1 what is lacking or left:
+     * {@code 10.48}, {@code 0.99954}, {@code 1 - 5e-9}, {@code 1 + 5e-7}.
+     */
+    public String reading(Velocity velocity) {
+        return switch (this) {
+            case BETA -> reading(velocity.speed(), -1, velocity.oneMinusSpeed());
+            case GAMMA -> reading(velocity.gamma(), 1, velocity.gammaMinusOne());
+            case RAPIDITY, ONE_MINUS_BETA -> rounded(valueOf(velocity), DIGITS);
+        };
+    }
+
+    private static String reading(double value, int side, double distance) {
+        if (distance == 0 || distance >= NEAR_ONE) {
+            return rounded(value, DIGITS);
+        }
+        return distance < VERY_NEAR_ONE
+                ? "1 " + (side < 0 ? "-" : "+") + " " + rounded(distance, DIGITS)
+                : rounded(1 + side * NumberText.rounded(distance, DIGITS_NEAR_ONE), 12);
+    }
+
+    private static String rounded(double value, int digits) {
+        return NumberText.of(NumberText.rounded(value, digits));
     }
 
     /** The value of a velocity's speed on this scale. */

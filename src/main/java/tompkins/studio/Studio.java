@@ -6,11 +6,11 @@ import tompkins.camera.ThinLensCamera;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
+import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.sceneobject.SceneObject;
-import tompkins.spacetime.LorentzTransformation;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
@@ -44,6 +44,11 @@ public record Studio(
         @Meaning("The law by which the velocity changes what the camera sees")
         TransformationLaw transformation,
 
+        @Meaning(
+                "Whether the picture shows what the camera sees, or where things are at one time of its frame, measured"
+                        + " without the travel time of light")
+        View view,
+
         @Meaning("What the motion does to brightness and colours, under the Lorentz transformation")
         ColourLaw colours,
 
@@ -61,6 +66,7 @@ public record Studio(
             ThinLensCamera.DEFAULT,
             Velocity.REST,
             TransformationLaw.LORENTZ,
+            View.SEEN,
             ColourLaw.UNCHANGED,
             RenderSettings.DEFAULT);
 
@@ -71,11 +77,15 @@ public record Studio(
         Require.present("remarks", remarks);
         scene = Require.list("scene", scene);
         cameraFrame = Require.list("cameraFrame", cameraFrame);
+        for (int i = 0; i < cameraFrame.size(); i++) {
+            SceneObject.requireAtRest("cameraFrame[" + i + "]", cameraFrame.get(i));
+        }
         lights = Require.list("lights", lights);
         Require.present("background", background);
         Require.present("camera", camera);
         Velocity.required("velocity", velocity);
         Require.present("transformation", transformation);
+        Require.present("view", view);
         Require.present("colours", colours);
         Require.present("settings", settings);
     }
@@ -95,47 +105,62 @@ public record Studio(
         return transformation.sceneFromCamera(velocity);
     }
 
+    /** Whether something in the scene moves, be it an object or a lamp. */
+    public boolean hasMotion() {
+        return transformation != TransformationLaw.NONE
+                && (scene.stream().anyMatch(SceneObject::moves)
+                        || lights.stream().anyMatch(MovingLights.class::isInstance));
+    }
+
     /**
-     * Whether the motion changes brightness and colours: only relativity says how, and a camera at rest sees them as
-     * they are.
+     * Whether motion changes brightness and colours: only relativity says how, of light alone, and a camera at rest
+     * sees what rests as it is.
      */
     public boolean shiftsColours() {
-        return colours != ColourLaw.UNCHANGED && sceneFromCamera() instanceof LorentzTransformation;
+        return colours != ColourLaw.UNCHANGED
+                && transformation == TransformationLaw.LORENTZ
+                && view == View.SEEN
+                && (!velocity.isRest() || hasMotion());
     }
 
     /** The same studio with another scene. */
     public Studio withScene(List<SceneObject> objects) {
-        return with(objects, cameraFrame, camera, velocity, transformation, colours, settings);
+        return with(objects, cameraFrame, camera, velocity, transformation, view, colours, settings);
     }
 
     /** The same studio with other objects that move with the camera. */
     public Studio withCameraFrame(List<SceneObject> objects) {
-        return with(scene, objects, camera, velocity, transformation, colours, settings);
+        return with(scene, objects, camera, velocity, transformation, view, colours, settings);
     }
 
     /** The same studio with another camera. */
     public Studio withCamera(Camera other) {
-        return with(scene, cameraFrame, other, velocity, transformation, colours, settings);
+        return with(scene, cameraFrame, other, velocity, transformation, view, colours, settings);
     }
 
     /** The same studio with another velocity of the camera. */
     public Studio withVelocity(Velocity other) {
-        return with(scene, cameraFrame, camera, other, transformation, colours, settings);
+        return with(scene, cameraFrame, camera, other, transformation, view, colours, settings);
     }
 
     /** The same studio under another law. */
     public Studio withTransformation(TransformationLaw law) {
-        return with(scene, cameraFrame, camera, velocity, law, colours, settings);
+        return with(scene, cameraFrame, camera, velocity, law, view, colours, settings);
+    }
+
+    /** The same studio in another view. */
+    public Studio withView(View other) {
+        return with(scene, cameraFrame, camera, velocity, transformation, other, colours, settings);
     }
 
     /** The same studio under another law of colours. */
     public Studio withColours(ColourLaw law) {
-        return with(scene, cameraFrame, camera, velocity, transformation, law, settings);
+        return with(scene, cameraFrame, camera, velocity, transformation, view, law, settings);
     }
 
     /** The same studio with other settings of the picture. */
     public Studio withSettings(RenderSettings other) {
-        return with(scene, cameraFrame, camera, velocity, transformation, colours, other);
+        return with(scene, cameraFrame, camera, velocity, transformation, view, colours, other);
     }
 
     private Studio with(
@@ -144,6 +169,7 @@ public record Studio(
             Camera newCamera,
             Velocity newVelocity,
             TransformationLaw newTransformation,
+            View newView,
             ColourLaw newColours,
             RenderSettings newSettings) {
         return new Studio(
@@ -157,6 +183,7 @@ public record Studio(
                 newCamera,
                 newVelocity,
                 newTransformation,
+                newView,
                 newColours,
                 newSettings);
     }

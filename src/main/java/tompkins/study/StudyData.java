@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import tompkins.image.FileException;
+import tompkins.image.OutputFolder;
 import tompkins.image.PendingFile;
 
 /**
@@ -72,7 +73,7 @@ public final class StudyData {
                     known.stream().filter(trial::made).findFirst().orElse(null);
             if (measurement == null) {
                 measurement = trial.measure();
-                Files.writeString(file, line(measurement) + "\n", StandardOpenOption.APPEND);
+                append(line(measurement) + "\n");
             }
             all.add(measurement);
             listener.measured(measurement, all.size(), trials.size());
@@ -113,16 +114,28 @@ public final class StudyData {
     }
 
     private void rewrite(List<Measurement> measurements) throws IOException {
-        Files.createDirectories(file.toAbsolutePath().getParent());
         Stream<String> lines =
                 Stream.concat(head.stream(), measurements.stream().map(StudyData::line));
-        replace(file, (String.join("\n", lines.toList()) + "\n").getBytes(StandardCharsets.UTF_8));
+        OutputFolder folder = OutputFolder.at(file.toAbsolutePath().getParent());
+        try {
+            replace(file, (String.join("\n", lines.toList()) + "\n").getBytes(StandardCharsets.UTF_8));
+        } finally {
+            folder.close();
+        }
+    }
+
+    private void append(String line) throws IOException {
+        try {
+            Files.writeString(file, line, StandardOpenOption.APPEND);
+        } catch (IOException failure) {
+            throw FileException.cannotWrite(file, failure);
+        }
     }
 
     /** Writes a file as a whole or not at all. */
     static void replace(Path file, byte[] content) throws IOException {
-        try (PendingFile pending = PendingFile.file(file)) {
-            Files.write(pending.path(), content);
+        try (PendingFile pending = PendingFile.replacing(file)) {
+            pending.write(content);
             pending.commit();
         } catch (IOException failure) {
             throw FileException.cannotWrite(file, failure);

@@ -2,8 +2,14 @@ package tompkins.study;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import tompkins.image.FileException;
+import tompkins.image.PendingFile;
 import tompkins.ray.Ray;
 import tompkins.render.Quality;
 import tompkins.search.ObjectTree;
@@ -18,14 +24,27 @@ public final class StudyPage {
     private final String name;
     private final StringBuilder text = new StringBuilder();
 
+    /** The files that were there before, which are of an earlier run or are to be replaced; no others are. */
+    private final Set<Path> earlier = new HashSet<>();
+
     /**
      * A page that will be {@code folder/name.md}, with its charts and data in {@code folder/name}.
      *
      * @param introduction Markdown for the top of the page
+     * @throws IOException if nobody can tell what is there already
      */
-    public StudyPage(Path folder, String name, String introduction) {
+    public StudyPage(Path folder, String name, String introduction) throws IOException {
         this.folder = folder;
         this.name = name;
+        Path files = folder.resolve(name);
+        if (Files.isDirectory(files)) {
+            try (Stream<Path> there = Files.list(files)) {
+                there.forEach(earlier::add);
+            }
+        }
+        if (Files.exists(file())) {
+            earlier.add(file());
+        }
         text.append(introduction).append('\n');
     }
 
@@ -87,14 +106,37 @@ public final class StudyPage {
         return folder.resolve(name).resolve(kind + ".csv");
     }
 
+    /** The files with the charts of a study. */
+    public List<Path> chartsOf(StudyKind kind, Study study) {
+        return study.charts().stream().map(chart -> fileOf(kind, chart)).toList();
+    }
+
+    private Path fileOf(StudyKind kind, Chart chart) {
+        return folder.resolve(name).resolve(kind + "-" + chart.problem() + ".png");
+    }
+
+    /** Writes a file; where it lies. */
+    private Path put(Path file, byte[] content) throws IOException {
+        if (earlier.contains(file)) {
+            StudyData.replace(file, content);
+            return file;
+        }
+        try (PendingFile pending = PendingFile.newFile(file)) {
+            pending.write(content);
+            return pending.commit();
+        } catch (IOException failure) {
+            throw FileException.cannotWrite(file, failure);
+        }
+    }
+
     /** Adds a study: writes its charts, and puts them and its findings on the page. */
     public void add(StudyKind kind, Study study, List<Measurement> all) throws IOException {
         text.append(
                 "\n## " + heading(kind.toString()) + "\n\n" + study.question() + "\n\n" + study.answer(all) + "\n\n");
         for (Chart chart : study.charts()) {
-            String file = name + "/" + kind + "-" + chart.problem() + ".png";
-            StudyData.replace(folder.resolve(file), ChartDrawing.png(chart, all));
-            text.append("![").append(chart.title()).append("](").append(file).append(")\n");
+            Path file = put(fileOf(kind, chart), ChartDrawing.png(chart, all));
+            String link = name + "/" + file.getFileName();
+            text.append("![").append(chart.title()).append("](").append(link).append(")\n");
         }
         text.append("\n| criterion | demanded | found | met |\n|---|---|---|---|\n");
         for (Finding finding : study.findings(all)) {
@@ -111,8 +153,7 @@ public final class StudyPage {
 
     /** Writes the page and says where it is. */
     public Path write() throws IOException {
-        StudyData.replace(file(), text.toString().getBytes(StandardCharsets.UTF_8));
-        return file();
+        return put(file(), text.toString().getBytes(StandardCharsets.UTF_8));
     }
 
     /** The page itself, whether it is written yet or not. */

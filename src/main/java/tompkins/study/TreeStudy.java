@@ -39,14 +39,21 @@ final class TreeStudy implements Study {
 
     private final long seed;
     private final int mostObjects;
+    private final int manyRepeats;
 
     /** What was found of all methods, by number of objects. */
     private final Map<Integer, Map<String, Figures>> races = new HashMap<>();
 
     /** The study, up to a number of objects. */
     TreeStudy(long seed, int mostObjects) {
+        this(seed, mostObjects, MANY_REPEATS);
+    }
+
+    /** The same, with so many runs for few objects: times need many, what is found needs one. */
+    TreeStudy(long seed, int mostObjects, int manyRepeats) {
         this.seed = seed;
         this.mostObjects = mostObjects;
+        this.manyRepeats = manyRepeats;
     }
 
     @Override
@@ -58,7 +65,7 @@ final class TreeStudy implements Study {
 
     @Override
     public String settings() {
-        return "seed " + seed + ", up to " + mostObjects + " objects, " + RAYS + " rays, " + MANY_REPEATS
+        return "seed " + seed + ", up to " + mostObjects + " objects, " + RAYS + " rays, " + manyRepeats
                 + " runs in turns, " + REPEATS + " above " + MANY + " objects";
     }
 
@@ -98,7 +105,7 @@ final class TreeStudy implements Study {
         if (objects <= LONGEST_LIST) {
             methods.values().forEach(method -> Stopwatch.warmUp(() -> search(method.get(), rays)));
         }
-        int repeats = objects <= MANY ? MANY_REPEATS : REPEATS;
+        int repeats = objects <= MANY ? manyRepeats : REPEATS;
         Map<String, double[]> seconds = new HashMap<>();
         for (int run = 0; run < repeats; run++) {
             for (String method : methods.keySet()) {

@@ -1,5 +1,6 @@
 package tompkins.surface;
 
+import java.util.stream.Stream;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.Colour;
@@ -54,6 +55,16 @@ public record CutOut(
     @Override
     public boolean throwsShadowAt(Hit hit) {
         return at(hit).throwsShadowAt(hit);
+    }
+
+    @Override
+    public Stream<Surface> parts() {
+        return Stream.of(dark, bright).flatMap(Surface::parts);
+    }
+
+    @Override
+    public boolean showsTime() {
+        return dark.showsTime() || bright.showsTime();
     }
 
     @Override

@@ -38,14 +38,15 @@ public record GalileoWindow(
     @Override
     public Response respond(Ray ray, Hit hit, Tracer tracer) {
         Vector3dc beta = axes.inFrame(velocity.components(), hit);
-        double dx = ray.dx + beta.x() * ray.slowness;
-        double dy = ray.dy + beta.y() * ray.slowness;
-        double dz = ray.dz + beta.z() * ray.slowness;
+        double slowness = ray.lightSlowness();
+        double dx = ray.dx + beta.x() * slowness;
+        double dy = ray.dy + beta.y() * slowness;
+        double dz = ray.dz + beta.z() * slowness;
         double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
         if (length == 0) {
             return Response.ends(Colour.BLACK);
         }
-        Ray next = ray.bent(hit, dx / length, dy / length, dz / length, ray.slowness / length, length, transmission);
+        Ray next = ray.bent(hit, dx / length, dy / length, dz / length, slowness / length, length, transmission);
         return Response.goesOn(next, Colour.grey(transmission));
     }
 

@@ -49,7 +49,7 @@ public record LorentzWindow(
         Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz);
         Vector3d back = axes.inFrame(velocity.direction(), hit).negate(new Vector3d());
         double stretch = LorentzTransformation.turn(velocity, back, direction);
-        return ray.bent(hit, direction.x, direction.y, direction.z, ray.slowness, stretch, transmission);
+        return ray.bent(hit, direction.x, direction.y, direction.z, ray.lightSlowness(), stretch, transmission);
     }
 
     @Override

@@ -24,7 +24,7 @@ public record LuminousSurface(
 
     @Override
     public Response respond(Ray ray, Hit hit, Tracer tracer) {
-        return Response.ends(colour);
+        return Response.ends(tracer.illumination().emitted(ray, colour));
     }
 
     @Override

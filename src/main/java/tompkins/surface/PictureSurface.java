@@ -1,5 +1,6 @@
 package tompkins.surface;
 
+import tompkins.light.Illumination;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.Colour;
@@ -30,7 +31,9 @@ public record PictureSurface(
         double u = hit.coordinates.u();
         double v = hit.coordinates.v();
         Colour colour = picture.colour(inside(u), inside(v));
-        return Response.ends(luminous ? colour : tracer.illumination().reflected(ray, hit, colour, Colour.BLACK));
+        Illumination illumination = tracer.illumination();
+        return Response.ends(
+                luminous ? illumination.emitted(ray, colour) : illumination.reflected(ray, hit, colour, Colour.BLACK));
     }
 
     @Override

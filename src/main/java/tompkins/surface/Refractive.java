@@ -43,7 +43,7 @@ public record Refractive(
         boolean entering = along < 0;
         double before = entering ? 1 : indexRatio;
         double behind = entering ? indexRatio : 1;
-        double slowness = ray.slowness * behind / before;
+        double slowness = ray.lightSlowness() * behind / before;
         Vector3d direction = new Vector3d(ray.dx, ray.dy, ray.dz);
         Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
         double cosineBehind = Refraction.bend(direction, normal, before, behind, direction);

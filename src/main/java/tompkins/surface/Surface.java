@@ -1,5 +1,6 @@
 package tompkins.surface;
 
+import java.util.stream.Stream;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
@@ -10,6 +11,8 @@ public sealed interface Surface
                 PictureSurface,
                 Tiling,
                 CutOut,
+                Clock,
+                Blinking,
                 Clear,
                 ColourFilter,
                 Mirror,
@@ -37,6 +40,16 @@ public sealed interface Surface
             case NEVER -> false;
             case BY_POINT -> throw new IllegalStateException(getClass() + " does not say where it throws a shadow");
         };
+    }
+
+    /** The surfaces that this one shows, each with its own parts; itself if it shows no others. */
+    default Stream<Surface> parts() {
+        return Stream.of(this);
+    }
+
+    /** Whether it looks different at different times. */
+    default boolean showsTime() {
+        return false;
     }
 
     /** Whether rays go on from here: mirrors, windows, glass. */

@@ -1,5 +1,6 @@
 package tompkins.surface;
 
+import java.util.stream.Stream;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.Colour;
@@ -127,6 +128,16 @@ public record Tiling(
         boolean odd =
                 SquareWave.isOdd(Math.floor(hit.coordinates.u() / width) + Math.floor(hit.coordinates.v() / height));
         return (odd ? second : first).throwsShadowAt(hit);
+    }
+
+    @Override
+    public Stream<Surface> parts() {
+        return Stream.of(first, second).flatMap(Surface::parts);
+    }
+
+    @Override
+    public boolean showsTime() {
+        return first.showsTime() || second.showsTime();
     }
 
     @Override

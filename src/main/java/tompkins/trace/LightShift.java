@@ -38,6 +38,22 @@ final class LightShift {
         return new Colour(limited(seen.red()), limited(seen.green()), limited(seen.blue()));
     }
 
+    /**
+     * The colour in the camera frame of light that a lamp has sent to a surface. In a medium that is outrun there may
+     * be no factor above 0; colours are left alone then.
+     *
+     * @param light the colour, as if lamp and surface had one frame
+     * @param lampFactor frequency in the frame of the surface divided by that in the frame of the lamp
+     * @param dopplerFactor frequency in the camera frame divided by that in the frame of the surface
+     */
+    Colour seen(Colour light, double lampFactor, double dopplerFactor) {
+        if (!(dopplerFactor > 0)) {
+            return light;
+        }
+        Colour seen = lampFactor == 1 ? law.seen(light, dopplerFactor) : law.seen(light, lampFactor, dopplerFactor);
+        return new Colour(limited(seen.red()), limited(seen.green()), limited(seen.blue()));
+    }
+
     private double limited(double channel) {
         double metered = channel * gain;
         return metered > BRIGHTEST ? BRIGHTEST : metered;

@@ -22,10 +22,11 @@ interface PathObserver {
     /**
      * The ray, or one that came of it, hits something.
      *
-     * @param frame the frame of the ray and the hit
+     * @param frame whether this is in the camera frame, or in the scene
+     * @param index the number of the frame of the ray and the hit, 0 for the camera frame or the scene frame itself
      * @param primitive what was hit
      */
-    void hits(Frame frame, Ray ray, Hit hit, Primitive primitive);
+    void hits(Frame frame, int index, Ray ray, Hit hit, Primitive primitive);
 
     /** The ray, or what came of it, goes on and meets nothing more in a frame. */
     void leaves(Frame frame, Ray ray);

@@ -1,43 +1,60 @@
 package tompkins.trace;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.Set;
+import java.util.stream.Stream;
+import tompkins.camera.CameraRays;
 import java.util.Optional;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.ColourLaw;
-import tompkins.primitive.Primitive;
 import tompkins.property.NumberText;
 import tompkins.ray.Ray;
 import tompkins.search.ObjectTree;
 import tompkins.shutter.AperturePlaneShutter;
+import tompkins.spacetime.FrameMotion;
 import tompkins.shutter.RollingShutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 import tompkins.surface.Surface;
+import tompkins.world.World;
 
 /** Says in sentences what a picture models and what it leaves out. */
 final class PlanSentences {
 
     private final RenderPlan plan;
     private final Studio studio;
-    private final ObjectTree scene;
+    private final World world;
     private final ObjectTree cameraFrame;
+    private final CameraRays cameraRays;
+    private final boolean hasImagePoints;
     private final LightShift shift;
 
     /** The sentences; the shift is null if the light of the scene stays as it is. */
-    PlanSentences(RenderPlan plan, ObjectTree scene, ObjectTree cameraFrame, LightShift shift) {
+    PlanSentences(RenderPlan plan, World world, ObjectTree cameraFrame, CameraRays cameraRays, LightShift shift) {
         this.plan = plan;
         studio = plan.studio();
-        this.scene = scene;
+        this.world = world;
         this.cameraFrame = cameraFrame;
+        this.cameraRays = cameraRays;
+        this.hasImagePoints = world.followsCamera();
         this.shift = shift;
     }
 
     /** All sentences, the warnings last. */
     List<String> sentences() {
         List<String> sentences = new ArrayList<>();
+        Set<Surface> inScene = IntStream.range(0, world.frameCount())
+                .mapToObj(i -> surfaces(world.objects(i)))
+                .flatMap(Set::stream)
+                .collect(Collectors.toSet());
+        Set<Surface> beforeLens = surfaces(cameraFrame);
         sentences.add(motion());
         sentences.add(lens());
         sentences.add(shutter());
@@ -46,7 +63,8 @@ final class PlanSentences {
         sentences.add(colours());
         sentences.add(cameraObjects());
         sentences.add(search());
-        sentences.add(recursion());
+        sentences.add(recursion(Stream.of(inScene, beforeLens).flatMap(Set::stream)));
+        sentences.addAll(new Omissions(studio, cameraRays, plan.isAtRest(), inScene, beforeLens, hasImagePoints).sentences());
         warnings().forEach(warning -> sentences.add("Warning: " + warning + "."));
         return sentences;
     }
@@ -80,7 +98,7 @@ final class PlanSentences {
             return "The camera is at rest: no change of frame, and every opening time gives the same picture.";
         }
         SpeedScale scale = studio.transformation().speedScale();
-        String speed = scale.key() + " " + NumberText.of(NumberText.rounded(scale.valueOf(studio.velocity()), 6));
+        String speed = scale.key() + " " + scale.reading(studio.velocity());
         if (studio.transformation() == TransformationLaw.NONE) {
             return "The camera's velocity (" + speed + ") is ignored: no change of frame.";
         }
@@ -100,7 +118,7 @@ final class PlanSentences {
     }
 
     private String shutter() {
-        if (plan.isAtRest()) {
+        if (plan.isStill()) {
             return "Nothing in the scene changes with time: every shutter model gives this picture, except where a ray"
                     + " never crosses the shutter.";
         }
@@ -126,7 +144,7 @@ final class PlanSentences {
 
     private Optional<String> rolling() {
         RollingShutter rolling = studio.camera().rollingShutter();
-        if (!rolling.rolls() || plan.isAtRest()) {
+        if (!rolling.rolls() || plan.isStill()) {
             return Optional.empty();
         }
         int lines = rolling.direction().runsOverRows() ? plan.height() : plan.width();
@@ -164,6 +182,10 @@ final class PlanSentences {
     }
 
     private String search() {
+        if (world.frameCount() > 1) {
+            return searchInFrames();
+        }
+        ObjectTree scene = world.objects(0);
         if (scene.size() == 0) {
             return "The scene holds no objects: rays that reach it see the background.";
         }
@@ -174,9 +196,36 @@ final class PlanSentences {
                         scene.size(), scene.size() == 1 ? "" : "s");
     }
 
-    private String recursion() {
-        boolean continues = scene.primitives().stream().map(Primitive::surface).anyMatch(Surface::continuesRays)
-                || cameraFrame.primitives().stream().map(Primitive::surface).anyMatch(Surface::continuesRays);
+    private String searchInFrames() {
+        String frames = IntStream.range(0, world.frameCount())
+                .mapToObj(i -> format(
+                        "%s %d primitive%s%s",
+                        i == 0 ? "at rest" : speed(world.frame(i).motion()),
+                        world.objects(i).size(),
+                        world.objects(i).size() == 1 ? "" : "s",
+                        world.objects(i).hasTree() ? " in a tree" : ""))
+                .collect(Collectors.joining("; "));
+        return format(
+                "%d inertial frames, and each ray is searched for in each that holds something: %s.",
+                world.frameCount(), frames);
+    }
+
+    private String speed(FrameMotion motion) {
+        SpeedScale scale = studio.transformation().speedScale();
+        return "moving with " + scale.key() + " "
+                + NumberText.of(NumberText.rounded(scale.valueOf(motion.velocity()), 4))
+                + (motion.outer() == null ? "" : " in what moves");
+    }
+
+    /** The surfaces of all primitives, each once: a mesh of a million triangles has one. */
+    private static Set<Surface> surfaces(ObjectTree objects) {
+        Set<Surface> surfaces = Collections.newSetFromMap(new IdentityHashMap<>());
+        objects.primitives().forEach(primitive -> surfaces.add(primitive.surface()));
+        return surfaces;
+    }
+
+    private String recursion(Stream<Surface> surfaces) {
+        boolean continues = surfaces.anyMatch(Surface::continuesRays);
         return continues
                 ? format(
                         "Some surfaces send rays on: at most %d times, and only while these carry at least 1/%.0f of the light.",

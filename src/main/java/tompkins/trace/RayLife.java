@@ -7,11 +7,13 @@ import org.joml.Vector3dc;
 import tompkins.camera.SamplePlaces;
 import tompkins.primitive.Described;
 import tompkins.primitive.Primitive;
+import tompkins.primitive.RestFrame;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.spacetime.Event;
+import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.surface.Surface;
 
@@ -52,9 +54,17 @@ public record RayLife(
      * @param share the largest share of the sample's light that the ray that hit can still bring
      * @param branch 0 on the main branch, 1 on a weaker one that left it, 2 on a weaker one of that, and so on
      * @param surface the surface
+     * @param rest the same hit in the frame in which the object rests
      */
     public record Encounter(
-            Described object, Frame frame, Event event, double distance, double share, int branch, Surface surface) {
+            Described object,
+            Frame frame,
+            Event event,
+            double distance,
+            double share,
+            int branch,
+            Surface surface,
+            Rest rest) {
 
         /** Where and when in the scene frame. */
         public Event inScene(SpaceTimeTransformation sceneFromCamera) {
@@ -66,6 +76,16 @@ public record RayLife(
             return frame == Frame.CAMERA ? event : sceneFromCamera.inverse().transform(event);
         }
     }
+
+    /**
+     * A hit in the frame in which the object rests and is described.
+     *
+     * @param motion how that frame moves in the scene; null if the object rests in the frame of the hit
+     * @param event where, and at what proper time of the object
+     * @param clockReading what a clock of the object shows there
+     * @param dopplerFactor frequency in the camera frame divided by that in this frame; no number if there is none
+     */
+    public record Rest(FrameMotion motion, Event event, double clockReading, double dopplerFactor) {}
 
     /** Whether the main branch goes on after all hits, and meets nothing more. */
     public boolean reachesBackground() {
@@ -99,14 +119,14 @@ public record RayLife(
      * @return its life, or null if the sample never crosses the shutter and so has none
      */
     public static RayLife of(RenderPlan plan, double x, double y, double lensX, double lensY, double moment) {
-        Recorder recorder = new Recorder(plan.sceneOrigin());
+        Recorder recorder = new Recorder(plan);
         Colour colour = plan.tracer(new RayCounts(), recorder).sample(x, y, lensX, lensY, moment);
         return recorder.startDirection == null ? null : recorder.life(colour);
     }
 
     private static final class Recorder implements PathObserver {
 
-        private final Vector3dc sceneOrigin;
+        private final RenderPlan plan;
         private final List<Encounter> hits = new ArrayList<>();
         private Event start;
         private Vector3d startDirection;
@@ -117,8 +137,8 @@ public record RayLife(
         private double lastSlowness = 1;
         private int branch;
 
-        Recorder(Vector3dc sceneOrigin) {
-            this.sceneOrigin = sceneOrigin;
+        Recorder(RenderPlan plan) {
+            this.plan = plan;
         }
 
         @Override
@@ -147,10 +167,22 @@ public record RayLife(
         }
 
         @Override
-        public void hits(Frame frame, Ray ray, Hit hit, Primitive primitive) {
-            Event event = inFrame(frame, hit.x, hit.y, hit.z, hit.time);
+        public void hits(Frame frame, int index, Ray ray, Hit hit, Primitive primitive) {
+            Event traced = new Event(hit.x, hit.y, hit.z, hit.time);
+            RestFrame rest = primitive.restFrame();
             hits.add(new Encounter(
-                    primitive.object(), frame, event, hit.distance, ray.throughput, branch, primitive.surface()));
+                    primitive.object(),
+                    frame,
+                    frame == Frame.CAMERA ? traced : plan.inScene(index, traced),
+                    hit.distance,
+                    ray.throughput,
+                    branch,
+                    primitive.surface(),
+                    new Rest(
+                            rest.motion(),
+                            rest.own(traced),
+                            hit.clockReading(),
+                            ray.measures ? Double.NaN : 1 / ray.frequency)));
         }
 
         @Override
@@ -162,9 +194,8 @@ public record RayLife(
         }
 
         private Event inFrame(Frame frame, double x, double y, double z, double time) {
-            return frame == Frame.CAMERA
-                    ? new Event(x, y, z, time)
-                    : new Event(x + sceneOrigin.x(), y + sceneOrigin.y(), z + sceneOrigin.z(), time);
+            Event event = new Event(x, y, z, time);
+            return frame == Frame.CAMERA ? event : plan.inScene(0, event);
         }
 
         RayLife life(Colour colour) {

@@ -1,9 +1,11 @@
 package tompkins.trace;
 
 import java.util.List;
+import org.joml.Vector3dc;
 import tompkins.light.Illumination;
 import tompkins.light.LightSource;
-import tompkins.light.Visibility;
+import tompkins.light.Lighting;
+import tompkins.light.Sightline;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
@@ -20,19 +22,24 @@ import tompkins.surface.Surface;
 import tompkins.surface.Tracer;
 
 /**
- * Follows rays among the objects of one frame: the nearest hit decides, and what leaves the objects goes beyond. One
- * for each thread and frame.
+ * Follows rays among the objects of one frame, or among all that moves in it, too: the nearest hit decides, and what
+ * leaves the objects goes beyond. One for each thread.
  */
-final class RayTracer implements Tracer, Visibility {
+final class RayTracer implements Tracer, Lighting {
 
-    private final Frame frame;
+    private final Frame place;
     private final ObjectTree objects;
     private final Illumination illumination;
-    private final LampShadows[] lightGrids;
+    private final List<LightSource> lights;
+    private final LampShadows[] lampShadows;
+
+    /** The frames that move in this one, or null if there are none. */
+    private final MovingWorld movingWorld;
+
     private final Beyond beyond;
     private final int maximumDepth;
     private final RayCounts counts;
-    private final PathObserver witness;
+    private final PathObserver observer;
     private final NearestHit nearest;
     private final Hit hitMemory = Hit.blank();
     private final Ray startMemory = Ray.blank();
@@ -45,51 +52,92 @@ final class RayTracer implements Tracer, Visibility {
     /** What threw the last shadow: it often throws the next one, too. */
     private Primitive lastShadow;
 
-    /** A tracer of one frame; the witness may be null. */
+    /** The number of the frame whose hit is answered now; 0 is that of this tracer. */
+    private int frame;
+
+    /** What becomes of the light of that hit on its way to the camera, where light is shifted as it leaves a hit. */
+    private Colour way = Colour.WHITE;
+
+    /**
+     * A tracer.
+     *
+     * @param lampShadows what each of the lights sees of the objects, or null for those of which that is not prepared
+     * @param movingWorld what moves in the frame; null if nothing does
+     * @param observer watches the rays; may be null
+     */
     RayTracer(
-            Frame frame,
+            Frame place,
             ObjectTree objects,
             List<LightSource> lights,
-            LampShadows[] lightGrids,
+            LampShadows[] lampShadows,
+            MovingWorld movingWorld,
             Beyond beyond,
             int maximumDepth,
             RayCounts counts,
-            PathObserver witness) {
-        this.frame = frame;
+            NearestHit nearest,
+            PathObserver observer) {
+        this.place = place;
         this.objects = objects;
+        this.lights = lights;
         illumination = new Illumination(lights, this);
-        this.lightGrids = lightGrids;
+        this.lampShadows = lampShadows;
+        this.movingWorld = movingWorld;
         this.beyond = beyond;
         this.maximumDepth = maximumDepth;
         this.counts = counts;
-        nearest = new NearestHit(counts);
-        this.witness = witness;
+        this.nearest = nearest;
+        this.observer = observer;
     }
 
     /** Begins a block of rays: forgets what was seen before, so that the work for a block depends on nothing else. */
     void beginBlock() {
         lastShadow = null;
         nearest.forgetLeaf();
+        if (movingWorld != null) {
+            movingWorld.beginBlock();
+        }
+    }
+
+    /** What moves in the frame; null if nothing does. */
+    MovingWorld movingWorld() {
+        return movingWorld;
     }
 
     @Override
     public Colour colour(Ray branch) {
-        if (witness == null) {
-            return colourOf(branch);
+        int before = frame;
+        Colour wayBefore = way;
+        if (observer != null) {
+            observer.branches();
         }
-        witness.branches();
-        Colour colour = colourOf(branch);
-        witness.returns();
+        Colour colour = colourOf(branch, before);
+        if (observer != null) {
+            observer.returns();
+        }
+        frame = before;
+        way = wayBefore;
         return colour;
     }
 
-    /** The light that comes back along a ray that is no branch of another in this frame. */
+    /** The light that comes back along a ray that enters this frame. */
     Colour colourOf(Ray start) {
+        way = Colour.WHITE;
+        return colourOf(start, 0);
+    }
+
+    private Colour colourOf(Ray start, int startFrame) {
         if (isGivenUp(start)) {
             return Colour.BLACK;
         }
         counts.rays++;
-        return colour(start, objects.nearest(start, nearest), Hit.blank());
+        frame = startFrame;
+        return withBeyond(follow(start, search(start), Hit.blank()));
+    }
+
+    private boolean search(Ray ray) {
+        return movingWorld == null
+                ? objects.nearest(ray, nearest)
+                : movingWorld.search().nearest(ray, frame);
     }
 
     /**
@@ -97,10 +145,11 @@ final class RayTracer implements Tracer, Visibility {
      *
      * @return what leaves, in memory that is used again, or null; {@link #sum()} and {@link #factor()} tell of the way
      */
-    Ray follow(RayPacket rays, int place) {
+    Ray follow(RayPacket rays, int index) {
         counts.rays++;
-        Ray start = rays.copy(place, startMemory);
-        return follow(start, objects.nearest(start, nearest), hitMemory);
+        frame = 0;
+        Ray start = rays.copy(index, startMemory);
+        return follow(start, search(start), hitMemory);
     }
 
     /** The light that the ray followed last has brought by itself. */
@@ -113,26 +162,35 @@ final class RayTracer implements Tracer, Visibility {
         return factor;
     }
 
-    /** As {@link #colourOf(Ray)}, for the ray at a place of the block for which the search was made. */
-    Colour colour(RayPacket rays, int place, PacketSearch search) {
+    /** The light that comes back along the ray at a place of the block for which the search was made. */
+    Colour packetColour(RayPacket rays, int index, PacketSearch search) {
         counts.rays++;
-        if (!search.mayMeet(place)) {
-            return beyond.colour(rays, place);
+        if (!search.mayMeet(index)) {
+            return beyond.colour(rays, index);
         }
-        Ray start = rays.copy(place, startMemory);
-        return colour(start, search.nearest(start, place, nearest), hitMemory);
+        Ray start = rays.copy(index, startMemory);
+        return withBeyond(follow(start, search.nearest(start, index, nearest), hitMemory));
     }
 
-    /** As {@link #colourOf(Ray)}, for one of the rays for which the nodes were found. */
-    Colour colour(RayPacket rays, int place, EntryNodes entries) {
+    /** The light that comes back along one of the rays for which the nodes were found. */
+    Colour entryColour(RayPacket rays, int index, EntryNodes entries) {
         counts.rays++;
-        Ray start = rays.copy(place, startMemory);
-        return colour(start, objects.nearest(start, entries, nearest), hitMemory);
+        Ray start = rays.copy(index, startMemory);
+        return withBeyond(follow(start, objects.nearest(start, entries, nearest), hitMemory));
     }
 
-    /** As {@link #colourOf(Ray)}, for a ray of a block. */
-    Colour colour(RayPacket rays, int place) {
-        return withBeyond(follow(rays, place));
+    /** The light that comes back along a ray of the block for which all frames are searched. */
+    Colour movingColour(RayPacket rays, int index) {
+        counts.rays++;
+        frame = 0;
+        way = Colour.WHITE;
+        Ray start = rays.copy(index, startMemory);
+        return withBeyond(follow(start, movingWorld.search().nearest(index, start), hitMemory));
+    }
+
+    /** The light that comes back along a ray of a block, which is searched for alone. */
+    Colour singleColour(RayPacket rays, int index) {
+        return withBeyond(follow(rays, index));
     }
 
     /** Looks for the nodes through which some rays enter the tree; false if each must search from its root. */
@@ -145,14 +203,16 @@ final class RayTracer implements Tracer, Visibility {
         return search.find(objects, rays, nearest);
     }
 
-    private Colour colour(Ray start, boolean hits, Hit memory) {
-        return withBeyond(follow(start, hits, memory));
-    }
-
     /** The colour of the ray followed last: of what has left the objects, or null, in memory that is used again. */
     private Colour withBeyond(Ray left) {
+        if (left == null) {
+            return sum;
+        }
         // what stands in sum and factor is taken before anything else is followed
-        return left == null ? sum : sum.plus(factor.times(beyond.colour(left)));
+        Colour light = sum;
+        Colour share = factor;
+        Colour far = beyond.colour(left);
+        return light.plus(shifts() ? movingWorld.seen(share.times(far), left, 1) : share.times(far));
     }
 
     /**
@@ -163,20 +223,27 @@ final class RayTracer implements Tracer, Visibility {
         Ray ray = start;
         boolean hits = startHits;
         Colour light = Colour.BLACK;
-        Colour share = Colour.WHITE;
-        if (hits && frame == Frame.SCENE) {
+        Colour share = way;
+        if (hits && place == Frame.SCENE) {
             counts.sceneHits++;
         }
+        boolean first = true;
         while (hits) {
+            if (movingWorld != null) {
+                ray = movingWorld.search().ray();
+                frame = movingWorld.search().frame();
+                way = share;
+            }
             Hit hit = nearest.hit(ray, memory);
             Surface surface = nearest.primitive().surface();
-            if (witness != null) {
-                witness.hits(frame, ray, hit, nearest.primitive());
+            if (observer != null) {
+                observer.hits(place, frame, ray, hit, nearest.primitive());
             }
             Response response = surface.respond(ray, hit, this);
-            light = ray == start
+            light = first
                     ? response.light()
-                    : light.plus(response.light().times(share));
+                    : light.plus(shifts() ? response.light() : response.light().times(share));
+            first = false;
             ray = response.next();
             if (ray == null || isGivenUp(ray)) {
                 sum = light;
@@ -184,10 +251,14 @@ final class RayTracer implements Tracer, Visibility {
             }
             share = share.times(response.factor());
             counts.rays++;
-            hits = objects.nearest(ray, nearest);
+            hits = search(ray);
         }
-        if (witness != null) {
-            witness.leaves(frame, ray);
+        if (movingWorld != null && frame != 0) {
+            ray = movingWorld.inScene(frame, ray);
+            frame = 0;
+        }
+        if (observer != null) {
+            observer.leaves(place, ray);
         }
         sum = light;
         factor = share;
@@ -207,19 +278,28 @@ final class RayTracer implements Tracer, Visibility {
     }
 
     @Override
-    public boolean isClear(Hit from, double x, double y, double z) {
+    public boolean find(int source, Hit hit, Sightline sight) {
+        if (movingWorld != null) {
+            return movingWorld.lampWays().find(source, frame, hit, sight);
+        }
+        Vector3dc lamp = lights.get(source).position();
+        sight.set(lamp.x() - hit.x, lamp.y() - hit.y, lamp.z() - hit.z);
+        return true;
+    }
+
+    @Override
+    public boolean isClear(int source, Hit from, Sightline sight) {
+        if (movingWorld != null) {
+            return movingWorld.lampWays().isClear(source, frame, from, sight);
+        }
         counts.shadowRays++;
-        double toX = x - from.x;
-        double toY = y - from.y;
-        double toZ = z - from.z;
-        double distance = Math.sqrt(toX * toX + toY * toY + toZ * toZ);
-        toX /= distance;
-        toY /= distance;
-        toZ /= distance;
-        for (LampShadows grid : lightGrids) {
-            if (grid.isOf(x, y, z)) {
-                return !grid.shadows(from, toX, toY, toZ, distance, shadowMemory, counts);
-            }
+        double distance = Math.sqrt(sight.x * sight.x + sight.y * sight.y + sight.z * sight.z);
+        double toX = sight.x / distance;
+        double toY = sight.y / distance;
+        double toZ = sight.z / distance;
+        LampShadows seen = lampShadows[source];
+        if (seen != null) {
+            return !seen.shadows(from, toX, toY, toZ, distance, shadowMemory, counts);
         }
         Ray ray = shadowMemory.setShadow(from, toX, toY, toZ);
         if (lastShadow != null && lastShadow.shadows(ray, distance)) {
@@ -227,6 +307,16 @@ final class RayTracer implements Tracer, Visibility {
         }
         lastShadow = objects.shadow(ray, distance, nearest);
         return lastShadow == null;
+    }
+
+    @Override
+    public boolean shifts() {
+        return movingWorld != null && movingWorld.shifts();
+    }
+
+    @Override
+    public Colour seen(Colour light, Ray ray, double dopplerFactor) {
+        return movingWorld.seen(light.times(way), ray, dopplerFactor);
     }
 
     @Override

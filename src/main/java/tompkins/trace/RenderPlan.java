@@ -1,11 +1,14 @@
 package tompkins.trace;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.Camera;
 import tompkins.camera.CameraRays;
 import tompkins.camera.PixelSampler;
+import tompkins.light.LightSource;
 import tompkins.camera.SamplePlaces;
 import tompkins.math.Vectors;
 import tompkins.primitive.Placement;
@@ -13,12 +16,18 @@ import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.search.LampShadows;
+import tompkins.search.NearestHit;
 import tompkins.search.ObjectTree;
 import tompkins.shutter.LensRay;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.IdentityTransformation;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.studio.Studio;
+import tompkins.studio.View;
+import tompkins.world.FrameCrossing;
+import tompkins.world.FrameRoutes;
+import tompkins.world.ObjectPreparation;
+import tompkins.world.World;
 
 /**
  * What a picture needs, and no more: worked out once from a studio, used by all threads, and thrown away with the
@@ -32,25 +41,31 @@ public final class RenderPlan {
     private final CameraRays cameraRays;
     private final FrameCrossing crossing;
     private final LightShift shift;
-    private final PreparedScene scene;
+    private final World world;
+
+    /** Null if nothing moves in the scene. */
+    private final FrameRoutes routes;
+
     private final ObjectTree cameraFrame;
     private final double lensSlowness;
+    private final List<LightSource> cameraLights;
 
     private RenderPlan(Studio studio, RenderPlan previous, boolean plain) {
         this.studio = studio;
         sceneFromCamera = studio.sceneFromCamera();
         cameraRays = studio.camera()
                 .rays(studio.settings().width(), studio.settings().height(), sceneFromCamera);
-        crossing = new FrameCrossing(sceneFromCamera, lensEvent());
-        scene = previous != null && previous.scene.isOf(studio, crossing.origin())
-                ? previous.scene
-                : new PreparedScene(
-                        studio, crossing.origin(), point -> imagePoint(point).position(), plain);
-        PrimitiveCollector collector = new PrimitiveCollector(point -> point);
+        crossing = new FrameCrossing(sceneFromCamera, studio.transformation(), lensEvent());
+        world = previous != null && previous.world.isOf(studio, crossing)
+                ? previous.world
+                : new World(studio, crossing, this::imagePoint, plain);
+        routes = world.frameCount() > 1 ? world.routes(crossing) : null;
+        PrimitiveCollector collector = new PrimitiveCollector();
         ObjectPreparation.add("cameraFrame", studio.cameraFrame(), collector, Placement.NONE);
         cameraFrame = new ObjectTree(collector.primitives(), plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE);
         lensSlowness =
                 LensMedium.slowness(cameraFrame.primitives(), studio.camera().position());
+        cameraLights = World.atRest(studio.lights());
         // last, for it follows a ray by this plan
         shift = studio.shiftsColours() ? new LightShift(studio.colours(), middleDopplerFactor()) : null;
     }
@@ -139,7 +154,16 @@ public final class RenderPlan {
 
     /** Whether anything stands in the scene that a ray can meet. */
     public boolean hasObjectsInScene() {
-        return scene.objects().size() > 0;
+        return world.hasObjects();
+    }
+
+    /** Whether nothing changes with time: all rests in one frame, and there are no clocks. */
+    public boolean isStill() {
+        return isAtRest()
+                && world.frameCount() == 1
+                && Stream.of(world.objects(0), cameraFrame)
+                        .flatMap(objects -> objects.primitives().stream())
+                        .noneMatch(primitive -> primitive.surface().showsTime());
     }
 
     /** Whether the camera and the scene share one frame. */
@@ -154,7 +178,7 @@ public final class RenderPlan {
 
     /** Whether the shutter stays open while what it sees changes. */
     public boolean blursInTime() {
-        return studio.camera().exposureTime() > 0 && !isAtRest();
+        return studio.camera().exposureTime() > 0 && !isStill();
     }
 
     /**
@@ -182,29 +206,62 @@ public final class RenderPlan {
         return tracer(counts, null);
     }
 
-    /** As {@link #tracer(RayCounts)}, watched by a witness. */
-    SampleTracer tracer(RayCounts counts, PathObserver witness) {
+    /** As {@link #tracer(RayCounts)}, watched by an observer. */
+    SampleTracer tracer(RayCounts counts, PathObserver observer) {
         int depth = studio.settings().maximumDepth();
+        LampShadows[] lampShadows = new LampShadows[world.lights().size()];
+        Arrays.setAll(lampShadows, world::lampShadows);
+        NearestHit nearest = new NearestHit(counts);
         RayTracer sceneTracer = new RayTracer(
                 Frame.SCENE,
-                scene.objects(),
-                scene.lights(),
-                scene.lightGrids(),
+                world.objects(0),
+                world.lights(),
+                lampShadows,
+                routes == null ? null : new MovingWorld(world, routes, studio.transformation(), shift, nearest, counts),
                 new BackgroundTracer(studio.background()),
                 depth,
                 counts,
-                witness);
-        SceneEntry entry = new SceneEntry(crossing, sceneTracer, shift, witness);
+                nearest,
+                observer);
+        SceneEntry entry = new SceneEntry(crossing, sceneTracer, shift, observer);
         RayTracer cameraTracer = cameraFrame.size() == 0
                 ? null
                 : new RayTracer(
-                        Frame.CAMERA, cameraFrame, studio.lights(), new LampShadows[0], entry, depth, counts, witness);
-        return new SampleTracer(sampler(), cameraRays, lensSlowness, cameraTracer, entry, counts, witness);
+                        Frame.CAMERA,
+                        cameraFrame,
+                        cameraLights,
+                        new LampShadows[cameraLights.size()],
+                        null,
+                        entry,
+                        depth,
+                        counts,
+                        new NearestHit(counts),
+                        observer);
+        return new SampleTracer(
+                sampler(),
+                cameraRays,
+                lensSlowness,
+                studio.view() == View.MEASURED,
+                cameraTracer,
+                entry,
+                counts,
+                observer);
     }
 
     /** The place from which the tracer describes the scene; usually the origin of the scene frame. */
-    Vector3dc sceneOrigin() {
+    Event sceneOrigin() {
         return crossing.origin();
+    }
+
+    /** The frames of the scene. */
+    World world() {
+        return world;
+    }
+
+    /** An event of a frame of the scene, in the coordinates of the scene itself. */
+    Event inScene(int frame, Event event) {
+        Event traced = frame == 0 ? event : routes.transform(frame, 0, event);
+        return traced.plus(crossing.origin());
     }
 
     /**
@@ -225,6 +282,6 @@ public final class RenderPlan {
     }
 
     private PlanSentences inSentences() {
-        return new PlanSentences(this, scene.objects(), cameraFrame, shift);
+        return new PlanSentences(this, world, cameraFrame, cameraRays, shift);
     }
 }

@@ -25,10 +25,11 @@ public final class SampleTracer {
     private final PixelSampler sampler;
     private final CameraRays cameraRays;
     private final double lensSlowness;
+    private final boolean measures;
     private final RayTracer cameraTracer;
     private final SceneEntry sceneEntry;
     private final RayCounts counts;
-    private final PathObserver witness;
+    private final PathObserver observer;
 
     private final SamplePlaces places = new SamplePlaces(RayPacket.MOST);
     private final RayPacket rays = new RayPacket(RayPacket.MOST);
@@ -49,24 +50,27 @@ public final class SampleTracer {
      * A tracer.
      *
      * @param lensSlowness slowness of light at the lens
+     * @param measures whether to measure where things are, instead of following light
      * @param cameraTracer the tracer of the camera frame, or null if no objects move with the camera
-     * @param witness watches the rays; may be null
+     * @param observer watches the rays; may be null
      */
     SampleTracer(
             PixelSampler sampler,
             CameraRays cameraRays,
             double lensSlowness,
+            boolean measures,
             RayTracer cameraTracer,
             SceneEntry sceneEntry,
             RayCounts counts,
-            PathObserver witness) {
+            PathObserver observer) {
         this.sampler = sampler;
         this.cameraRays = cameraRays;
         this.lensSlowness = lensSlowness;
+        this.measures = measures;
         this.cameraTracer = cameraTracer;
         this.sceneEntry = sceneEntry;
         this.counts = counts;
-        this.witness = witness;
+        this.observer = observer;
     }
 
     /**
@@ -106,7 +110,9 @@ public final class SampleTracer {
 
     private void start() {
         cameraRays.make(places, rays, counts);
-        if (lensSlowness != 1) {
+        if (measures) {
+            rays.measure();
+        } else if (lensSlowness != 1) {
             rays.startIn(lensSlowness);
         }
         if (narrowing != 1) {
@@ -121,8 +127,8 @@ public final class SampleTracer {
             return Colour.BLACK;
         }
         Ray ray = rays.ray(0);
-        if (witness != null) {
-            witness.starts(ray);
+        if (observer != null) {
+            observer.starts(ray);
         }
         return finite(cameraTracer == null ? sceneEntry.colour(ray) : cameraTracer.colourOf(ray));
     }
@@ -193,9 +199,16 @@ public final class SampleTracer {
     private void followInScene(SampleSink taker) {
         RayTracer tracer = sceneEntry.sceneTracer();
         int count = rays.count();
+        if (tracer.movingWorld() != null) {
+            tracer.movingWorld().search().begin(rays);
+            for (int i = 0; i < count && goesTo(i, taker); i++) {
+                takeFromScene(i, Double.isNaN(rays.dx[i]) ? Colour.BLACK : tracer.movingColour(rays, i));
+            }
+            return;
+        }
         if (tracer.find(search, rays)) {
             for (int i = 0; i < count && goesTo(i, taker); i++) {
-                takeFromScene(i, tracer.colour(rays, i, search));
+                takeFromScene(i, tracer.packetColour(rays, i, search));
             }
             return;
         }
@@ -204,13 +217,13 @@ public final class SampleTracer {
             if (i % EntryNodes.RAYS == 0) {
                 found = tracer.find(entries, rays, i, Math.min(count, i + EntryNodes.RAYS));
             }
-            takeFromScene(i, found ? tracer.colour(rays, i, entries) : colourWithoutHelp(i, tracer));
+            takeFromScene(i, found ? tracer.entryColour(rays, i, entries) : colourWithoutHelp(i, tracer));
         }
     }
 
     /** A ray without a direction, whose light stands still in the scene, keeps all around it from being bounded. */
     private Colour colourWithoutHelp(int index, RayTracer tracer) {
-        return Double.isNaN(rays.dx[index]) ? Colour.BLACK : tracer.colour(rays, index);
+        return Double.isNaN(rays.dx[index]) ? Colour.BLACK : tracer.singleColour(rays, index);
     }
 
     private void choosePlaces(int left, int top, int width, int height, int stride, int sample, SampleSink taker) {

@@ -3,6 +3,7 @@ package tompkins.trace;
 import tompkins.ray.Colour;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
+import tompkins.world.FrameCrossing;
 
 /** What is beyond the objects of the camera frame: the scene, after the change of frame. */
 final class SceneEntry implements Beyond {
@@ -10,20 +11,20 @@ final class SceneEntry implements Beyond {
     private final FrameCrossing crossing;
     private final RayTracer sceneTracer;
     private final LightShift shift;
-    private final PathObserver witness;
+    private final PathObserver observer;
 
     /**
      * The way into the scene.
      *
      * @param crossing the change of frame
      * @param shift what becomes of the light, or null if it stays as it is
-     * @param witness watches the rays; may be null
+     * @param observer watches the rays; may be null
      */
-    SceneEntry(FrameCrossing crossing, RayTracer sceneTracer, LightShift shift, PathObserver witness) {
+    SceneEntry(FrameCrossing crossing, RayTracer sceneTracer, LightShift shift, PathObserver observer) {
         this.crossing = crossing;
         this.sceneTracer = sceneTracer;
         this.shift = shift;
-        this.witness = witness;
+        this.observer = observer;
     }
 
     @Override
@@ -33,8 +34,8 @@ final class SceneEntry implements Beyond {
             // light that stands still in the scene has come from nowhere
             return Colour.BLACK;
         }
-        if (witness != null) {
-            witness.crosses(crossed);
+        if (observer != null) {
+            observer.crosses(crossed);
         }
         return inCameraFrame(sceneTracer.colourOf(crossed), crossed.frequency);
     }
@@ -45,10 +46,10 @@ final class SceneEntry implements Beyond {
      * @param frequency that of its ray: in the scene frame divided by that in the camera frame
      */
     Colour inCameraFrame(Colour light, double frequency) {
-        return shift == null ? light : shift.seen(light, 1 / frequency);
+        return shift == null || sceneTracer.shifts() ? light : shift.seen(light, 1 / frequency);
     }
 
-    /** Takes each ray of a block into the scene frame; no witness is told. */
+    /** Takes each ray of a block into the scene frame; no observer is told. */
     void cross(RayPacket rays) {
         crossing.cross(rays);
     }

@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import java.util.stream.Stream;
@@ -11,6 +12,7 @@ import tompkins.animation.AnimationRecorder;
 import tompkins.animation.FrameWarnings;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
+import tompkins.image.FileException;
 import tompkins.render.Progress;
 import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
@@ -46,28 +48,38 @@ final class AnimationExport {
                         studio.settings().height()),
                 "animation",
                 formats,
-                (file, format) -> save(studio, animation, file, format));
+                (file, format, replace) -> save(studio, animation, file, format, replace));
     }
 
     /** Saves an animation, with progress and cancel. */
-    void save(Studio studio, Animation animation, Path file, AnimationFormat format) {
+    void save(Studio studio, Animation animation, Path file, AnimationFormat format, boolean replace) {
         boolean captioned = captions.areShown();
-        AtomicReference<FrameWarnings> warnings = new AtomicReference<>();
+        AtomicReference<Exported> exported = new AtomicReference<>();
         BackgroundTask.start(
                 frame,
                 Texts.get("file.saving", file),
-                progress -> warnings.set(write(studio, animation, file, format, captioned, progress)),
-                () -> dialogs.exported(file, warnings.get().sentences()),
+                progress ->
+                        exported.set(write(studio, animation, () -> open(file, format, replace), captioned, progress)),
+                () -> dialogs.exported(
+                        exported.get().place(), exported.get().warnings().sentences()),
                 () -> dialogs.sayNotSaved(file));
     }
 
+    /** What was saved: where it lies, and what the user should know about it. */
+    record Exported(Path place, FrameWarnings warnings) {}
+
+    private static AnimationWriter open(Path file, AnimationFormat format, boolean replace) throws FileException {
+        return replace ? format.open(file, Animation.FRAME_RATE) : format.openNew(file, Animation.FRAME_RATE);
+    }
+
     /** Takes all pictures and writes them; leaves nothing behind if the task is cancelled or fails. */
-    static FrameWarnings write(
-            Studio studio, Animation animation, Path file, AnimationFormat format, boolean captioned, Progress progress)
+    static Exported write(
+            Studio studio, Animation animation, Callable<AnimationWriter> file, boolean captioned, Progress progress)
             throws Exception {
-        try (AnimationWriter writer = format.open(file, Animation.FRAME_RATE)) {
+        try (AnimationWriter writer = file.call()) {
             Function<Studio, String> caption = Captions.ofPictures(studio, animation.number(), captioned);
-            return AnimationRecorder.record(studio, animation, writer, caption, progress);
+            FrameWarnings warnings = AnimationRecorder.record(studio, animation, writer, caption, progress);
+            return new Exported(writer.finish(), warnings);
         }
     }
 }

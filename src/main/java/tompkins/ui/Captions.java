@@ -10,7 +10,6 @@ import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 import tompkins.ui.panel.NumberProperty;
 import tompkins.ui.picture.PictureCanvas;
-import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.SpeedText;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Wording;
@@ -80,7 +79,7 @@ public final class Captions {
         List<String> words = new ArrayList<>();
         words.add(Texts.get("caption.beta", SpeedText.of(studio.velocity(), SpeedScale.BETA)));
         if (studio.transformation() == TransformationLaw.LORENTZ) {
-            words.add(Texts.get("caption.gamma", Numbers.brief(studio.velocity().gamma())));
+            words.add(Texts.get("caption.gamma", SpeedScale.GAMMA.reading(studio.velocity())));
         } else {
             words.add(Texts.get("caption." + studio.transformation()));
         }

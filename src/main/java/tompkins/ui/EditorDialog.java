@@ -62,6 +62,7 @@ final class EditorDialog {
     void fitToLook() {
         if (dialog != null) {
             Dimension made = dialog.getSize();
+            editor.fitToLook();
             dialog.pack();
             dialog.setSize(Math.max(made.width, dialog.getWidth()), Math.max(made.height, dialog.getHeight()));
             Screens.keepOnScreen(dialog);

@@ -19,8 +19,8 @@ import tompkins.studio.Studio;
 import tompkins.ui.panel.NumberProperty;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
-import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Tips;
 
 /** The menus of the window. */
 final class Menus {
@@ -165,9 +165,9 @@ final class Menus {
     private void fillRecent(JMenu recent) {
         recent.removeAll();
         for (Path file : settings.recentFiles()) {
-            JMenuItem item = PlainText.in(new JMenuItem());
+            JMenuItem item = new JMenuItem();
             item.setText(file.getFileName().toString());
-            item.setToolTipText(file.toString());
+            item.setToolTipText(Tips.wrapped(file.toString()));
             item.addActionListener(event -> opener.open(file));
             recent.add(item);
         }

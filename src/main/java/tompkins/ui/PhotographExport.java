@@ -2,12 +2,15 @@ package tompkins.ui;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import javax.swing.JFrame;
+import tompkins.image.FileException;
 import tompkins.image.LinearImage;
 import tompkins.image.PhotographFile;
 import tompkins.image.PhotographInfo;
 import tompkins.image.PictureFormat;
+import tompkins.image.ToneCurve;
 import tompkins.io.SelfDescription;
 import tompkins.io.StudioWriter;
 import tompkins.render.PhotographTaker;
@@ -53,11 +56,12 @@ final class PhotographExport {
                         studio.settings().height()),
                 dialogs.fileName(),
                 formats,
-                (file, format) -> save(studio, file, format));
+                (file, format, replace) -> save(studio, file, format, replace));
     }
 
     /** Saves the complete photograph of a studio, with the scene inside. */
-    private void save(Studio studio, Path file, PictureFormat format) {
+    private void save(Studio studio, Path file, PictureFormat format, boolean replace) {
+        AtomicReference<Path> saved = new AtomicReference<>();
         Picture onScreen = view.canvas().shown().now();
         boolean ready =
                 onScreen != null && onScreen.complete() && onScreen.studio().equals(studio);
@@ -70,18 +74,29 @@ final class PhotographExport {
                         LinearImage image = ready
                                 ? onScreen.image()
                                 : taker.take(studio, task, 0, 1).image();
-                        PhotographFile.write(
-                                file, image, format, studio.settings().toneCurve(), info);
+                        saved.set(write(file, image, format, studio.settings().toneCurve(), info, replace));
                     }
                 },
                 () -> {
-                    dialogs.saved(file);
+                    Path place = saved.get();
+                    dialogs.saved(place);
                     List<String> named = StudioWriter.filesOnlyNamed(studio);
                     if (!named.isEmpty()) {
                         // it asks for something
-                        status.say(Texts.get("file.savedNaming", file, String.join(", ", named)));
+                        status.say(Texts.get("file.savedNaming", place, String.join(", ", named)));
                     }
                 },
                 () -> dialogs.sayNotSaved(file));
+    }
+
+    /** Saves a picture; where it lies. */
+    private static Path write(
+            Path file, LinearImage image, PictureFormat format, ToneCurve curve, PhotographInfo info, boolean replace)
+            throws FileException {
+        if (!replace) {
+            return PhotographFile.writeNew(file, image, format, curve, info);
+        }
+        PhotographFile.write(file, image, format, curve, info);
+        return file;
     }
 }

@@ -1,9 +1,11 @@
 package tompkins.ui;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JFrame;
 import tompkins.io.StudioWriter;
 import tompkins.studio.Studio;
@@ -75,7 +77,7 @@ final class SceneSaver {
         BackgroundTask search =
                 BackgroundTask.find(frame, Texts.get("file.saving", file), () -> Loss.of(file, before), loss -> {
                     switch (loss) {
-                        case NOTHING -> write(file, saving);
+                        case NOTHING -> write(file, saving, true);
                         case PHOTOGRAPH -> saveAs(saving);
                         case HANDWRITING, OTHER_SCENE -> askAboutLoss(loss, file, saving);
                     }
@@ -108,7 +110,7 @@ final class SceneSaver {
                 Texts.get("task.cancel"));
         switch (answer) {
             case 0 -> saveAs(saving);
-            case 1 -> write(file, saving);
+            case 1 -> write(file, saving, true);
             default -> {}
         }
     }
@@ -127,21 +129,23 @@ final class SceneSaver {
                 Texts.get("file.saveScene"),
                 dialogs.fileName(),
                 List.of(json),
-                (file, format) -> write(file, saving));
+                (file, format, replace) -> write(file, saving, replace));
     }
 
-    private void write(Path file, Saving saving) {
+    private void write(Path file, Saving saving, boolean replace) {
         if (isBeingSaved(file)) {
             return;
         }
         Studio studio = saving.studio;
+        AtomicReference<Path> saved = new AtomicReference<>();
         Runnable done = () -> {
+            Path place = saved.get();
             // another scene may have been opened meanwhile
             if (model.opened() == saving.opened) {
-                model.saved(studio, file);
+                model.saved(studio, place);
             }
-            held.put(file, studio);
-            dialogs.saved(file);
+            held.put(place, studio);
+            dialogs.saved(place);
             saving.next.run();
         };
         awaitEnd(
@@ -149,8 +153,17 @@ final class SceneSaver {
                 BackgroundTask.start(
                         frame,
                         Texts.get("file.saving", file),
-                        task -> StudioWriter.save(studio, file),
+                        task -> saved.set(write(studio, file, replace)),
                         done,
                         () -> dialogs.sayNotSaved(file)));
+    }
+
+    /** Saves a scene; where it lies. */
+    private static Path write(Studio studio, Path file, boolean replace) throws IOException {
+        if (!replace) {
+            return StudioWriter.saveNew(studio, file);
+        }
+        StudioWriter.save(studio, file);
+        return file;
     }
 }

@@ -2,16 +2,21 @@ package tompkins.ui;
 
 import java.io.IOException;
 import java.io.Reader;
+import java.io.StringWriter;
 import java.io.UncheckedIOException;
-import java.io.Writer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
+import java.util.function.Consumer;
+import tompkins.image.FileFailure;
 import tompkins.image.PendingFile;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Texts;
 
 /**
  * What the window remembers: its look, its size, and the files that were opened last. Kept in the folder for settings
@@ -19,39 +24,74 @@ import tompkins.ui.widget.Look;
  */
 final class Settings {
 
-    private static final String FOLDER = "tompkins.settings";
+    private static final String FILE = "window.properties";
     private static final int MOST_RECENT = 8;
 
+    /** Larger than any that was written by this program. */
+    private static final int LARGEST = 1 << 20;
+
+    /** Null if nothing can be kept. */
     private final Path file;
+
     private final Properties values = new Properties();
 
+    /** What the user should know about the settings; empty if there is nothing, or it was told. */
+    private String trouble;
+
+    private boolean told;
+    private Consumer<String> listener;
+
     Settings() {
-        this(folder().resolve("window.properties"));
+        this(SettingsFolder.find());
+    }
+
+    private Settings(SettingsFolder folder) {
+        this(folder.path() == null ? null : folder.path().resolve(FILE), folder.trouble());
     }
 
     /** Settings in a file; whatever cannot be read is as if it had not been set. */
     Settings(Path file) {
-        this.file = file;
-        if (Files.isReadable(file)) {
-            try (Reader reader = Files.newBufferedReader(file)) {
-                values.load(reader);
-            } catch (IOException | IllegalArgumentException damaged) {
-                values.clear();
-            }
+        this(file, "");
+    }
+
+    private Settings(Path file, String trouble) {
+        this.file = file == null ? null : file.toAbsolutePath();
+        this.trouble = trouble;
+        // where nobody may look there may be a file all the same
+        if (file != null && !Files.notExists(file)) {
+            read();
         }
     }
 
-    private static Path folder() {
-        String chosen = System.getProperty(FOLDER);
-        if (chosen != null) {
-            return Path.of(chosen);
+    private void read() {
+        try {
+            if (Files.exists(file) && (!Files.isRegularFile(file) || Files.size(file) > LARGEST)) {
+                throw new IOException(Texts.get("settings.notOurs"));
+            }
+            try (Reader reader = Files.newBufferedReader(file)) {
+                values.load(reader);
+            }
+        } catch (CharacterCodingException | IllegalArgumentException damaged) {
+            values.clear();
+            tell(Texts.get("settings.notRead", file, Texts.get("settings.notOurs")));
+        } catch (IOException failure) {
+            values.clear();
+            tell(Texts.get("settings.notRead", file, FileFailure.reason(failure)));
         }
-        String windows = System.getenv("APPDATA");
-        String linux = System.getenv("XDG_CONFIG_HOME");
-        String home = System.getProperty("user.home") + "/.config";
-        // an empty one is as if it were not set, by the XDG Base Directory Specification
-        String base = windows != null ? windows : linux != null && !linux.isEmpty() ? linux : home;
-        return Path.of(base).resolve("tompkins");
+    }
+
+    /** Tells somebody what the user should know about the settings, now or when it happens; once. */
+    void tellTrouble(Consumer<String> newListener) {
+        listener = newListener;
+        tell(trouble);
+    }
+
+    private void tell(String message) {
+        trouble = message;
+        if (listener != null && !told && !message.isEmpty()) {
+            told = true;
+            listener.accept(message);
+        }
     }
 
     /** The look; light if none was chosen. */
@@ -96,6 +136,8 @@ final class Settings {
                 }
             }
         }
+        // a root has no name, and is no file
+        files.removeIf(path -> path.getFileName() == null || path.toString().isEmpty());
         return files;
     }
 
@@ -110,18 +152,22 @@ final class Settings {
         save();
     }
 
-    /** Writes the file; a folder that cannot be written only means that nothing is remembered. */
+    /** Writes the file; a folder that cannot be written only means that nothing is remembered, which is told. */
     void save() {
+        if (file == null) {
+            return;
+        }
         try {
             Files.createDirectories(file.getParent());
-            try (PendingFile pending = PendingFile.file(file)) {
-                try (Writer writer = Files.newBufferedWriter(pending.path())) {
-                    values.store(writer, null);
-                }
+            try (PendingFile pending = PendingFile.replacing(file)) {
+                StringWriter text = new StringWriter();
+                values.store(text, null);
+                pending.write(text.toString().getBytes(StandardCharsets.UTF_8));
                 pending.commit();
             }
-        } catch (IOException | UncheckedIOException | SecurityException notRemembered) {
-            return;
+        } catch (IOException | UncheckedIOException failure) {
+            IOException reason = failure instanceof IOException io ? io : ((UncheckedIOException) failure).getCause();
+            tell(Texts.get("settings.notKept", file, FileFailure.reason(reason)));
         }
     }
 }

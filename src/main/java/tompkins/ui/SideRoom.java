@@ -3,6 +3,9 @@ package tompkins.ui;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Insets;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -10,6 +13,7 @@ import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import tompkins.ui.picture.Picture;
+import tompkins.ui.widget.Look;
 
 /**
  * The room beside the photograph. The panel comes into it when there is time, or as soon as it is needed: to make it
@@ -17,10 +21,19 @@ import tompkins.ui.picture.Picture;
  */
 final class SideRoom {
 
+    /** The least width of the photograph, in sizes of the type. */
+    private static final double LEAST_PICTURE = 18;
+
     private final JPanel room = new JPanel(new BorderLayout());
     private final Supplier<SidePanel> maker;
     private SidePanel panel;
     private Picture shown;
+    private JComponent window;
+    private Consumer<Boolean> whenFolding;
+    private boolean narrow;
+
+    /** Whether the panel is hidden because the window is narrow. */
+    private boolean folded;
 
     /** An empty room for the panel that somebody makes. */
     SideRoom(Supplier<SidePanel> maker) {
@@ -67,11 +80,56 @@ final class SideRoom {
         }
     }
 
+    /** Shows the panel, or hides it. */
+    void toggle() {
+        setFolded(false);
+        room.setVisible(!room.isVisible());
+    }
+
+    /**
+     * Folds the panel whenever the window becomes so narrow that no room is left for the photograph, and brings it back
+     * when there is room again. Somebody may {@link #toggle} it meanwhile.
+     *
+     * @param content what the photograph shares with this room
+     * @param folding told when the panel is folded, and when it is not any more
+     */
+    void fitInto(JComponent content, Consumer<Boolean> folding) {
+        window = content;
+        whenFolding = folding;
+        content.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                fit();
+            }
+        });
+    }
+
+    private void setFolded(boolean now) {
+        if (now != folded) {
+            folded = now;
+            whenFolding.accept(now);
+        }
+    }
+
+    private void fit() {
+        boolean before = narrow;
+        narrow = window.getWidth() < room.getPreferredSize().width + Look.pixels(LEAST_PICTURE);
+        if (narrow && !before && room.isVisible()) {
+            setFolded(true);
+            room.setVisible(false);
+        } else if (!narrow && folded) {
+            toggle();
+        }
+    }
+
     /** What does not follow the look by itself. */
     void fitToLook() {
         int width = panel == null ? SidePanel.leastWidth() : panel.width();
         room.setPreferredSize(new Dimension(width, 0));
         room.setBorder(BorderFactory.createMatteBorder(0, 1, 0, 0, UIManager.getColor("Tompkins.line")));
         room.revalidate();
+        if (window != null && window.getWidth() > 0) {
+            fit();
+        }
     }
 }

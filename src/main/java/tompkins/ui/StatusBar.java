@@ -16,7 +16,6 @@ import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.picture.RenderController;
 import tompkins.ui.widget.Numbers;
-import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Tips;
 
@@ -30,7 +29,7 @@ final class StatusBar {
 
     private final JPanel panel =
             new JPanel(new MigLayout("novisualpadding, insets 4 10 5 10, fillx, gap 12 1", "[grow,fill][pref!]"));
-    private final JLabel what = PlainText.in(new JLabel());
+    private final JLabel what = new JLabel();
     private final JLabel where = new JLabel(" ");
     private final JLabel picture = new JLabel(" ");
     private final JProgressBar progress = new JProgressBar(0, STEPS);
@@ -43,6 +42,7 @@ final class StatusBar {
     private String pictureHint = Texts.get("status.idle");
 
     private boolean picking;
+    private boolean panelFolded;
 
     /** The picture on the screen, if it is said that it becomes better; else null. */
     private Picture refining;
@@ -97,7 +97,10 @@ final class StatusBar {
 
     /** What is said if there is nothing else to say. */
     private String hint() {
-        return picking ? Texts.get("lens.picking") : pictureHint;
+        if (picking) {
+            return Texts.get("lens.picking");
+        }
+        return panelFolded ? Texts.get("status.panelFolded") : pictureHint;
     }
 
     /** A line that is too long for the window is read in its tip. */
@@ -153,7 +156,7 @@ final class StatusBar {
         }
         setWhat(text.toString());
         where.setText(details(reading));
-        where.setToolTipText(where.getText());
+        where.setToolTipText(Tips.wrapped(where.getText()));
     }
 
     private static String details(PixelProbe.Reading reading) {
@@ -193,7 +196,7 @@ final class StatusBar {
                         shown.image().height(),
                         Texts.get(samples.equals("1") ? "status.sample" : "status.samples", samples),
                         milliseconds < 1000 ? milliseconds + " ms" : Numbers.brief(milliseconds / 1000.0, 3) + " s",
-                        Double.isNaN(shown.error()) ? "?" : Numbers.brief(shown.error(), 2))
+                        Double.isNaN(shown.error()) ? "" : Texts.get("status.error", Numbers.brief(shown.error(), 2)))
                 + (shown.plan().isTooFaint() ? Texts.get("status.tooFaint") : "")
                 + (shown.isTooSharp() ? Texts.get("status.tooSharp") : ""));
         picture.setToolTipText(Tips.wrapped(Texts.get("status.errorTip")));
@@ -228,6 +231,12 @@ final class StatusBar {
             picking = isPicking;
             showIdle();
         }
+    }
+
+    /** Says how to get at the panel, as long as it is folded for want of room. */
+    void showPanelFolded(boolean isFolded) {
+        panelFolded = isFolded;
+        showIdle();
     }
 
     /** Shows one line of text, until there is something else to read under the mouse. */

@@ -2,8 +2,6 @@ package tompkins.ui;
 
 import java.awt.BorderLayout;
 import java.awt.Desktop;
-import java.awt.Dimension;
-import java.awt.Rectangle;
 import java.awt.desktop.QuitStrategy;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -40,8 +38,8 @@ public final class TompkinsWindow {
     private static final double WIDTH = 84;
 
     private static final double HEIGHT = 56;
-    private static final double MINIMUM_WIDTH = 64;
-    private static final double MINIMUM_HEIGHT = 32;
+    private static final double MINIMUM_WIDTH = 40;
+    private static final double MINIMUM_HEIGHT = 24;
 
     private final Settings settings = new Settings();
     private final JFrame frame = new JFrame();
@@ -94,11 +92,12 @@ public final class TompkinsWindow {
         frame.getRootPane().setTransferHandler(opener.drop());
         PeekKey.bind(frame, view.canvas());
         FocusFollower.install(frame);
+        Screens.keepDialogsOnScreen();
         frame.setName("tompkins");
         frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         frame.addWindowListener(new Closer());
-        frame.setSize(
-                onScreen(settings.number("width", Look.pixels(WIDTH)), settings.number("height", Look.pixels(HEIGHT))));
+        frame.setSize(Screens.atMost(
+                frame, settings.number("width", Look.pixels(WIDTH)), settings.number("height", Look.pixels(HEIGHT))));
         size = new WindowSize(frame, settings);
         frame.setLocationByPlatform(true);
         model.addListener(this::showTitle);
@@ -106,6 +105,7 @@ public final class TompkinsWindow {
         // what is laid out before the window is on its screen is laid out again
         frame.addNotify();
         fitToLook();
+        settings.tellTrouble(status::say);
         if (place != null) {
             settings.addRecentFile(place);
         }
@@ -125,12 +125,11 @@ public final class TompkinsWindow {
      * Opens a window, which shows its first picture as soon as that is there. Called by any thread; returns at once.
      * The program ends when all its windows are closed.
      *
-     * @param studio the scene to show
-     * @param file where it was read from, or null
+     * @param first the scene to show
      * @param examples reads the scenes that the menu of examples offers, in its order; called by another thread
      * @param commandLine writes the command line that takes the same photograph
      */
-    public static void open(Studio studio, Path file, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
+    public static void open(FirstScene first, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
         prepare();
         if (Desktop.isDesktopSupported() && Desktop.getDesktop().isSupported(Desktop.Action.APP_QUIT_STRATEGY)) {
             // Cmd+Q on a Mac must not pass over the question about unsaved changes
@@ -138,7 +137,8 @@ public final class TompkinsWindow {
         }
         SwingUtilities.invokeLater(() -> {
             Thread.currentThread().setUncaughtExceptionHandler(new LastResort());
-            opened(studio, file, examples, commandLine);
+            TompkinsWindow window = opened(first.studio(), first.file(), examples, commandLine);
+            first.tellProblem(window.frame);
         });
     }
 
@@ -216,21 +216,14 @@ public final class TompkinsWindow {
         content.add(middle, BorderLayout.CENTER);
         content.add(side.component(), BorderLayout.EAST);
         content.add(status.component(), BorderLayout.SOUTH);
+        side.fitInto(content, status::showPanelFolded);
         return content;
     }
 
     /** What does not follow the look by itself. */
     private void fitToLook() {
         side.fitToLook();
-        size.require(onScreen(Look.pixels(MINIMUM_WIDTH), Look.pixels(MINIMUM_HEIGHT)));
-    }
-
-    /**
-     * A size, or that of the screen where that is smaller: large type, or a window of yesterday's screen, may not fit.
-     */
-    private Dimension onScreen(int width, int height) {
-        Rectangle screen = Screens.room(frame);
-        return new Dimension(Math.min(width, screen.width), Math.min(height, screen.height));
+        size.require(Screens.atMost(frame, Look.pixels(MINIMUM_WIDTH), Look.pixels(MINIMUM_HEIGHT)));
     }
 
     private void showTitle() {
@@ -322,7 +315,7 @@ public final class TompkinsWindow {
 
         @Override
         public void togglePanel() {
-            side.component().setVisible(!side.component().isVisible());
+            side.toggle();
             frame.revalidate();
         }
 

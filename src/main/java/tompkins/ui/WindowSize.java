@@ -40,7 +40,7 @@ final class WindowSize {
             public void windowActivated(WindowEvent event) {
                 // a window without its borders would forget its normal size
                 frame.removeWindowListener(this);
-                frame.setExtendedState(settings.number(MAXIMISED, 0));
+                frame.setExtendedState(settings.number(MAXIMISED, 0) & Frame.MAXIMIZED_BOTH);
             }
         });
     }

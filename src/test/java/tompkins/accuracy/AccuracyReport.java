@@ -3,8 +3,10 @@ package tompkins.accuracy;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import tompkins.golden.GoldenRow;
 import tompkins.golden.GoldenTable;
 import tompkins.golden.Worst;
+import tompkins.light.GoldenColours;
 import tompkins.sceneobject.GoldenHits;
 import tompkins.sceneobject.GoldenSolids;
 import tompkins.sceneobject.HitMethod;
@@ -29,6 +31,7 @@ final class AccuracyReport {
         report.introduction();
         report.referenceTable();
         report.failureModes();
+        report.colours();
         report.pixelBudget();
         report.limits();
         report.commands();
@@ -128,6 +131,48 @@ final class AccuracyReport {
                     + number(mode.ours()) + " |");
         }
         line("");
+    }
+
+    private void colours() {
+        line("## Colours under a Doppler shift");
+        line("");
+        line("How far the colours of the [model](conventions.md#colours) are from its integrals over the wavelength,");
+        line(
+                "which another program worked out in steps of 0.1 nm with the CIE 1931 functions between their tabulated values.");
+        line(
+                "The error of a colour is that of its worst channel, as a share of the brightest channel that is seen of it:");
+        line(
+                "so a colour that is nearly black counts as much as a bright one. Red, green and blue are those of the screen.");
+        line("");
+        line("| D | white | red, green, blue |");
+        line("|---|---|---|");
+        for (ColourRange range : ColourRange.values()) {
+            line("| " + range.words + " | "
+                    + number(GoldenColours.worstWhite(range.rows())) + " | "
+                    + number(GoldenColours.worstPrimary(range.rows())) + " |");
+        }
+        line("");
+    }
+
+    /** Doppler factors, in ranges. */
+    private enum ColourRange {
+        LOW("0.2 to 0.5", 0.2, 0.5),
+        MIDDLE("0.5 to 2", 0.5, 2),
+        HIGH("2 to 1000", 2, 1000);
+
+        private final String words;
+        private final double least;
+        private final double most;
+
+        ColourRange(String words, double least, double most) {
+            this.words = words;
+            this.least = least;
+            this.most = most;
+        }
+
+        List<GoldenRow> rows() {
+            return GoldenColours.rows(least, most);
+        }
     }
 
     private void pixelBudget() {

@@ -36,6 +36,36 @@ class CheckCommandTest {
         assertThat(Files.readAllBytes(again)).isEqualTo(bytes);
     }
 
+    /** A photograph must hold its scene; one that is too long for that is a mistake for both. */
+    @Test
+    void checkAndRenderAgreeOnLongScenes() throws IOException {
+        Path title =
+                Files.writeString(folder.resolve("title.json"), "{ \"title\": \"" + "a".repeat(30_000_000) + "\" }");
+
+        ProgramRun check = ProgramRun.of("check", title, FIG1B);
+        ProgramRun render = ProgramRun.of("render", title, "-o", folder.resolve("a.png"));
+
+        assertThat(check.code()).isEqualTo(2);
+        assertThat(check.err()).contains("title.json: the scene must be at most 16777216 characters long");
+        assertThat(check.err()).isEqualTo(render.err());
+        assertThat(render.code()).isEqualTo(2);
+        assertThat(check.out().strip()).isEqualTo(FIG1B + ": no mistakes");
+    }
+
+    @Test
+    void checkAndRenderAgreeOnPicturesBeyondTheMemory() throws IOException {
+        Path large = Files.writeString(
+                folder.resolve("large.json"),
+                "{ \"settings\": { \"width\": 10000, \"height\": 10000, \"samples\": 2 } }");
+
+        ProgramRun check = ProgramRun.of("check", large);
+        ProgramRun render = ProgramRun.of("render", large, "-o", folder.resolve("b.png"));
+
+        assertThat(check.err()).contains("a picture of 10000 x 10000 pixels needs about");
+        assertThat(render.err()).contains("a picture of 10000 x 10000 pixels needs about");
+        assertThat(check.code()).isEqualTo(2).isEqualTo(render.code());
+    }
+
     @Test
     void checkWarnsOfLostDigits() throws IOException {
         Path fast = Files.writeString(folder.resolve("fast.json"), "{ \"velocity\": { \"gamma\": 1e7 } }");

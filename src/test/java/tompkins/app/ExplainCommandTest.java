@@ -1,5 +1,11 @@
 package tompkins.app;
 
+import tompkins.sceneobject.Group;
+import tompkins.sceneobject.ImagePointGrid;
+import tompkins.sceneobject.Parallelogram;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.Sphere;
+
 import static org.assertj.core.api.Assertions.as;
 import static org.assertj.core.api.Assertions.assertThat;
 import static tompkins.app.ProgramRun.FIG1B;
@@ -120,6 +126,48 @@ class ExplainCommandTest {
             assertThat(out.contains("- Warning: the focus has no surface")).isEqualTo(warns);
             assertThat(out).contains(warns ? "so that " + warning : "except where a ray never crosses the shutter");
         }
+    }
+
+    /** What a scene needs for a sentence about what is left out, and the same scene without that. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '~', textBlock = """
+            not the right places: through a wide aperture | 'cameraFrame': [WINDOW], 'camera': {'apertureRadius': 0.1} \
+            | 'cameraFrame': [WINDOW]
+            not the right places: with a shutter that opens at different times | 'velocity': [0, 0, 0.5], 'cameraFrame': [WINDOW], \
+            'camera': {'shutter': {'type': 'DetectorPlaneShutter'}} | 'velocity': [0, 0, 0.5], 'cameraFrame': [WINDOW]
+            not the right places | 'scene': [{'type': 'Plane', 'surface': {'type': 'Tiling', 'second': {'type': 'GalileoWindow'}}}], \
+            'camera': {'apertureRadius': 0.1} | 'scene': [{'type': 'Plane'}], 'camera': {'apertureRadius': 0.1}
+            leave its frequency as it is | 'velocity': [0, 0, 0.5], 'colours': 'doppler', 'cameraFrame': [WINDOW] \
+            | 'velocity': [0, 0, 0.5], 'colours': 'doppler'
+            The focus does not know of windows, glass and mirrors | 'cameraFrame': [WINDOW], 'camera': {'apertureRadius': 0.1} \
+            | 'cameraFrame': [WINDOW]
+            missed by about 75 % of the pixels: these are focused at infinity. | 'camera': {'apertureRadius': 0.1, 'focus': QUARTER} \
+            | 'camera': {'focus': QUARTER}
+            missed by about 75 % of the pixels: these are focused at infinity, and stay black | \
+            'camera': {'shutter': {'type': 'FocusSurfaceShutter'}, 'focus': QUARTER} | 'camera': {'apertureRadius': 0.1}
+            Image points are worked out as if nothing stood before the lens | 'cameraFrame': [WINDOW], \
+            'scene': [{'type': 'Group', 'objects': [{'type': 'ImagePointGrid'}]}] | 'cameraFrame': [WINDOW], 'scene': [{'type': 'Sphere'}]
+            Lamps do not get fainter with distance. | 'scene': [{'type': 'Sphere'}] \
+            | 'scene': [{'type': 'Sphere'}], 'lights': [{'type': 'AmbientLight'}]
+            glass and windows throw no shadow | 'scene': [{'type': 'Sphere', 'surface': {'type': 'Refractive'}}] \
+            | 'scene': [{'type': 'Sphere'}]
+            no cos^4 law | | 'camera': {'type': 'PanoramicCamera'}
+            nothing is blurred by motion | 'velocity': [0, 0, 0.5] | 'velocity': [0, 0, 0]
+            """)
+    void explainTellsWhatIsLeftOutWhereItMatters(String said, String with, String without) throws IOException {
+        assertThat(explained(with)).contains(said);
+        assertThat(explained(without)).doesNotContain(said);
+    }
+
+    private String explained(String scene) throws IOException {
+        String text = "{" + (scene == null ? "" : scene) + "}";
+        String whole = text.replace("WINDOW", "{'type': 'Plane', 'surface': {'type': 'LorentzWindow'}}")
+                .replace(
+                        "QUARTER",
+                        "{'type': 'Parallelogram', 'corner': [0, 0, 10], 'spanU': [100, 0, 0], 'spanV': [0, 100, 0]}")
+                .replace('\'', '"');
+        return ProgramRun.of("explain", Files.writeString(folder.resolve("left.json"), whole), "--size", "8x8")
+                .out();
     }
 
     /** Straight behind the pinhole of a panoramic camera all pixels have the same time. */

@@ -144,6 +144,9 @@ class LimitsTest {
                         "copies of copies",
                         "{ \"scene\": [{ \"type\": \"ImagePointGrid\", \"points\": [1000, 1000], \"object\":"
                                 + " { \"type\": \"ImagePointGrid\", \"points\": [30, 30] } }] }"),
+                scene("TIFF picture with another compression", surface(foreign("tiff-zstd.tif"))),
+                scene("TIFF picture with signed numbers", surface(foreign("tiff-int8.tif"))),
+                scene("Radiance picture with other colours", surface(foreign("hdr-xyze.hdr"))),
                 new Case(
                         "missing scene file",
                         2,
@@ -214,6 +217,12 @@ class LimitsTest {
     private static String surface(String picture) {
         return "{ \"scene\": [{ \"type\": \"Sphere\", \"surface\": { \"type\": \"PictureSurface\", \"picture\": \""
                 + picture + "\" } }] }";
+    }
+
+    /** A picture of another program, beside the scene. */
+    private String foreign(String name) throws IOException {
+        Files.copy(Path.of("src", "test", "resources", "pictures", name), folder.resolve(name));
+        return name;
     }
 
     private String write(String name, String text) throws IOException {

@@ -70,8 +70,12 @@ class PictureOptionsTest {
                         + "nearer to the speed of light come \"gamma\" and \"oneMinusBeta\" in the velocity of a scene "
                         + "file, and --gamma",
                 "--beta 0,0,NaN | such as --beta=0.9 or --beta=0,0,0.9, was 0,0,NaN",
-                "--beta 1,2 | --beta must be 1 or 3 numbers with commas between them, such as --beta=0.9 or "
-                        + "--beta=0,0,0.9, was 1,2",
+                "--beta 1,200 | --beta must be 1 or 3 numbers with commas between them, such as --beta=0.9 or "
+                        + "--beta=0,0,0.9, was 1,200",
+                "--beta 1,2 | --beta must be at least 0 and below 1 (the speed of light), was 1.2",
+                "--beta x_km/s | --beta must be 1 or 3 numbers with commas between them, such as --beta=0.9 or "
+                        + "--beta=0,0,0.9, was x_km/s",
+                "--beta 3e5km/s | --beta must be at least 0 and below 1 (the speed of light), was 1.000692",
                 "--beta fast | --beta=0.9 or --beta=0,0,0.9, was fast",
                 "--beta 1.2 | --beta must be at least 0 and below 1 (the speed of light), was 1.2",
                 "--beta -0.5 | --beta must be at least 0 and below 1 (the speed of light), was -0.5",
@@ -147,8 +151,15 @@ class PictureOptionsTest {
             })
     void aSpeedKeepsTheDirection(String before, double x, double z) throws IOException {
         Path scene = Files.writeString(folder.resolve("scene.json"), "{\"velocity\": " + before + "}");
-        for (String speed : new String[] {"--gamma=1.25", "--beta=0.6", "--beta=" + x + ",0," + z}) {
-            Path picture = folder.resolve("fast" + speed + ".png");
+        for (String speed : new String[] {
+            "--gamma=1.25",
+            "--gamma=1,25",
+            "--beta=0.6",
+            "--beta=0,6",
+            "--beta=179875.4748 km/s",
+            "--beta=" + x + ",0," + z
+        }) {
+            Path picture = folder.resolve("fast" + speed.replace("/", " per ") + ".png");
 
             ProgramRun run = ProgramRun.of("render", scene, "-o", picture, "--size", "4x3", speed);
 

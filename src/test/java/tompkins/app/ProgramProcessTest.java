@@ -1,5 +1,7 @@
 package tompkins.app;
 
+import tompkins.sceneobject.CylinderLattice;
+
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
@@ -9,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.image.PhotographFile;
@@ -16,6 +19,7 @@ import tompkins.image.PhotographFile;
 /**
  * The program as a process of its own, with what it can have there alone: little memory, and an output that is lost.
  */
+@Tag("slow")
 class ProgramProcessTest {
 
     private static final String PROGRAM = "\"$JAVA\" -Xmx64m -Xshare:auto -XX:-UsePerfData " + Main.class.getName();

@@ -1,5 +1,7 @@
 package tompkins.app;
 
+import tompkins.sceneobject.TriangleMesh;
+
 import static org.assertj.core.api.Assertions.assertThat;
 import static tompkins.app.ProgramRun.FIG1B;
 

@@ -6,10 +6,12 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What {@code tompkins study} writes and says, and that figures which are not as they must be make it fail. */
+@Tag("slow")
 class StudyCommandTest {
 
     @TempDir

@@ -1,5 +1,7 @@
 package tompkins.app;
 
+import tompkins.sceneobject.Plane;
+
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 

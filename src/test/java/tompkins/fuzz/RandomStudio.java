@@ -14,6 +14,7 @@ import tompkins.image.ToneCurve;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
+import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Colour;
@@ -27,6 +28,7 @@ import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.ImagePointGrid;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.Plane;
@@ -53,7 +55,10 @@ import tompkins.studio.RenderSettings;
 import tompkins.studio.SkyBackground;
 import tompkins.studio.Studio;
 import tompkins.studio.UniformBackground;
+import tompkins.studio.View;
+import tompkins.surface.Blinking;
 import tompkins.surface.Clear;
+import tompkins.surface.Clock;
 import tompkins.surface.ColourFilter;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.CutOut;
@@ -142,7 +147,8 @@ public final class RandomStudio {
 
     private Studio studio() {
         List<SceneObject> scene = several(random.nextInt(5) == 0 ? 150 : 6, this::anyObject);
-        List<SceneObject> cameraFrame = random.nextInt(3) == 0 ? several(2, this::anyObject) : List.of();
+        List<SceneObject> cameraFrame =
+                random.nextInt(3) == 0 ? several(2, () -> valid(() -> atRest(anyObject()))) : List.of();
         return valid(() -> new Studio(
                 "",
                 "",
@@ -154,9 +160,14 @@ public final class RandomStudio {
                 camera(),
                 velocity(),
                 pick(TransformationLaw.values()),
+                random.nextInt(5) == 0 ? View.MEASURED : View.SEEN,
                 pick(ColourLaw.values()),
                 new RenderSettings(
                         16, 12, 1 + random.nextInt(2), 0, random.nextLong(), pick(10, 100, 1000), ToneCurve.LINEAR)));
+    }
+
+    private static SceneObject atRest(SceneObject object) {
+        return SceneObject.requireAtRest("object", object);
     }
 
     private SceneObject anyObject() {
@@ -197,6 +208,13 @@ public final class RandomStudio {
             case "ImagePointGrid" ->
                 new ImagePointGrid(
                         name, objectWithin(depth), place(), place(), place(), new Vector2i(1 + random.nextInt(3), 2));
+            case "Moving" ->
+                new Moving(
+                        name,
+                        velocity(),
+                        place(),
+                        number(),
+                        depth == 0 ? List.of() : several(2, () -> objectWithin(depth)));
             case "Hidden" -> new Hidden(objectWithin(depth));
             default -> throw missing(type, "object");
         };
@@ -220,6 +238,8 @@ public final class RandomStudio {
             case "Tiling" ->
                 new Tiling(surfaceWithin(depth), surfaceWithin(depth), size(), size(), random.nextInt(4) > 0);
             case "CutOut" -> new CutOut(picture(), surfaceWithin(depth), surfaceWithin(depth));
+            case "Clock" -> new Clock(size(), surfaceWithin(depth), surfaceWithin(depth), random.nextBoolean());
+            case "Blinking" -> new Blinking(size(), surfaceWithin(depth), surfaceWithin(depth));
             case "Clear" -> Clear.DEFAULT;
             case "ColourFilter" ->
                 new ColourFilter(new Colour(random.nextDouble(), random.nextDouble(), random.nextDouble()));
@@ -236,6 +256,9 @@ public final class RandomStudio {
     }
 
     private LightSource light() {
+        if (random.nextInt(6) == 0) {
+            return new MovingLights(velocity(), place(), several(2, this::light));
+        }
         return random.nextBoolean()
                 ? new AmbientLight(colour())
                 : new PointLight(place(), colour(), colour(), 100 * random.nextDouble());

@@ -42,7 +42,7 @@ class Mp4WriterTest {
     }
 
     private AnimationWriter open(Path program) throws IOException {
-        return new Mp4Writer(folder.resolve("film.mp4"), 24, program);
+        return new Mp4Writer(PendingFile.replacing(folder.resolve("film.mp4")), 24, program);
     }
 
     @Test

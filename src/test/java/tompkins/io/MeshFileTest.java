@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -29,12 +30,12 @@ class MeshFileTest {
     private static final String SQUARE = "# square\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.1 1e0 -0.30000000000000004\n";
 
     @Test
-    void facesOfManyCornersAreCutIntoFans() throws IOException {
+    void convexFacesAreFansTurnedOver() throws IOException {
         MeshData mesh = read(SQUARE + "f 1 2 3 4\n");
 
         assertThat(mesh.triangles()).isEqualTo(2);
-        assertThat(corners(mesh, 0)).isEqualTo(List.of(0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0));
-        assertThat(corners(mesh, 1)).isEqualTo(List.of(0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.1, 1.0, -0.30000000000000004));
+        assertThat(corners(mesh, 0)).isEqualTo(List.of(0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0));
+        assertThat(corners(mesh, 1)).isEqualTo(List.of(0.0, 0.0, 0.0, 0.1, 1.0, 0.30000000000000004, 1.0, 1.0, 0.0));
     }
 
     @ParameterizedTest
@@ -53,7 +54,62 @@ class MeshFileTest {
 
         MeshData mesh = read(vertices + line + "\nf 1//1 2//1 3//1 # face\n");
 
-        assertThat(corners(mesh, 0)).isEqualTo(List.of(0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0));
+        assertThat(corners(mesh, 0)).isEqualTo(List.of(0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0));
+    }
+
+    /** Blanks of all kinds part words; a backslash does so too, whatever it touches. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "v\t0\t0\t0\nv\t1\t0\t0\nv\t1\t1\t0\nf\t1\t2\t3\n",
+                "\tv 0 0 0\t\n \t v 1  0 \t0\nv 1 1 0 \nf 1\t 2 3\t\t\n",
+                "v\u000b0 0\f0\nv\u00a01 0 0\nv 1\u20031\u30000\nf 1\u00852\u202f3\n",
+                "v 0 0 0\rv 1 0 0\rv 1 1 0\rf 1 2 3\r",
+                "v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nf 1 2 3\r\n",
+                "v 0 0\\\n0\nv 1\\\r\n0\\\r\n0\nv \\\n1 1 0\nf 1\\\n2\\\n3",
+                "v 0 0 0\nv 1 0 0\nv 1 1 0\nf\\\n1\t\\ \t\n\\\n\t2 3\\",
+                "# a path C:\\meshes\\\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3 \\ # on\n",
+                "v 0 0 0 1.0\nv 1 0 0 0.5 0.5 0.5\nv 1 1 0\nf -3/\t-2/1/ +3//7",
+                "v 0. .0 -0\nv 1e0 0E-5 0\nV +1.0e+0 1 0\nf 00001 2 3",
+            })
+    void allKindsOfBlanksPartWords(String text) throws IOException {
+        MeshData mesh = read(text);
+
+        assertThat(mesh.triangles()).isEqualTo(1);
+        assertThat(corners(mesh, 0)).isEqualTo(List.of(0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0));
+    }
+
+    @Test
+    void numbersBelowZeroCountBackFromTheirFace() throws IOException {
+        String text = "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 2 1 0\nf -4 -3 -1\n";
+
+        MeshData mesh = read(text);
+
+        assertThat(mesh).isEqualTo(read(text.replace("-3 -2 -1", "2 3 4").replace("-4 -3 -1", "2 3 5")));
+    }
+
+    /** The letter is in front of its plate, for one who looks along +z, and its long bar is on the left. */
+    @Test
+    void lettersReadAsTheyWereModelled() throws IOException {
+        MeshData letter;
+        try (InputStream in = MeshFileTest.class.getResourceAsStream("meshes/letter-f.obj")) {
+            letter = read(new String(in.readAllBytes(), StandardCharsets.UTF_8));
+        }
+
+        assertThat(letter.triangles()).isEqualTo(8);
+        List<Double> plate = corners(letter, 6);
+        assertThat(List.of(plate.get(2), plate.get(5), plate.get(8))).containsOnly(0.0);
+        for (int triangle = 0; triangle < 6; triangle++) {
+            List<Double> at = corners(letter, triangle);
+            assertThat(List.of(at.get(2), at.get(5), at.get(8))).containsOnly(-0.1);
+        }
+        assertThat(corners(letter, 0).get(0)).isEqualTo(-0.5);
+        for (int triangle = 0; triangle < 8; triangle++) {
+            List<Double> at = corners(letter, triangle);
+            double normal = (at.get(3) - at.get(0)) * (at.get(7) - at.get(1))
+                    - (at.get(4) - at.get(1)) * (at.get(6) - at.get(0));
+            assertThat(normal).as("towards the reader, who is at smaller z").isNegative();
+        }
     }
 
     @ParameterizedTest
@@ -83,13 +139,27 @@ class MeshFileTest {
             delimiter = '|',
             value = {
                 "f 1 2 5             | 6: a face names vertex 5, but there are only 4",
-                "f 1 2 -7            | 6: a face counts 3 vertices back beyond the first",
-                "f 1 2 2147483648    | 6: a face names a vertex beyond number 2147483647",
+                "f 1 2 -7            | 6: a face names vertex -7, but there are only 4 above it",
+                "f 1 2 2147483648    | 6: a face names vertex 2147483648, and numbers end at 2147483647",
+                "f 4294967297 2 3    | 6: a face names vertex 4294967297, and numbers end at 2147483647",
+                "f 1 18446744073709551617 3 | 6: a face names vertex 18446744073709551617, and numbers end at",
+                "f 1 2 -4294967297   | 6: a face names vertex -4294967297, but there are only 4 above it",
+                "f 1 -18446744073709551617 3 | 6: a face names vertex -18446744073709551617, but there are only 4",
+                "f 1 2 2147483647    | 6: a face names vertex 2147483647, but there are only 4",
+                "f                   | 6: a face must have three or more corners, has 0",
+                "v                   | 6: a vertex must have three coordinates, has 0",
+                "v 0x1 2 3           | 6: \"v 0x1 2 3\" cannot be understood; a vertex is written like",
+                "v 0,5 2 3           | 6: \"v 0,5 2 3\" cannot be understood; a vertex is written like",
+                "v inf 2 3           | 6: coordinates must be finite, one was inf",
+                "v 1 nan(ind) 3      | 6: \"v 1 nan(ind) 3\" cannot be understood; a vertex is written like",
+                "f 1 2/x 3           | 6: \"f 1 2/x 3\" cannot be understood; a vertex is written like",
+                "f 1.0 2 3           | 6: \"f 1.0 2 3\" cannot be understood; a vertex is written like",
+                "f 1 2 -0            | 6: \"f 1 2 -0\" cannot be understood; a vertex is written like",
                 "f 1 2               | 6: a face must have three or more corners, has 2",
                 "v 1 2               | 6: a vertex must have three coordinates, has 2",
                 "v 1 nought 3        | 6: \"v 1 nought 3\" cannot be understood; a vertex is written like",
                 "v 1 NaN 3           | 6: coordinates must be finite, one was NaN",
-                "v 1 1e999 3         | 6: coordinates must be finite, one was Infinity",
+                "v 1 1e999 3         | 6: coordinates must be finite, one was 1e999",
                 "f one two three     | 6: \"f one two three\" cannot be understood; a vertex is written like",
                 "f 0 1 2             | 6: \"f 0 1 2\" cannot be understood; a vertex is written like \"v 0 1.5 -2\", a face"
                         + " like \"f 1 2 3\" with vertices counted from 1",

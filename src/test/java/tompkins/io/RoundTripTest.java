@@ -13,6 +13,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -43,6 +44,7 @@ import tompkins.surface.PictureSurface;
 import tompkins.surface.Surface;
 
 /** What is written is read back equal, to the last bit, for every type that a scene file can name. */
+@Tag("slow")
 class RoundTripTest {
 
     private static final int INSTANCES = 40;

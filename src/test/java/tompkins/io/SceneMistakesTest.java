@@ -1,5 +1,8 @@
 package tompkins.io;
 
+import tompkins.sceneobject.Placed;
+import tompkins.sceneobject.Sphere;
+
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
@@ -147,6 +150,18 @@ class SceneMistakesTest {
             */ is missing
             /* b                          | f:1:1: the text ends too early: a comment begins behind this place, and its \
             */ is missing
+            {"title": "a"} /* b */ /      | f:1:24: not valid JSON: a comment begins with // or with /*, found /
+            {"title": "/*"} /* b *//      | f:1:24: not valid JSON: a comment begins with // or with /*, found /
+            {"title": "\\\\\\"/*"} /**//     | f:1:25: not valid JSON: a comment begins with // or with /*, found /
+            {"title": /                   | f:1:11: not valid JSON: a comment begins with // or with /*, found /
+            /                             | f:1:1: not valid JSON: a comment begins with // or with /*, found /
+            {"title": "a"} /* b */ /* c / | f:1:14: the text ends too early: a comment begins behind this place, and its \
+            */ is missing
+            {"title": "a", /x "topic": 1} | f:1:17: not valid JSON: a comment begins with // or with /*, found x
+            {"title": "a\\ud800"}         | f:1:11: title: a text must not contain \\ud800 alone: it is half of a character, \
+            and the other half is missing
+            {"title": "\\udc00\\ud83d"}   | f:1:11: title: a text must not contain \\udc00 alone: it is half of a character, \
+            and the other half is missing
             {"title": "C:\\data"}         | f:1:15: title: not valid JSON: a text must not contain \\d; a backslash itself is \
             written \\\\
             {"title": "\\u12x"}           | f:1:16: title: not valid JSON: after \\u in a text there must be four digits from \
@@ -156,6 +171,20 @@ class SceneMistakesTest {
             """)
     void mistakeIsReported(String text, String message) {
         assertThat(messageOf(text)).isEqualTo(message);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"\ud83d", "\udc00", "a\ud83d\ud83d\ude00"})
+    void halvesOfCharactersAreRefusedWhereverTheyStand(String half) {
+        String escaped = half.replace("\ud83d\ude00", "~")
+                .replace("\ud83d", "\\ud83d")
+                .replace("\udc00", "\\udc00")
+                .replace("~", "\ud83d\ude00");
+
+        assertThat(messageOf("{\"title\": \"" + escaped + "\"}")).contains("half of a character");
+        assertThat(messageOf("{\"title\": \"" + half + "\"}")).contains("half of a character");
+        assertThat(messageOf("{\"" + escaped + "\": 1}")).contains("half of a character");
+        assertThat(messageOf("{\"scene\": [{\"type\": \"" + escaped + "\"}]}")).contains("half of a character");
     }
 
     @ParameterizedTest

@@ -2,6 +2,7 @@ package tompkins.light;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.util.List;
 import java.util.Random;
@@ -11,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.golden.GoldenRow;
 import tompkins.ray.Colour;
 
 class ColourLawTest {
@@ -140,6 +142,45 @@ class ColourLawTest {
                 .allMatch(ratio -> ratio < 0.05);
         Colour yellow = ColourLaw.DOPPLER.seen(new Colour(1, 0, 0), 1.2);
         assertThat(yellow.green()).isGreaterThan(0.5 * yellow.red());
+    }
+
+    /**
+     * What is left of a colour after a large shift: worked out by another program with the CIE 1931 tables, and metered
+     * where D is the third number.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "GREEN, 9.93, 9.93, 0.0083, 0.0126, 0.0259", //
+        "RED, 0.828, 1.3628, 0.00220, 0.00258, 0.00213"
+    })
+    void darkRemaindersAreThoseOfTheTables(
+            String name, double dopplerFactor, double metered, double red, double green, double blue) {
+        Colour light = name.equals("RED") ? new Colour(1, 0, 0) : new Colour(0, 1, 0);
+        Colour seen = ColourLaw.DOPPLER.seen(light, dopplerFactor).times(1 / ColourLaw.DOPPLER.brightness(metered));
+        assertThat(seen.red()).isCloseTo(red, withinPercentage(1));
+        assertThat(seen.green()).isCloseTo(green, withinPercentage(1));
+        assertThat(seen.blue()).isCloseTo(blue, withinPercentage(1));
+    }
+
+    @Test
+    void coloursAreThoseOfTheReference() {
+        List<GoldenRow> rows = GoldenColours.rows(0.2, 1000);
+        assertThat(rows).hasSizeGreaterThan(50);
+        assertThat(GoldenColours.worstWhite(rows)).isLessThan(3e-4);
+        assertThat(GoldenColours.worstPrimary(rows)).isLessThan(2e-3);
+    }
+
+    /** The sums of the table of CIE 15 in steps of 5 nm. */
+    @Test
+    void matchingFunctionsHaveTheirSums() {
+        Vector3d sum = new Vector3d();
+        ColourMatching.table().stream()
+                .filter(point -> point.wavelength() % 5 == 0 && point.wavelength() >= 380 && point.wavelength() <= 780)
+                .forEach(point -> sum.add(point.xyz()));
+        assertThat(sum.x).isCloseTo(21.371524, within(2e-6));
+        assertThat(sum.y).isCloseTo(21.371327, within(2e-6));
+        assertThat(sum.z).isCloseTo(21.371540, within(2e-6));
+        assertThat(ColourMatching.table()).hasSize(471);
     }
 
     private static List<Double> ratios(Colour colour, Colour white) {

@@ -37,6 +37,7 @@ class AberrationTest {
                 dark.camera(),
                 dark.velocity(),
                 dark.transformation(),
+                dark.view(),
                 dark.colours(),
                 dark.settings()));
     }

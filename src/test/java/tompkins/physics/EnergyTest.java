@@ -27,6 +27,7 @@ import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.UniformBackground;
+import tompkins.studio.View;
 import tompkins.surface.Clear;
 import tompkins.surface.ColourFilter;
 import tompkins.surface.LorentzWindow;
@@ -144,6 +145,7 @@ class EnergyTest {
                 Photograph.pinhole(new Vector3d(0, 0, 1), 20, 0),
                 velocity,
                 TransformationLaw.LORENTZ,
+                View.SEEN,
                 ColourLaw.UNCHANGED,
                 Studio.DEFAULT.settings().withSize(size, size)));
     }

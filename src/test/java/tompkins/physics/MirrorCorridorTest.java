@@ -20,6 +20,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.studio.UniformBackground;
+import tompkins.studio.View;
 import tompkins.surface.LuminousSurface;
 import tompkins.surface.Mirror;
 import tompkins.surface.Surface;
@@ -50,6 +51,7 @@ class MirrorCorridorTest {
                 camera,
                 Velocity.REST,
                 TransformationLaw.LORENTZ,
+                View.SEEN,
                 ColourLaw.UNCHANGED,
                 settings));
     }

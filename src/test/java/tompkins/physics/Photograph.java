@@ -21,6 +21,7 @@ import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.UniformBackground;
+import tompkins.studio.View;
 import tompkins.surface.LuminousSurface;
 import tompkins.surface.Surface;
 import tompkins.trace.RayLife;
@@ -56,6 +57,7 @@ final class Photograph {
                 camera,
                 velocity,
                 TransformationLaw.LORENTZ,
+                View.SEEN,
                 ColourLaw.UNCHANGED,
                 Studio.DEFAULT.settings().withSize(width, height)));
     }

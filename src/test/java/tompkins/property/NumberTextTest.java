@@ -58,13 +58,40 @@ class NumberTextTest {
     }
 
     @ParameterizedTest
-    @CsvSource({".5, 0.5", "+1., 1", "-.25E+2, -25", "007, 7"})
+    @CsvSource({
+        ".5, 0.5",
+        "+1., 1",
+        "-.25E+2, -25",
+        "007, 7",
+        "'0,9', 0.9",
+        "'-,5', -0.5",
+        "'1,5e3', 1500",
+        "'0,125', 0.125",
+        "'1234,567', 1234.567",
+        "'1,50', 1.5"
+    })
     void numbersAreReadAsPeopleWriteThem(String text, double value) {
         assertThat(NumberText.parse(text)).isEqualTo(value);
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", ".", "3d", "0.5f", "0x1p3", "1e", "1 2", "\u0663", "nan", "1,5"})
+    @ValueSource(
+            strings = {
+                "",
+                ".",
+                "3d",
+                "0.5f",
+                "0x1p3",
+                "1e",
+                "1 2",
+                "\u0663",
+                "nan",
+                "1,500",
+                "-12,500e3",
+                "1,2,3",
+                "1.5,2",
+                "5,"
+            })
     void whatElseJavaTakesForNumbersIsNone(String text) {
         assertThatThrownBy(() -> NumberText.parse(text)).isInstanceOf(NumberFormatException.class);
     }

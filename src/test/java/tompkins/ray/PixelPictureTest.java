@@ -50,11 +50,27 @@ class PixelPictureTest {
         assertThat(six().colour(u, v)).isEqualTo(new Colour(pixel, 10 * pixel, 100 * pixel));
     }
 
-    /** Opacity and blue as levels of 255. */
+    /** Opacity and channels as levels of 255; the luminance is 0.2126 red + 0.7152 green + 0.0722 blue. */
     @ParameterizedTest
-    @CsvSource({"255, 0, true", "255, 126, true", "255, 127, false", "128, 126, true", "127, 0, false", "0, 0, false"})
-    void isDarkWhereOpaqueWithLittleBlue(int opacity, int blue, boolean dark) {
-        float[] rgba = {1, 1, blue / 255f, opacity / 255f};
+    @CsvSource({
+        "255, 0, 0, 0, true",
+        "255, 126, 126, 126, true",
+        "255, 127, 127, 127, false",
+        "128, 126, 126, 126, true",
+        "127, 0, 0, 0, false",
+        "0, 0, 0, 0, false",
+        "255, 255, 255, 0, false",
+        "255, 0, 255, 255, false",
+        "255, 0, 255, 0, false",
+        "255, 255, 0, 0, true",
+        "255, 0, 0, 255, true",
+        "255, 255, 0, 255, true",
+        "255, 0, 0, 128, true",
+        "255, 0, 178, 0, false",
+        "255, 0, 177, 0, true"
+    })
+    void isDarkWhereOpaqueWithLittleLuminance(int opacity, int red, int green, int blue, boolean dark) {
+        float[] rgba = {red / 255f, green / 255f, blue / 255f, opacity / 255f};
         assertThat(new PixelPicture("one", 1, 1, rgba, new byte[0]).isDark(0.5, 0.5))
                 .isEqualTo(dark);
     }

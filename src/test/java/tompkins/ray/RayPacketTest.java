@@ -18,8 +18,8 @@ class RayPacketTest {
     void rayComesOutAsItWentIn() {
         RayPacket rays = new RayPacket(2);
         rays.begin(2);
-        Ray mirrored = FROM_CAMERA
-                .inFrame(4, 5, 6, 1, 0, 0, 8, 1.5, 0.25, 0.25)
+        Ray mirrored = Ray.blank()
+                .setInFrame(FROM_CAMERA, 4, 5, 6, 1, 0, 0, 8, 1.5, 0.25, 0.25)
                 .bent(Hit.blank().set(FROM_CAMERA, 2, 0, 0, 1, null, 3, null), 0, 1, 0, 0.5);
 
         rays.set(1, mirrored);

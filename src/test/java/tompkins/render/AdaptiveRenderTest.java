@@ -14,6 +14,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicLong;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -36,6 +37,7 @@ import tompkins.surface.LuminousSurface;
 import tompkins.trace.RenderPlan;
 
 /** Samples go where they are needed, and the error is what the report says. */
+@Tag("slow")
 class AdaptiveRenderTest {
 
     private static final Renderer RENDERER = new Renderer(2);

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -18,6 +19,7 @@ import tompkins.trace.RenderPlan;
 /**
  * What is foretold comes true, within a factor of two. Samples are compared, not seconds: other programs run here too.
  */
+@Tag("slow")
 class CostForecastTest {
 
     private static final Renderer RENDERER = new Renderer(2);

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.withinPercentage;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.image.LinearImage;
 import tompkins.ray.Colour;
 
@@ -78,6 +80,22 @@ class FilmTest {
         add(film, 0, 0, Colour.grey(5));
         assertThat(film.image().value(0, 0, 0)).isEqualTo(4f);
         assertThat(film.samples(0)).isEqualTo(2);
+    }
+
+    /**
+     * Means of 1 and of 4 from a and b samples: the variance of the mean of all, after the formula that the variance of
+     * D = 1 - 4 is sigma^2 (1/a + 1/b), is 9/(1/a + 1/b)/(a + b).
+     */
+    @ParameterizedTest
+    @CsvSource({"1, 1", "2, 1", "2, 2", "4, 1", "4, 2", "4, 3", "4, 4", "8, 3"})
+    void halvesOfAnySizesTellTheVariance(int first, int second) {
+        Film film = new Film(1, 1, 2, true);
+        for (int sample = 0; sample < first + second; sample++) {
+            add(film, 0, 0, Colour.grey(sample < first ? 1 : 4));
+        }
+
+        double variance = 9 / (1.0 / first + 1.0 / second) / (first + second);
+        assertThat(film.halvesVariance(0)).as("exposed by a factor 2").isCloseTo(4 * variance, withinPercentage(1e-9));
     }
 
     private static void add(Film film, int column, int row, Colour colour) {

@@ -12,6 +12,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.joml.Vector3i;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -34,6 +35,7 @@ import tompkins.trace.SampleTracer;
  * Holds the work that pictures need, without a clock: it is counted exactly and must not grow. Rays and shadow rays
  * follow from the scene; nodes and tests are what the search makes of them. Who makes it better lowers the numbers.
  */
+@Tag("slow")
 class RenderWorkTest {
 
     private static final long BYTES_PER_SAMPLE = 200;

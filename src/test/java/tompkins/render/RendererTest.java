@@ -15,6 +15,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -35,6 +36,7 @@ import tompkins.trace.RenderPlan;
 import tompkins.trace.VariedStudios;
 
 @Timeout(120)
+@Tag("slow")
 class RendererTest {
 
     private static final Duration SOON = Duration.ofMillis(100);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
 import tompkins.ray.Colour;
@@ -19,6 +20,7 @@ import tompkins.surface.LuminousSurface;
  * detector-plane shutter, and not with the aperture-plane shutter. The spheres alone are photographed, glowing before
  * black, and the width of each edge is the area of its grey pixels divided by its length.
  */
+@Tag("slow")
 class SharpnessTest {
 
     private static final int SAMPLES = 64;
@@ -103,6 +105,7 @@ class SharpnessTest {
                 studio.camera(),
                 studio.velocity(),
                 studio.transformation(),
+                studio.view(),
                 studio.colours(),
                 studio.settings());
     }

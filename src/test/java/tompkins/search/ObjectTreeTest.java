@@ -202,7 +202,7 @@ class ObjectTreeTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 1000})
     void ofEquallyNearHitsTheOneListedFirstCounts(int smallestTree) {
-        PrimitiveCollector collector = new PrimitiveCollector(point -> point);
+        PrimitiveCollector collector = new PrimitiveCollector();
         for (int i = 0; i < 100; i++) {
             new Sphere("sphere " + i, new Vector3d(0, 0, 10), 1, ColouredSurface.DEFAULT)
                     .addTo(collector, Placement.NONE);
@@ -254,7 +254,7 @@ class ObjectTreeTest {
 
     @Test
     void manyPrimitivesInOnePlaceMakeNoDeepTree() {
-        PrimitiveCollector collector = new PrimitiveCollector(point -> point);
+        PrimitiveCollector collector = new PrimitiveCollector();
         for (int i = 0; i < 20_000; i++) {
             // distances that shrink by half each time: every cut takes off one
             double x = i < 900 ? Math.scalb(1.0, -i) : 0;
@@ -269,7 +269,7 @@ class ObjectTreeTest {
     @ParameterizedTest
     @ValueSource(doubles = {1.01, 1.5, 4})
     void objectsAtDistancesThatGrowByAFactorAreFoundInABoundedTree(double factor) {
-        PrimitiveCollector collector = new PrimitiveCollector(point -> point);
+        PrimitiveCollector collector = new PrimitiveCollector();
         // 1e-75 to 1e75; several in one place where that is fewer than there are
         int different = (int) Math.min(2000, 150 * Math.log(10) / Math.log(factor));
         for (int i = 0; i < 2000; i++) {
@@ -311,7 +311,7 @@ class ObjectTreeTest {
     }
 
     private static List<Primitive> spheres(int count, Random random) {
-        PrimitiveCollector collector = new PrimitiveCollector(point -> point);
+        PrimitiveCollector collector = new PrimitiveCollector();
         double radius = 0.5 / Math.sqrt(count);
         List<SceneObject> objects = new ArrayList<>();
         for (int i = 0; i < count; i++) {

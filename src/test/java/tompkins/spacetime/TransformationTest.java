@@ -89,7 +89,8 @@ class TransformationTest {
         Ray[] rays = new Ray[4];
         for (int i = 0; i < 4; i++) {
             // ahead and behind, slow and fast light, changed before
-            rays[i] = ray().inFrame(i, 2, -i, 0.48, i < 2 ? 0.6 : -0.6, i % 2 == 0 ? 0.64 : -0.64, 3, 1 + i, 0.5, 2);
+            rays[i] = Ray.blank()
+                    .setInFrame(ray(), i, 2, -i, 0.48, i < 2 ? 0.6 : -0.6, i % 2 == 0 ? 0.64 : -0.64, 3, 1 + i, 0.5, 2);
             block.set(i, rays[i]);
         }
 

@@ -21,6 +21,7 @@ public final class Lighting {
                 studio.camera(),
                 studio.velocity(),
                 studio.transformation(),
+                studio.view(),
                 studio.colours(),
                 studio.settings());
     }

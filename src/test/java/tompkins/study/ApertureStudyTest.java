@@ -8,12 +8,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.IntUnaryOperator;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The slopes of theory, and what happens if a sampler is broken. */
+@Tag("slow")
 class ApertureStudyTest {
 
     private static final String PROGRAM = SamplingMethod.SOBOL.title();

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -27,6 +28,7 @@ import tompkins.surface.Surface;
  * it is, to the last bit: compared with the plainest search, one sample after the other and every primitive for every
  * ray.
  */
+@Tag("slow")
 class FastSearchTest {
 
     @ParameterizedTest

@@ -1,5 +1,7 @@
 package tompkins.trace;
 
+import tompkins.sceneobject.Plane;
+
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;

@@ -13,6 +13,7 @@ import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
+import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
@@ -23,6 +24,7 @@ import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.Group;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.SceneObject;
@@ -45,7 +47,10 @@ import tompkins.studio.Lighting;
 import tompkins.studio.PaperStudios;
 import tompkins.studio.SkyBackground;
 import tompkins.studio.Studio;
+import tompkins.studio.View;
+import tompkins.surface.Blinking;
 import tompkins.surface.Clear;
+import tompkins.surface.Clock;
 import tompkins.surface.ColourFilter;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.CutOut;
@@ -75,7 +80,7 @@ public final class VariedStudios {
 
     /** All of them, with names. */
     public static Stream<Named<Studio>> all() {
-        return Stream.of(shutters(), figures(), dusts(), lights(), windows(), cameras(), velocities())
+        return Stream.of(shutters(), figures(), dusts(), lights(), windows(), cameras(), velocities(), motions())
                 .flatMap(studios -> studios);
     }
 
@@ -209,9 +214,42 @@ public final class VariedStudios {
                 PaperStudios.camera(0, AperturePlaneShutter.DEFAULT),
                 Velocity.of(0.1, -0.05, 0.6),
                 TransformationLaw.LORENTZ,
+                View.SEEN,
                 ColourLaw.UNCHANGED,
                 Studio.DEFAULT.settings());
         return studio.withSettings(studio.settings().withSize(80, 60));
+    }
+
+    /** Crowds that fly through each other, with clocks, lamps and all kinds of surfaces. */
+    private static Stream<Named<Studio>> motions() {
+        Clock clock = new Clock(2, GREY, Mirror.DEFAULT, true);
+        Blinking blinking = new Blinking(1, GREY, Clear.DEFAULT);
+        List<SceneObject> clocks = List.of(
+                new Disc("clock", new Vector3d(-0.6, 0.2, 4), new Vector3d(0, 0, -1), 0.5, clock),
+                new Disc("blinking", new Vector3d(0.6, 0.2, 4), new Vector3d(0, 0, -1), 0.5, blinking));
+        Velocity right = Velocity.of(0.6, 0.1, 0);
+        Moving nested = flying(Velocity.of(0, 0.3, 0), with(clocks, flying(Velocity.of(0, 0, -0.5), few())));
+        List<SceneObject> crowds = List.of(
+                flying(right, crowd()), flying(Velocity.of(-0.5, 0, 0.2), few()), flying(right, clocks), nested);
+        Studio studio = moving(with(few(), crowds.toArray(SceneObject[]::new)));
+        MovingLights lamps =
+                new MovingLights(right, new Vector3d(0, 3, 6), List.of(lamp(0, 0, 0, 0.5), lamp(1, 1, 1, 0.4)));
+        Studio lit = Lighting.of(studio, List.of(AmbientLight.DEFAULT, PointLight.DEFAULT, lamps));
+        return Stream.of(
+                Named.of("moving crowds", studio),
+                Named.of("moving crowds through a wide aperture", samples(wide(studio), 2)),
+                Named.of("moving crowds before a camera at rest", studio.withVelocity(Velocity.REST)),
+                Named.of("moving lamps", lit),
+                Named.of("moving lamps, shifted colours", lit.withColours(ColourLaw.DOPPLER)),
+                Named.of("moving lamps, Galilean world", lit.withTransformation(TransformationLaw.GALILEAN)),
+                Named.of("measured", lit.withView(View.MEASURED)),
+                Named.of(
+                        "moving dust",
+                        moving(List.of(flying(right, dust()))).withCameraFrame(List.of(window(3, Clear.DEFAULT)))));
+    }
+
+    private static Moving flying(Velocity velocity, List<SceneObject> objects) {
+        return new Moving("flying", velocity, new Vector3d(0.1, -0.2, 0.3), 0.5, objects);
     }
 
     private static Studio wide(Studio studio) {

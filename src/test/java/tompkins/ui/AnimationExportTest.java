@@ -37,7 +37,8 @@ class AnimationExportTest {
     @Test
     void framesHoldTheirOwnScenes() throws Exception {
         Path frames = folder.resolve("frames");
-        AnimationExport.write(Studios.sphere(), FASTER, frames, AnimationFormat.NUMBERED_PNG, false, progress());
+        AnimationExport.write(
+                Studios.sphere(), FASTER, () -> AnimationFormat.NUMBERED_PNG.open(frames, 25), false, progress());
         try (Stream<Path> files = Files.list(frames)) {
             assertThat(files).hasSize(10);
         }
@@ -52,8 +53,8 @@ class AnimationExportTest {
         Path plain = folder.resolve("plain");
         Path captioned = folder.resolve("captioned");
         Studio empty = Studios.sphere().withScene(List.of());
-        AnimationExport.write(empty, FASTER, plain, AnimationFormat.NUMBERED_PNG, false, progress());
-        AnimationExport.write(empty, FASTER, captioned, AnimationFormat.NUMBERED_PNG, true, progress());
+        AnimationExport.write(empty, FASTER, () -> AnimationFormat.NUMBERED_PNG.open(plain, 25), false, progress());
+        AnimationExport.write(empty, FASTER, () -> AnimationFormat.NUMBERED_PNG.open(captioned, 25), true, progress());
 
         Rectangle first = difference(plain, captioned, "frame0001.png");
         assertThat(first.x).isBetween(1, 12);
@@ -92,7 +93,11 @@ class AnimationExportTest {
             }
         };
         assertThatThrownBy(() -> AnimationExport.write(
-                        Studios.lattice(), FASTER, folder.resolve("a.gif"), AnimationFormat.GIF, false, cancelled))
+                        Studios.lattice(),
+                        FASTER,
+                        () -> AnimationFormat.GIF.open(folder.resolve("a.gif"), 25),
+                        false,
+                        cancelled))
                 .isInstanceOf(CancellationException.class);
         try (Stream<Path> files = Files.list(folder)) {
             assertThat(files).isEmpty();

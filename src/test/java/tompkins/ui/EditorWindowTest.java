@@ -36,6 +36,7 @@ import tompkins.ui.widget.Texts;
 
 /** The keys of the window with the tree of the scene. */
 @Timeout(600)
+@NeedsDisplay
 class EditorWindowTest {
 
     @TempDir

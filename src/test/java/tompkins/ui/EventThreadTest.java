@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicLong;
 import javax.swing.JSlider;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -19,6 +20,8 @@ import tompkins.studio.Studios;
 
 /** Drags sliders for ten seconds and reports how long the event thread was busy with one event at most. */
 @Timeout(300)
+@NeedsDisplay
+@Tag("slow")
 class EventThreadTest {
 
     private static final long DRAG_NANOSECONDS = 10_000_000_000L;
@@ -58,7 +61,6 @@ class EventThreadTest {
 
     @Test
     void theEventThreadStaysFreeWhileSlidersAreDragged(@TempDir Path folder) {
-        WindowDriver.requireDisplay();
         WatchedQueue queue = new WatchedQueue();
         WindowDriver.onEventThread(
                 () -> Toolkit.getDefaultToolkit().getSystemEventQueue().push(queue));

@@ -34,6 +34,7 @@ import tompkins.ui.widget.Look;
 
 /** The documents in the window, read with mouse and keys. */
 @Timeout(600)
+@NeedsDisplay
 class HelpWindowTest {
 
     @TempDir

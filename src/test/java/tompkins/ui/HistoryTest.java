@@ -20,6 +20,7 @@ import tompkins.ui.widget.ProseArea;
 
 /** What undo and reset do to values that were typed and not taken. */
 @Timeout(600)
+@NeedsDisplay
 class HistoryTest {
 
     @TempDir

@@ -13,6 +13,7 @@ import tompkins.studio.Studios;
 
 /** What fails on the event thread although nobody expected it. */
 @Timeout(120)
+@NeedsDisplay
 class LastResortTest {
 
     @TempDir

@@ -23,6 +23,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
+import javax.swing.JTree;
 import javax.swing.JViewport;
 import javax.swing.KeyStroke;
 import javax.swing.text.JTextComponent;
@@ -30,6 +31,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -52,6 +54,7 @@ import tompkins.ui.widget.Texts;
 /**
  * Every component lies inside its parent and shows all of its text, at all sizes of type, in all looks, in long words.
  */
+@Tag("slow")
 class LayoutTest {
 
     private static final Locale LONG_WORDS = new Locale("en", "XA");
@@ -170,10 +173,19 @@ class LayoutTest {
         int width = Math.max(play.component().getMinimumSize().width, Look.pixels(40));
         Components.layOut(play.component(), width);
         assertThat(problems(play.component())).isEmpty();
-        JComponent editor = new SceneEditor(model).component();
+        SceneEditor sceneEditor = new SceneEditor(model);
+        JComponent editor = sceneEditor.component();
+        JTree tree = Components.find(editor, JTree.class, "tree");
+        for (int row = 0; row < tree.getRowCount(); row++) {
+            tree.expandRow(row);
+        }
+        sceneEditor.fitToLook();
         editor.setSize(editor.getPreferredSize());
         Components.layOut(editor);
         assertThat(problems(editor)).isEmpty();
+        assertThat(tree.getPreferredSize().width)
+                .as("tree")
+                .isLessThanOrEqualTo(tree.getParent().getWidth());
     }
 
     @ParameterizedTest

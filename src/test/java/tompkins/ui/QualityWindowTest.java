@@ -41,6 +41,7 @@ import tompkins.ui.widget.Look;
  * The chart of the picture on show, in a real window: it grows while it is measured, and a click on a point is taken.
  */
 @Timeout(300)
+@NeedsDisplay
 class QualityWindowTest {
 
     private static final int MOST_CLICKS = 5;

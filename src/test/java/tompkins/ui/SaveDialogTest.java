@@ -24,6 +24,7 @@ import tompkins.ui.widget.Texts;
 
 /** The format in which a file is saved: the one whose ending is typed, else the chosen one. */
 @Timeout(600)
+@NeedsDisplay
 class SaveDialogTest {
 
     /** Where a PNG file says how many bits a channel has. */

@@ -31,6 +31,7 @@ import tompkins.ui.model.StudioModel;
 
 /** Scene files that other programs write, too: nothing in them is lost without a question. */
 @Timeout(600)
+@NeedsDisplay
 class SceneFilesTest {
 
     private static final Studio BOX = Studios.sphere().withScene(List.of(Box.DEFAULT));

@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.nio.file.Path;
 import java.util.List;
@@ -20,6 +21,7 @@ import tompkins.studio.Studios;
 
 /** How the panel comes into a window that is there already. */
 @Timeout(300)
+@NeedsDisplay
 class SideRoomTest {
 
     /** Its remarks take several lines in the panel. */
@@ -31,8 +33,7 @@ class SideRoomTest {
     private TompkinsWindow window;
 
     @BeforeEach
-    void requireDisplay() {
-        WindowDriver.requireDisplay();
+    void useOwnSettings() {
         System.setProperty("tompkins.settings", folder.toString());
     }
 
@@ -88,6 +89,48 @@ class SideRoomTest {
         JTextField field = Components.find(panel, JTextField.class, "Exposure");
         Rectangle place = SwingUtilities.convertRectangle(field.getParent(), field.getBounds(), panel);
         return List.of(panel.getBounds(), place);
+    }
+
+    /** The window has as much room as the smallest screens. */
+    @Test
+    void thePanelFoldsWhereThePictureHasNoRoom() {
+        WindowDriver.onEventThread(this::open);
+        WindowDriver.await("the panel", () -> window.side().isFurnished());
+        int panel = WindowDriver.onEventThread(() -> window.side().component().getPreferredSize().width);
+        assertThat(WindowDriver.onEventThread(() -> window.frame().getMinimumSize()))
+                .matches(least -> least.width <= 683 && least.height <= 384, "fits on 1366 x 768 at scale 2");
+        resize(800, 600);
+        assertThat(isPanelVisible()).isTrue();
+        resize(panel + 100, 600);
+        assertThat(isPanelVisible()).isFalse();
+        // somebody wants it all the same
+        WindowDriver.onEventThread(() -> window.side().toggle());
+        resize(panel + 120, 600);
+        assertThat(isPanelVisible()).isTrue();
+        WindowDriver.onEventThread(() -> window.side().toggle());
+        resize(1000, 600);
+        assertThat(isPanelVisible()).as("was hidden by hand").isFalse();
+        WindowDriver.onEventThread(() -> window.side().toggle());
+        resize(panel + 100, 600);
+        resize(1000, 600);
+        assertThat(isPanelVisible()).as("comes back").isTrue();
+    }
+
+    private boolean isPanelVisible() {
+        return WindowDriver.onEventThread(() -> window.side().component().isVisible());
+    }
+
+    private void resize(int width, int height) {
+        WindowDriver.onEventThread(() -> {
+            window.frame().setMinimumSize(new Dimension(1, 1));
+            window.frame().setSize(width, height);
+            window.frame().validate();
+        });
+        WindowDriver.await(
+                "the other size", () -> window.frame().getContentPane().getWidth() == width);
+        // what hears of it
+        WindowDriver.onEventThread(() -> {});
+        WindowDriver.onEventThread(() -> {});
     }
 
     @Test

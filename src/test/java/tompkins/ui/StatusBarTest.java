@@ -63,6 +63,27 @@ class StatusBarTest {
     }
 
     @Test
+    void anUnknownErrorIsNotSpokenOf() {
+        Picture known = picture(Studio.DEFAULT);
+        status.show(known);
+        assertThat(picture.getText()).contains("error 0");
+        status.show(new Picture(known.plan(), known.image(), true, Duration.ZERO, 1, Double.NaN, List.of()));
+        assertThat(picture.getText())
+                .contains("1 sample per pixel")
+                .doesNotContain("error")
+                .doesNotContain("?");
+    }
+
+    @Test
+    void howToGetAtAFoldedPanelIsSaidWhileItIsFolded() {
+        status.showPanelFolded(true);
+        status.show(picture(Studios.sphere()));
+        assertThat(what.getText()).isEqualTo(Texts.get("status.panelFolded"));
+        status.showPanelFolded(false);
+        assertThat(what.getText()).isEqualTo(Texts.get("status.idle"));
+    }
+
+    @Test
     void aWideApertureThatDoesNotBlurIsSpokenOf() {
         Studio wide = Studio.DEFAULT.withCamera(Descriptions.with(Studio.DEFAULT.camera(), "apertureRadius", 0.2));
         status.show(picture(wide));

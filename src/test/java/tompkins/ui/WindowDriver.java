@@ -29,7 +29,6 @@ import javax.swing.JComponent;
 import javax.swing.JFileChooser;
 import javax.swing.JMenuItem;
 import javax.swing.SwingUtilities;
-import org.junit.jupiter.api.Assumptions;
 import tompkins.studio.Studio;
 import tompkins.ui.picture.Picture;
 
@@ -52,12 +51,11 @@ public final class WindowDriver implements AutoCloseable {
     private final TompkinsWindow window;
 
     /**
-     * Opens a window, as {@link TompkinsWindow#opened} does; without a display see {@link #requireDisplay}.
+     * Opens a window, as {@link TompkinsWindow#opened} does; a test that does this is one that {@link NeedsDisplay}.
      *
      * @param settings the folder of the settings
      */
     WindowDriver(Path settings, Studio studio, Path file, List<Studio> examples) {
-        requireDisplay();
         System.setProperty("tompkins.settings", settings.toString());
         try {
             robot = new Robot();
@@ -77,18 +75,6 @@ public final class WindowDriver implements AutoCloseable {
         if (event.getID() == KeyEvent.KEY_RELEASED || event.getID() == MouseEvent.MOUSE_RELEASED) {
             released.incrementAndGet();
         }
-    }
-
-    /** Skips a test that needs a display where there is none; fails it where one is required. */
-    public static void requireDisplay() {
-        if (Displays.usable()) {
-            return;
-        }
-        String how = "no display: run  xvfb-run -a -s \"-screen 0 1600x1000x24\" mvn test -Dtompkins.display=required";
-        if ("required".equals(System.getProperty("tompkins.display"))) {
-            throw new AssertionError(how);
-        }
-        Assumptions.abort(how);
     }
 
     /** Does something on the event thread, where nothing moves by itself meanwhile, and waits for it. */

@@ -25,6 +25,7 @@ import tompkins.ui.picture.PictureCanvas;
 
 /** What a press of the mouse does while something is half typed, or to what has the focus, in a real window. */
 @Timeout(300)
+@NeedsDisplay
 class WindowPressTest {
 
     @TempDir

@@ -35,6 +35,7 @@ import javax.swing.TransferHandler;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -53,6 +54,8 @@ import tompkins.ui.widget.Texts;
 
 /** What the window asks, and what becomes of the answers. */
 @Timeout(600)
+@NeedsDisplay
+@Tag("slow")
 class WindowQuestionsTest {
 
     /** A wall 8 in front of the camera, which is focused at 10. */
@@ -251,6 +254,19 @@ class WindowQuestionsTest {
         driver = new WindowDriver(folder.resolve("settings"), WALL, file, List.of());
         Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
         assertThat(driver.window().frame().getSize()).isEqualTo(screen);
+    }
+
+    @Test
+    void aDialogIsNotLargerThanItsScreen() {
+        Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
+        JDialog dialog = WindowDriver.onEventThread(() -> {
+            JDialog made = new JDialog(driver.window().frame());
+            made.setSize(5000, 4000);
+            made.setVisible(true);
+            return made;
+        });
+        WindowDriver.await("the size of the screen", () -> dialog.getSize().equals(screen));
+        WindowDriver.onEventThread(dialog::dispose);
     }
 
     @Test

@@ -7,7 +7,6 @@ import java.awt.event.ComponentEvent;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
 import javax.swing.JFrame;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -15,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** What is remembered of a window that is maximised, by a frame that does so without a window manager. */
+@NeedsDisplay
 class WindowSizeTest {
 
     @TempDir
@@ -45,11 +45,6 @@ class WindowSizeTest {
             setSize(width, height);
             dispatchEvent(new ComponentEvent(this, ComponentEvent.COMPONENT_RESIZED));
         }
-    }
-
-    @BeforeAll
-    static void requireDisplay() {
-        WindowDriver.requireDisplay();
     }
 
     @BeforeEach

@@ -29,6 +29,7 @@ import javax.swing.JToggleButton;
 import javax.swing.JTree;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -50,6 +51,8 @@ import tompkins.ui.widget.Texts;
 
 /** The real window, used with mouse and keys. */
 @Timeout(600)
+@NeedsDisplay
+@Tag("slow")
 class WindowTest {
 
     private static final Path SCENES = Path.of(System.getProperty("basedir", ""), "scenes");

@@ -12,7 +12,6 @@ import tompkins.property.InvalidPropertyException;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Rows;
-import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.Wording;
 
@@ -23,6 +22,7 @@ final class FamilyEditor implements ValueEditor {
     private final Consumer<Object> commit;
     private final Note note;
     private final JComboBox<Class<?>> types = new JComboBox<>();
+    private final Note meaning = new Note("");
     private final Updating updating = new Updating();
     private Class<?> shownType;
     private Object shown;
@@ -43,6 +43,7 @@ final class FamilyEditor implements ValueEditor {
         types.addActionListener(event -> updating.unless(this::choose));
         types.setVisible(types.getItemCount() > 1);
         panel.add(types, "wmin 0");
+        panel.add(meaning.component(), "wmin 0");
     }
 
     @Override
@@ -115,7 +116,7 @@ final class FamilyEditor implements ValueEditor {
         if (value.getClass() != shownType) {
             shownType = value.getClass();
             updating.during(() -> types.setSelectedItem(shownType));
-            types.setToolTipText(Tips.wrapped(Wording.meaning(shownType)));
+            meaning.setText(types.isVisible() ? Wording.meaning(shownType) : "");
             replaceForm();
         }
         form.show(value);

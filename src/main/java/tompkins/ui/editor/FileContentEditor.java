@@ -16,7 +16,6 @@ import tompkins.ray.PixelPicture;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.ChosenFile;
 import tompkins.ui.widget.Note;
-import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Tips;
 
@@ -36,7 +35,7 @@ public final class FileContentEditor implements ValueEditor {
         void used(Path file);
     }
 
-    private final JButton button = PlainText.in(new JButton());
+    private final JButton button = new JButton();
     private final Function<Object, String> text;
 
     /** An editor for pictures. */

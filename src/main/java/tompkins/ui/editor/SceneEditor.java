@@ -1,5 +1,8 @@
 package tompkins.ui.editor;
 
+import java.awt.Dimension;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
@@ -25,6 +28,7 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Column;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Keys;
+import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Texts;
@@ -34,7 +38,17 @@ import tompkins.ui.widget.Wording;
 /** All of the studio: a tree of its parts, and a form for the chosen one. */
 public final class SceneEditor {
 
+    /** Sizes, in sizes of the type. */
+    private static final double TREE_WIDTH = 18;
+
+    private static final double LEAST_FORM_WIDTH = 26;
+    private static final double FORM_WIDTH = 30;
+    private static final double HEIGHT = 37;
+
     private final StudioModel model;
+    private final JScrollPane trees;
+    private final JScrollPane forms;
+    private final JSplitPane split;
     private final JPanel panel = new JPanel(
             new MigLayout("novisualpadding, insets 10, fill, wrap 1, gap 0 8", "[grow,fill]", "[grow,fill][]"));
     private final StudioTree tree = new StudioTree(this::leaveFor);
@@ -53,15 +67,22 @@ public final class SceneEditor {
     /** An editor of the studio in a model, which follows its changes. */
     public SceneEditor(StudioModel model) {
         this.model = model;
-        JScrollPane trees = new JScrollPane(tree.component());
-        JScrollPane forms = new JScrollPane(
+        trees = new JScrollPane(tree.component());
+        forms = new JScrollPane(
                 formPanel,
                 ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
                 ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         forms.setBorder(BorderFactory.createEmptyBorder());
-        JSplitPane split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, trees, forms);
+        split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, trees, forms);
         split.setResizeWeight(0.4);
-        panel.add(split, "w 720, h 520");
+        panel.add(split);
+        fitToLook();
+        tree.component().addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                makeRoomForTree();
+            }
+        });
         panel.add(buttons());
         add.addActionListener(event -> offerTypes());
         duplicate.addActionListener(event ->
@@ -78,6 +99,30 @@ public final class SceneEditor {
         Keys.bindFocused(tree.component(), KeyStroke.getKeyStroke("DELETE"), remove::doClick);
         model.addListener(this::update);
         update();
+    }
+
+    /** What does not follow the look by itself. */
+    public void fitToLook() {
+        forms.setMinimumSize(new Dimension(Look.pixels(LEAST_FORM_WIDTH), 0));
+        forms.setPreferredSize(new Dimension(Look.pixels(FORM_WIDTH), Look.pixels(HEIGHT)));
+        trees.setPreferredSize(new Dimension(Math.max(treeWidth(), Look.pixels(TREE_WIDTH)), 0));
+        split.resetToPreferredSizes();
+    }
+
+    private int treeWidth() {
+        return tree.component().getPreferredSize().width
+                + trees.getVerticalScrollBar().getPreferredSize().width
+                + trees.getInsets().left
+                + trees.getInsets().right;
+    }
+
+    /** A branch that is opened may need more room, of which the form needs some. */
+    private void makeRoomForTree() {
+        int most = split.getWidth() - split.getDividerSize() - forms.getMinimumSize().width;
+        int wanted = Math.min(treeWidth(), most);
+        if (wanted > split.getDividerLocation()) {
+            split.setDividerLocation(wanted);
+        }
     }
 
     private static JButton button(String key) {

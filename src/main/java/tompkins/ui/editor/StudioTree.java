@@ -1,5 +1,6 @@
 package tompkins.ui.editor;
 
+import java.awt.event.MouseEvent;
 import java.lang.reflect.RecordComponent;
 import java.lang.reflect.Type;
 import java.util.HashSet;
@@ -8,6 +9,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.JTree;
+import javax.swing.ToolTipManager;
 import javax.swing.tree.DefaultMutableTreeNode;
 import javax.swing.tree.DefaultTreeCellRenderer;
 import javax.swing.tree.DefaultTreeModel;
@@ -17,8 +19,8 @@ import tompkins.property.Descriptions;
 import tompkins.sceneobject.SceneObject;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
-import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.Wording;
 
@@ -34,22 +36,48 @@ final class StudioTree {
      */
     record Line(StudioPath path, Type type, String label) {
 
+        /** What there is room for. */
         @Override
         public String toString() {
-            return label;
+            return label.codePointCount(0, label.length()) <= LONGEST
+                    ? label
+                    : label.substring(0, label.offsetByCodePoints(0, LONGEST - 1))
+                                    .strip() + "\u2026";
         }
     }
 
-    private final JTree tree = new JTree();
+    private static final int LONGEST = 28;
+
+    private final JTree tree = new LabelledTree();
     private final Updating updating = new Updating();
 
     /** A tree that tells of the chosen line. */
     StudioTree(Consumer<Line> chosen) {
         tree.setName("tree");
-        tree.setCellRenderer(PlainText.in(new DefaultTreeCellRenderer()));
+        tree.setCellRenderer(new DefaultTreeCellRenderer());
         tree.getAccessibleContext().setAccessibleName(Texts.get("tree.name"));
         tree.getSelectionModel().setSelectionMode(TreeSelectionModel.SINGLE_TREE_SELECTION);
         tree.addTreeSelectionListener(event -> updating.unless(() -> chosen.accept(chosenLine())));
+    }
+
+    /** A tree that tells the whole label of a line that is shortened. */
+    private static final class LabelledTree extends JTree {
+
+        private static final long serialVersionUID = 1;
+
+        LabelledTree() {
+            ToolTipManager.sharedInstance().registerComponent(this);
+        }
+
+        @Override
+        public String getToolTipText(MouseEvent event) {
+            TreePath path = getPathForLocation(event.getX(), event.getY());
+            if (path == null) {
+                return null;
+            }
+            Line line = (Line) ((DefaultMutableTreeNode) path.getLastPathComponent()).getUserObject();
+            return line.label().equals(line.toString()) ? null : Tips.wrapped(line.label());
+        }
     }
 
     JComponent component() {

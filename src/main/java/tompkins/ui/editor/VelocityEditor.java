@@ -52,12 +52,14 @@ final class VelocityEditor implements ValueEditor {
     public void show(Object value) {
         velocity = (Velocity) value;
         speed.show(
-                switch (velocity.scale() == null ? SpeedScale.BETA : velocity.scale()) {
-                    case BETA -> Numbers.text(velocity.speed());
-                    case GAMMA -> "gamma " + Numbers.text(velocity.value());
-                    case RAPIDITY -> "rapidity " + Numbers.text(velocity.value());
-                    case ONE_MINUS_BETA -> "1-" + Numbers.text(velocity.value());
-                });
+                velocity.scale() == null
+                        ? SpeedText.of(velocity, SpeedScale.BETA)
+                        : switch (velocity.scale()) {
+                            case BETA -> Numbers.text(velocity.speed());
+                            case GAMMA -> "gamma " + Numbers.text(velocity.value());
+                            case RAPIDITY -> "rapidity " + Numbers.text(velocity.value());
+                            case ONE_MINUS_BETA -> "1-" + Numbers.text(velocity.value());
+                        });
         direction.showDirection(velocity.givenDirection());
     }
 }

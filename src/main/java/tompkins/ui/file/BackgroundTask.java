@@ -154,7 +154,8 @@ public final class BackgroundTask implements Progress {
             end = notDone;
         } catch (Exception | Error failure) {
             // whatever it is, a task that has ended must not count as running
-            end = () -> Messages.error(owner, Messages.of(failure));
+            end = () -> Messages.error(
+                    owner, Messages.isOfMemory(failure) ? title + ": " + Messages.of(failure) : Messages.of(failure));
         }
         Runnable last = end;
         SwingUtilities.invokeLater(() -> {

@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.BiConsumer;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import javax.swing.JFileChooser;
@@ -23,13 +22,26 @@ public final class SaveDialog {
 
     private SaveDialog() {}
 
+    /** What is done with the name that was chosen. */
+    @FunctionalInterface
+    public interface Saver<T> {
+
+        /**
+         * Saves a file.
+         *
+         * @param replace whether the user knows that there is a file of this name, and wants it replaced; a file that
+         *     appears later must not be
+         */
+        void save(Path file, T format, boolean replace);
+    }
+
     /**
      * Asks for a name, and whether a file of that name may be written over.
      *
      * @param title what is to be saved
      * @param name what is proposed; without an ending, since that of the chosen format is added
      * @param formats the formats to choose from, the usual one first
-     * @param save takes the file and its format
+     * @param saver takes the answer
      */
     public static <T> void ask(
             JFrame frame,
@@ -37,7 +49,7 @@ public final class SaveDialog {
             String title,
             String name,
             List<FormatFilter<T>> formats,
-            BiConsumer<Path, T> save) {
+            Saver<T> saver) {
         chooser.setDialogTitle(title);
         chooser.setAcceptAllFileFilterUsed(false);
         formats.forEach(chooser::addChoosableFileFilter);
@@ -53,8 +65,9 @@ public final class SaveDialog {
             FormatFilter<T> format = meant(typedName, chooser.getFileFilter(), formats);
             if (typedName.equals(name) || !isOfAnotherKind(typedName, format)) {
                 Path file = format.named(typed);
-                if (format.isFolder() || mayWrite(frame, file)) {
-                    save.accept(file, format.format());
+                boolean replace = !format.isFolder() && Files.exists(file);
+                if (!replace || mayReplace(frame, file)) {
+                    saver.save(file, format.format(), replace);
                     return;
                 }
                 continue;
@@ -87,9 +100,8 @@ public final class SaveDialog {
                 .orElse(chosenFirst.get(0));
     }
 
-    private static boolean mayWrite(JFrame frame, Path file) {
-        return !Files.exists(file)
-                || Messages.confirm(
-                        frame, Texts.get("file.overwriteTitle"), Texts.get("file.overwrite", file.getFileName()));
+    private static boolean mayReplace(JFrame frame, Path file) {
+        return Messages.confirm(
+                frame, Texts.get("file.overwriteTitle"), Texts.get("file.overwrite", file.getFileName()));
     }
 }

@@ -16,6 +16,7 @@ import tompkins.property.Descriptions;
 import tompkins.shutter.Shutter;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Comparison;
+import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Rows;
@@ -100,7 +101,7 @@ public final class ComparePanel {
         for (Comparison view : List.of(Comparison.SPLIT, Comparison.BESIDE, Comparison.DIFFERENCE)) {
             JRadioButton button = new JRadioButton(Wording.label(view), view == Comparison.SPLIT);
             Naming.name(button, button.getText(), Texts.get("compare.tip." + view));
-            button.addActionListener(event -> tell());
+            ChoiceRow.whenChosen(button, this::tell);
             group.add(button);
             row.add(button);
             views.put(view, button);

@@ -10,6 +10,7 @@ import tompkins.light.ColourLaw;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Rows;
@@ -27,7 +28,11 @@ public final class LawPanel {
         for (L law : laws) {
             JRadioButton button = new JRadioButton(Wording.label(law));
             Naming.name(button, button.getText(), Texts.get("law." + law.name()));
-            button.addActionListener(event -> model.set(change.apply(model.studio(), law)));
+            ChoiceRow.whenChosen(button, () -> {
+                if (reading.apply(model.studio()) != law) {
+                    model.set(change.apply(model.studio(), law));
+                }
+            });
             group.add(button);
             panel.add(button);
             Runnable update = () -> button.setSelected(reading.apply(model.studio()) == law);

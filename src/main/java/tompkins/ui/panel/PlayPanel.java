@@ -31,7 +31,6 @@ import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberField;
 import tompkins.ui.widget.NumberKind;
-import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Range;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
@@ -94,7 +93,7 @@ public final class PlayPanel {
                 number -> setSeconds(Require.within("seconds", number, Animation.SHORTEST, Animation.LONGEST)));
         setSeconds(4);
         Naming.name(properties, "play.property");
-        properties.setRenderer(PlainText.in(new DefaultListCellRenderer()));
+        properties.setRenderer(new DefaultListCellRenderer());
         properties.addActionListener(event -> updating.unless(this::suggestValues));
         Naming.name(courses, "play.course");
         courses.addActionListener(event -> follow());

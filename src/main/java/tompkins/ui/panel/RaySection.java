@@ -25,7 +25,6 @@ import tompkins.ui.picture.RayStory;
 import tompkins.ui.picture.SpaceTimeDiagram;
 import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.Naming;
-import tompkins.ui.widget.PlainText;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Section;
 import tompkins.ui.widget.Texts;
@@ -144,7 +143,7 @@ public final class RaySection {
         }
         JPopupMenu menu = new JPopupMenu();
         objects.forEach((path, name) -> {
-            JMenuItem item = PlainText.in(new JMenuItem());
+            JMenuItem item = new JMenuItem();
             item.setText(name);
             item.addActionListener(event -> editor.accept(path));
             menu.add(item);

@@ -9,6 +9,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
+import javax.swing.JTextArea;
 import javax.swing.ListCellRenderer;
 import javax.swing.UIManager;
 import tompkins.property.Descriptions;
@@ -153,16 +154,19 @@ public final class ShutterPanel {
     private static final class ModelRenderer implements ListCellRenderer<Class<?>> {
 
         /** Width of a line in sizes of the type, so that it fits into the list beneath the narrowest panel. */
-        private static final double LINE = 10;
+        private static final double LINE = 13;
 
         private final JPanel cell = new JPanel(new BorderLayout(8, 0));
         private final JPanel words = new JPanel(new BorderLayout(0, 2));
         private final JLabel icon = new JLabel();
         private final JLabel name = new JLabel();
-        private final JLabel line = new JLabel();
+        private final JTextArea line = new JTextArea();
 
         ModelRenderer() {
             words.setOpaque(false);
+            line.setOpaque(false);
+            line.setLineWrap(true);
+            line.setWrapStyleWord(true);
             words.add(name, BorderLayout.CENTER);
             words.add(line, BorderLayout.SOUTH);
             cell.setBorder(BorderFactory.createEmptyBorder(4, 4, 4, 4));
@@ -180,14 +184,15 @@ public final class ShutterPanel {
             name.setText(model == null ? "" : Wording.label(model));
             cell.getAccessibleContext().setAccessibleName(name.getText());
             line.setVisible(inList);
-            line.setText(
-                    inList ? "<html><body style='width: " + Look.pixels(LINE) + "px'>" + Wording.meaning(model) : "");
+            line.setText(inList ? Wording.meaning(model) : "");
             cell.setOpaque(inList);
             cell.setBackground(marked ? list.getSelectionBackground() : list.getBackground());
             name.setForeground(ink);
             line.setForeground(ink);
             name.setFont(UIManager.getFont("Label.font"));
             line.setFont(UIManager.getFont("small.font"));
+            // the height of wrapped text is known only when its width is
+            line.setSize(Look.pixels(LINE), Short.MAX_VALUE);
             return cell;
         }
     }

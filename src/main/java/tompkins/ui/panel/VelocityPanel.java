@@ -22,7 +22,6 @@ import tompkins.ui.widget.DirectionSphere;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
-import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Range;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.SpeedText;
@@ -172,7 +171,12 @@ public final class VelocityPanel {
         TransformationLaw law = model.studio().transformation();
         numbers.setText(
                 switch (law) {
-                    case LORENTZ -> Texts.get("velocity.numbers", Numbers.brief(now.gamma(), 6), beta);
+                    case LORENTZ ->
+                        Texts.get(
+                                "velocity.numbers",
+                                SpeedScale.GAMMA.reading(now),
+                                SpeedScale.RAPIDITY.reading(now),
+                                beta);
                     case GALILEAN -> Texts.get("velocity.beta", beta);
                     case NONE -> Texts.get("velocity.ignored", beta);
                 });

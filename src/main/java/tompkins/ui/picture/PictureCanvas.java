@@ -41,6 +41,9 @@ public final class PictureCanvas extends JPanel {
 
     private static final int GRIP = 6;
 
+    /** How far a press may move and be a click: a hand shakes. */
+    private static final int STILL = 5;
+
     private final Consumer<Dimension> resized;
     private ScreenPicture shown = ScreenPicture.EMPTY;
     private Comparison comparison = Comparison.NONE;
@@ -317,6 +320,9 @@ public final class PictureCanvas extends JPanel {
 
     private final class CanvasMouse extends MouseAdapter {
 
+        /** Where the mouse was pressed; null where no click comes of it. */
+        private Point pressed;
+
         private boolean nearDivider(MouseEvent event) {
             return splits() && !picking && Math.abs(event.getX() - arrangement().dividerX()) <= GRIP;
         }
@@ -330,12 +336,16 @@ public final class PictureCanvas extends JPanel {
         @Override
         public void mousePressed(MouseEvent event) {
             requestFocusInWindow();
+            pressed = event.getPoint();
             draggingDivider = nearDivider(event);
         }
 
         @Override
         public void mouseDragged(MouseEvent event) {
             mouseAt = event.getPoint();
+            if (pressed != null && pressed.distance(mouseAt) > STILL) {
+                pressed = null;
+            }
             if (draggingDivider) {
                 Rectangle bounds = pictureBounds();
                 setDivider((double) (event.getX() - bounds.x) / bounds.width);
@@ -362,10 +372,11 @@ public final class PictureCanvas extends JPanel {
 
         @Override
         public void mouseReleased(MouseEvent event) {
-            if (!draggingDivider && event.getButton() == MouseEvent.BUTTON1) {
+            if (!draggingDivider && pressed != null && event.getButton() == MouseEvent.BUTTON1) {
                 point(event);
                 click();
             }
+            pressed = null;
             draggingDivider = false;
         }
     }

@@ -28,19 +28,28 @@ public final class ChoiceRow {
             Function<? super T, String> name,
             Function<? super T, String> tip,
             Consumer<? super T> chosen) {
-        JPanel row = Rows.of("gap 2", "[grow,fill,sg]".repeat(values.size()));
+        JPanel row = Rows.of("gap 2", "[grow,fill]".repeat(values.size()));
         ButtonGroup group = new ButtonGroup();
         for (T value : values) {
             JToggleButton button = new JToggleButton(text.apply(value), group.getButtonCount() == 0);
             Naming.name(button, name.apply(value), tip.apply(value));
             button.putClientProperty(
                     FlatClientProperties.STYLE,
-                    "selectedBackground: $Component.accentColor; selectedForeground: $Tompkins.chosen;"
-                            + " focusedBorderColor: $Tompkins.chosen");
-            button.addActionListener(event -> chosen.accept(value));
+                    "margin: 2,4,2,4; minimumWidth: 0; selectedBackground: $Component.accentColor;"
+                            + " selectedForeground: $Tompkins.chosen; focusedBorderColor: $Tompkins.chosen");
+            whenChosen(button, () -> chosen.accept(value));
             group.add(button);
             row.add(button, "wmin 0");
         }
         return row;
+    }
+
+    /** Does something when a button of a group is chosen: with the mouse, or by the arrow keys, which click nowhere. */
+    public static void whenChosen(JToggleButton button, Runnable action) {
+        button.addItemListener(event -> {
+            if (button.isSelected()) {
+                action.run();
+            }
+        });
     }
 }

@@ -1,5 +1,6 @@
 package tompkins.ui.widget;
 
+import java.awt.GraphicsEnvironment;
 import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
@@ -20,9 +21,10 @@ public final class Keys {
 
     private Keys() {}
 
-    /** A key of a menu as it is on this system: on a Mac, Ctrl is Cmd. */
+    /** A key of a menu as it is on this system: on a Mac, Ctrl is Cmd. Without a display no key is pressed. */
     public static KeyStroke ofMenu(String key) {
-        boolean command = Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx() == InputEvent.META_DOWN_MASK;
+        boolean command = !GraphicsEnvironment.isHeadless()
+                && Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx() == InputEvent.META_DOWN_MASK;
         return KeyStroke.getKeyStroke(command ? key.replace("ctrl", "meta") : key);
     }
 

@@ -127,6 +127,7 @@ public enum Look {
         } else {
             FlatLightLaf.setup();
         }
+        PlainTextUI.install();
     }
 
     private Map<String, String> defaults() {

@@ -121,9 +121,14 @@ public final class Messages {
         return chosen == JOptionPane.CLOSED_OPTION ? answers.length - 1 : chosen;
     }
 
+    /** Whether memory ran out, however that was passed on. */
+    public static boolean isOfMemory(Throwable failure) {
+        return failure instanceof OutOfMemoryError || failure.getCause() instanceof OutOfMemoryError;
+    }
+
     /** What an exception says to the user. */
     public static String of(Throwable failure) {
-        if (failure instanceof OutOfMemoryError || failure.getCause() instanceof OutOfMemoryError) {
+        if (isOfMemory(failure)) {
             return Texts.get("message.memory", Runtime.getRuntime().maxMemory() >> 20);
         }
         return failure.getMessage() == null ? failure.toString() : failure.getMessage();

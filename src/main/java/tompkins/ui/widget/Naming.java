@@ -32,7 +32,7 @@ public final class Naming {
 
     /** Shows the items of a combo box by their names; a letter chooses the next one whose name begins with it. */
     public static <T> void items(JComboBox<T> box, Function<? super T, String> name) {
-        box.setRenderer(PlainText.in(new DefaultListCellRenderer() {
+        box.setRenderer(new DefaultListCellRenderer() {
             @Override
             @SuppressWarnings("unchecked") // the list is that of the box
             public Component getListCellRendererComponent(
@@ -40,7 +40,7 @@ public final class Naming {
                 return super.getListCellRendererComponent(
                         list, item == null ? "" : name.apply((T) item), index, selected, focused);
             }
-        }));
+        });
         box.setKeySelectionManager((letter, items) -> {
             char wanted = Character.toLowerCase(letter);
             return IntStream.rangeClosed(1, box.getItemCount())

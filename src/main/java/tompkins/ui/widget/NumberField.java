@@ -16,12 +16,18 @@ public final class NumberField {
     private final EntryField entry;
     private Number value = 0;
 
+    /** What was typed last; null before. */
+    private Number typed;
+
     /** A field as {@link EntryField}, for the property of the given name. */
     public NumberField(
             NumberKind kind, String property, String name, String tip, Note note, Consumer<? super Number> commit) {
         this.kind = kind;
         this.property = property;
-        entry = new EntryField(field, name, tip, note, text -> commit.accept(kind.parse(property, text)));
+        entry = new EntryField(field, name, tip, note, text -> {
+            typed = kind.parse(property, text);
+            commit.accept(typed);
+        });
         step("UP", 1);
         step("DOWN", -1);
         step("shift UP", 10);
@@ -43,9 +49,10 @@ public final class NumberField {
         });
     }
 
-    /** The number in the field: what was typed there last, though it may not have been taken. */
+    /** The number as it is read in the field, whether it has been taken or not. */
     private Number present() {
-        return entry.isPending() ? kind.parse(property, field.getText()) : value;
+        boolean isWord = !entry.isPending() && !Double.isFinite(value.doubleValue());
+        return isWord ? value : kind.parse(property, field.getText());
     }
 
     /** The field itself, to be put into a panel. */
@@ -56,6 +63,6 @@ public final class NumberField {
     /** Shows a number; the digits that do not fit stay in the model. */
     public void show(Number number) {
         value = number;
-        entry.show(kind.text(number));
+        entry.show(kind.text(number, number.equals(typed)));
     }
 }

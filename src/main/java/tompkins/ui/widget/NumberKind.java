@@ -15,11 +15,10 @@ public enum NumberKind {
         }
 
         @Override
-        String text(Number number) {
+        String text(Number number, boolean typed) {
             double value = number.doubleValue();
-            return Double.isFinite(value)
-                    ? Numbers.text(NumberText.rounded(value, SHOWN_DIGITS))
-                    : Numbers.brief(value);
+            double shown = NumberText.rounded(value, SHOWN_DIGITS);
+            return Double.isFinite(value) && (typed || shown == value) ? Numbers.text(shown) : Numbers.brief(value);
         }
 
         @Override
@@ -57,8 +56,11 @@ public enum NumberKind {
      */
     abstract Number parse(String property, String text);
 
-    /** What a field shows of a number; whole numbers have all their digits. */
-    String text(Number number) {
+    /**
+     * What a field shows of a number. Of one that was typed, or is short enough to be, as many digits as there is room
+     * for; of others the first. Whole numbers have all their digits.
+     */
+    String text(Number number, boolean typed) {
         return Long.toString(number.longValue());
     }
 

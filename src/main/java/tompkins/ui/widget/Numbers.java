@@ -33,7 +33,7 @@ public final class Numbers {
         String allowed = "a whole number";
         BigDecimal number;
         try {
-            number = new BigDecimal(text.strip().replace('\u2212', '-'));
+            number = new BigDecimal(NumberText.withPoint(text.strip().replace('\u2212', '-')));
         } catch (NumberFormatException e) {
             throw new InvalidPropertyException(property, allowed, "\"" + text.strip() + "\"");
         }
@@ -68,9 +68,9 @@ public final class Numbers {
         return text;
     }
 
-    /** The first five digits of a number, for reading. */
+    /** The first four digits of a number, for reading. */
     public static String brief(double value) {
-        return brief(value, 5);
+        return brief(value, 4);
     }
 
     /** The first {@code digits} digits of a number, for reading. */

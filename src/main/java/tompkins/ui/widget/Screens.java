@@ -1,14 +1,20 @@
 package tompkins.ui.widget;
 
+import java.awt.AWTEvent;
 import java.awt.Component;
+import java.awt.Dialog;
+import java.awt.Dimension;
 import java.awt.GraphicsConfiguration;
 import java.awt.Insets;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
+import java.awt.event.WindowEvent;
 
 /** The screens, of which there may be several, such as a projector beside that of a laptop. */
 public final class Screens {
+
+    private static boolean watching;
 
     private Screens() {}
 
@@ -22,6 +28,29 @@ public final class Screens {
                 bounds.y + taken.top,
                 bounds.width - taken.left - taken.right,
                 bounds.height - taken.top - taken.bottom);
+    }
+
+    /**
+     * A size, or that of the screen of a window where that is smaller: large type, or a size of yesterday's screen, may
+     * not fit.
+     */
+    public static Dimension atMost(Component window, int width, int height) {
+        Rectangle screen = room(window);
+        return new Dimension(Math.min(width, screen.width), Math.min(height, screen.height));
+    }
+
+    /** From now on, dialogs that open are kept on their screen. Called by the event thread. */
+    public static void keepDialogsOnScreen() {
+        if (!watching) {
+            watching = true;
+            Toolkit.getDefaultToolkit().addAWTEventListener(Screens::watch, AWTEvent.WINDOW_EVENT_MASK);
+        }
+    }
+
+    private static void watch(AWTEvent event) {
+        if (event.getID() == WindowEvent.WINDOW_OPENED && event.getSource() instanceof Dialog dialog) {
+            keepOnScreen(dialog);
+        }
     }
 
     /** Moves a window to the right of another as far as the screen goes, where it covers least of its picture. */

@@ -3,11 +3,13 @@ package tompkins.ui.widget;
 import java.math.BigDecimal;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.joml.Vector3dc;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
+import tompkins.spacetime.MetricSpeed;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 
@@ -16,6 +18,7 @@ public final class SpeedText {
 
     private static final Pattern NAMED = Pattern.compile("([a-z\\u0370-\\u03ff]+)\\s*=?\\s*(.*)");
     private static final Pattern BELOW_ONE = Pattern.compile("1(?:\\.0*)?\\s*-\\s*(.*)");
+    private static final Pattern ABOVE_ONE = Pattern.compile("1(?:\\.0*)?\\s*\\+\\s*(.*)");
 
     private static final Map<String, SpeedScale> NAMES = Map.ofEntries(
             Map.entry("beta", SpeedScale.BETA),
@@ -35,13 +38,19 @@ public final class SpeedText {
 
     private SpeedText() {}
 
-    /** The speed of a velocity on a scale, as short as a field: {@code 0.97}, {@code 1-1e-9}. */
+    /**
+     * The speed of a velocity on a scale, as short as a field: {@code 0.97}, {@code 1-1e-9}, {@code 1+5e-7}. As it was
+     * given, if it was given on that scale; of other numbers, which nobody typed, the first digits.
+     */
     public static String of(Velocity velocity, SpeedScale scale) {
-        double value = scale.valueOf(velocity);
         if (scale == SpeedScale.BETA && isNearlyLight(velocity)) {
             return "1-" + Numbers.fitting(velocity.oneMinusSpeed(), CHARACTERS - 2);
         }
-        return Numbers.fitting(value, CHARACTERS);
+        String given = Numbers.fitting(scale.valueOf(velocity), CHARACTERS);
+        boolean vanishes = scale == SpeedScale.GAMMA && given.equals("1") && !velocity.isRest();
+        return velocity.scale() == scale && !vanishes
+                ? given
+                : scale.reading(velocity).replace(" ", "");
     }
 
     /**
@@ -69,7 +78,7 @@ public final class SpeedText {
                 .toLowerCase(Locale.ROOT)
                 .replace('\u2212', '-')
                 .replaceAll("(?<=[0-9.%])\\s*c$", "")
-                .replaceAll("^(?=[-+.0-9].*%$)", "beta ")
+                .replaceAll("^(?=[-+.,0-9].*(%|/s)$)", "beta ")
                 .replaceAll("^1\\s*-\\s*(beta|\u03b2)\\s*=?\\s*", "oneminusbeta ");
         Matcher belowOne = BELOW_ONE.matcher(plain);
         if (belowOne.matches()) {
@@ -77,19 +86,42 @@ public final class SpeedText {
         }
         Matcher named = NAMED.matcher(plain);
         if (!named.matches()) {
-            return Velocity.of(scale, number(plain, text), direction);
+            return onScale(scale, plain, text, direction);
         }
         SpeedScale other = NAMES.get(named.group(1));
         if (other == null) {
             throw wrong(text);
         }
-        return Velocity.of(other, number(named.group(2), text), direction);
+        return onScale(other, named.group(2), text, direction);
+    }
+
+    private static Velocity onScale(SpeedScale scale, String digits, String text, Vector3dc direction) {
+        Matcher aboveOne = ABOVE_ONE.matcher(digits);
+        if (scale == SpeedScale.GAMMA && aboveOne.matches()) {
+            return ofGammaMinusOne(number(aboveOne.group(1), text), direction);
+        }
+        return Velocity.of(scale, number(digits, text), direction);
+    }
+
+    /** By the rapidity: gamma would lose digits. */
+    private static Velocity ofGammaMinusOne(double value, Vector3dc direction) {
+        if (!(value >= 0)) {
+            // which refuses it
+            return Velocity.of(SpeedScale.GAMMA, 1 + value, direction);
+        }
+        // exp(eta) = gamma + sqrt(gamma^2 - 1)
+        return Velocity.of(SpeedScale.RAPIDITY, Math.log1p(value + Math.sqrt(value * (value + 2))), direction);
     }
 
     private static double number(String digits, String text) {
         try {
+            OptionalDouble metric = MetricSpeed.parse(digits);
+            if (metric.isPresent()) {
+                return metric.getAsDouble();
+            }
             return digits.endsWith("%")
-                    ? new BigDecimal(digits.substring(0, digits.length() - 1).strip())
+                    ? new BigDecimal(NumberText.withPoint(
+                                    digits.substring(0, digits.length() - 1).strip()))
                             .movePointLeft(2)
                             .doubleValue()
                     : NumberText.parse(digits);
@@ -99,6 +131,6 @@ public final class SpeedText {
     }
 
     private static InvalidPropertyException wrong(String text) {
-        return Numbers.noNumber("speed", "written like 0.97, 97 %, gamma 10, rapidity 2 or 1-1e-9", text);
+        return Numbers.noNumber("speed", "written like 0.97, 97 %, 150000 km/s, gamma 10, rapidity 2 or 1-1e-9", text);
     }
 }

@@ -1,5 +1,9 @@
 package tompkins.ui.widget;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+
 /** Tooltips that wrap their lines. */
 public final class Tips {
 
@@ -7,12 +11,21 @@ public final class Tips {
 
     private Tips() {}
 
-    /** A tooltip, as HTML if it takes more than one line. */
+    /** A tooltip, in lines that are not too long: between words, and within what is longer than a line. */
     public static String wrapped(String text) {
-        if (text.length() <= LONGEST_LINE) {
-            return text;
+        return text.lines().flatMap(line -> lines(line).stream()).collect(Collectors.joining("\n"));
+    }
+
+    private static List<String> lines(String text) {
+        List<String> lines = new ArrayList<>();
+        String rest = text;
+        while (rest.length() > LONGEST_LINE) {
+            int space = rest.lastIndexOf(' ', LONGEST_LINE);
+            int end = space > 0 ? space : LONGEST_LINE;
+            lines.add(rest.substring(0, end));
+            rest = rest.substring(end).stripLeading();
         }
-        return "<html><body style='width: 260px'>"
-                + text.replace("&", "&amp;").replace("<", "&lt;").replace("\n", "<br>");
+        lines.add(rest);
+        return lines;
     }
 }

@@ -16,10 +16,12 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import tompkins.ui.Components;
+import tompkins.ui.NeedsDisplay;
 import tompkins.ui.WindowDriver;
 import tompkins.ui.widget.Look;
 
 /** What becomes of work in the background when it ends, is cancelled, or fails. */
+@NeedsDisplay
 class BackgroundTaskTest {
 
     private final List<String> ended = new ArrayList<>();
@@ -28,7 +30,6 @@ class BackgroundTaskTest {
 
     @BeforeEach
     void open() {
-        WindowDriver.requireDisplay();
         owner = WindowDriver.onEventThread(() -> {
             Look.LIGHT.install();
             JFrame frame = new JFrame();
@@ -39,9 +40,7 @@ class BackgroundTaskTest {
 
     @AfterEach
     void close() {
-        if (owner != null) {
-            WindowDriver.onEventThread(() -> owner.dispose());
-        }
+        WindowDriver.onEventThread(() -> owner.dispose());
     }
 
     private void start(BackgroundTask.Work work) {

@@ -166,12 +166,14 @@ class PanelsTest {
     void aSpeedOfNewtonsWorldHasNoLorentzFactor() {
         Container panel = (Container) new VelocityPanel(model).component();
         model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.6)));
-        assertThat(Components.notes(panel)).containsExactly("\u03b3 = 1.25\n\u03b2 = (0, 0, 0.6)");
+        assertThat(Components.notes(panel))
+                .containsExactly(
+                        "Lorentz factor \u03b3 = 1.25, rapidity \u03b7 = 0.6931\nVelocity \u03b2 = (0, 0, 0.6)");
         model.set(model.studio().withTransformation(TransformationLaw.GALILEAN));
-        assertThat(Components.notes(panel)).containsExactly("\u03b2 = (0, 0, 0.6)");
+        assertThat(Components.notes(panel)).containsExactly("Velocity \u03b2 = (0, 0, 0.6)");
         model.set(model.studio().withTransformation(TransformationLaw.NONE));
         assertThat(Components.notes(panel))
-                .containsExactly("\u03b2 = (0, 0, 0.6), ignored: the transformation is \u201cNone\u201d");
+                .containsExactly("Velocity \u03b2 = (0, 0, 0.6), ignored: the transformation is \u201cNone\u201d");
     }
 
     @Test
@@ -225,7 +227,9 @@ class PanelsTest {
     void aVelocityNearThatOfLightIsToldBySpeedAndDirection() {
         Container panel = (Container) new VelocityPanel(model).component();
         model.set(model.studio().withVelocity(Velocity.of(SpeedScale.ONE_MINUS_BETA, 1e-9, new Vector3d(0, 3, -4))));
-        assertThat(Components.notes(panel)).contains("\u03b3 = 22360.7\n\u03b2 = (1-1e-9) \u00b7 (0, 0.6, -0.8)");
+        assertThat(Components.notes(panel))
+                .contains(
+                        "Lorentz factor \u03b3 = 22360, rapidity \u03b7 = 10.71\nVelocity \u03b2 = (1-1e-9) \u00b7 (0, 0.6, -0.8)");
     }
 
     @Test

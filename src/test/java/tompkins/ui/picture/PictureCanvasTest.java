@@ -17,6 +17,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.image.LinearImage;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
@@ -146,10 +148,32 @@ class PictureCanvasTest {
         assertThat(lastRead()).isEqualTo(new Point2D.Double(21.5, 41.5));
         press("ENTER");
         assertThat(clicked).as("no ring").isEmpty();
+        mouse(MouseEvent.MOUSE_PRESSED, new Point(10, 20));
         mouse(MouseEvent.MOUSE_RELEASED, new Point(10, 20));
         assertThat(clicked).containsExactly(lastRead());
         mouse(MouseEvent.MOUSE_EXITED, new Point(-1, -1));
         assertThat(lastRead()).isNull();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 0, true", "3, -2, true", "0, 6, false", "60, 20, false"})
+    void aPressThatMovesIsNoClick(int right, int down, boolean isClick) {
+        Point from = new Point(30, 40);
+        Point to = new Point(from.x + right, from.y + down);
+        mouse(MouseEvent.MOUSE_PRESSED, from);
+        mouse(MouseEvent.MOUSE_DRAGGED, to);
+        mouse(MouseEvent.MOUSE_RELEASED, to);
+        assertThat(clicked).hasSize(isClick ? 1 : 0);
+    }
+
+    @Test
+    void aPressThatMovesAwayAndBackIsNoClick() {
+        Point from = new Point(30, 40);
+        mouse(MouseEvent.MOUSE_PRESSED, from);
+        mouse(MouseEvent.MOUSE_DRAGGED, new Point(70, 40));
+        mouse(MouseEvent.MOUSE_DRAGGED, from);
+        mouse(MouseEvent.MOUSE_RELEASED, from);
+        assertThat(clicked).isEmpty();
     }
 
     @Test

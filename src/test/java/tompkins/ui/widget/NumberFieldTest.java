@@ -69,6 +69,25 @@ class NumberFieldTest {
         assertThat(radius[0]).isEqualTo(113456);
     }
 
+    /** What came out of a computation is read, what was typed stays as it is. */
+    @Test
+    void aNumberThatNobodyTypedHasFourDigits() {
+        Sphere[] taken = {Sphere.DEFAULT};
+        RecordForm sphere = new RecordForm(Sphere.class, component -> true, changed -> taken[0] = (Sphere) changed);
+        JTextField field = Components.find((Container) sphere.component(), JTextField.class, "Radius");
+        sphere.show(Descriptions.with(Sphere.DEFAULT, "radius", 20.03066570511592));
+        assertThat(field.getText()).isEqualTo("20.03");
+        sphere.show(Descriptions.with(Sphere.DEFAULT, "radius", 20.03067));
+        assertThat(field.getText()).isEqualTo("20.03067");
+        Components.enter((Container) sphere.component(), "Radius", "0.123456789");
+        assertThat(taken[0].radius()).isEqualTo(0.123456789);
+        sphere.show(taken[0]);
+        assertThat(field.getText()).isEqualTo("0.1234568");
+        sphere.show(Descriptions.with(Sphere.DEFAULT, "radius", 20.03066570511592));
+        Components.press(field, "UP");
+        assertThat(taken[0].radius()).isEqualTo(20.13);
+    }
+
     @Test
     void keysGoOnFromWhatWasTyped() {
         JTextField samples = shown("Samples");

@@ -23,14 +23,14 @@ class NumbersTest {
 
     @ParameterizedTest
     @CsvSource({
-        "3.14159265, 3.1416",
+        "3.14159265, 3.142",
         "100000, 100000",
         "-0.1, -0.1",
-        "1.23456e-9, 1.2346e-9",
-        "123456789, 123460000",
+        "1.23456e-9, 1.235e-9",
+        "123456789, 123500000",
         "0, 0"
     })
-    void briefTextsHaveFiveDigits(double value, String text) {
+    void briefTextsHaveFourDigits(double value, String text) {
         assertThat(Numbers.brief(value)).isEqualTo(text);
     }
 
@@ -70,6 +70,14 @@ class NumbersTest {
         assertThat(lines.isBoundary(text.indexOf('2'))).isTrue();
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = ';',
+            value = {"0,9; 0.9", "-12,5; -12.5", ",5; 0.5", "0,125; 0.125", "1234,567; 1234.567", "2,5e-3; 0.0025"})
+    void aCommaThatCanOnlyBeDecimalIsRead(String text, double value) {
+        assertThat(Numbers.parse("radius", text)).isEqualTo(value);
+    }
+
     @Test
     void noNumberIsRefused() {
         assertThatThrownBy(() -> Numbers.parse("radius", "wide"))
@@ -81,7 +89,7 @@ class NumbersTest {
     @ParameterizedTest
     @CsvSource(
             delimiter = ';',
-            value = {"0,9; true", "-1 , 5; true", "0.9.; false", "wide, high; false"})
+            value = {"1,500; true", "-1 , 5; true", "0.9.; false", "wide, high; false"})
     void aDecimalCommaIsNamed(String text, boolean named) {
         assertThatThrownBy(() -> Numbers.parse("radius", text))
                 .satisfies(refusal -> assertThat(refusal.getMessage().contains("with a point, not a comma"))

@@ -9,7 +9,7 @@ import java.awt.geom.AffineTransform;
 import java.awt.image.ColorModel;
 import javax.swing.JPanel;
 import org.junit.jupiter.api.Test;
-import tompkins.ui.WindowDriver;
+import tompkins.ui.NeedsDisplay;
 
 class ScreensTest {
 
@@ -50,9 +50,9 @@ class ScreensTest {
     }
 
     @Test
+    @NeedsDisplay
     @SuppressWarnings("serial") // never written to a stream
     void theRoomIsOnTheScreenWhereTheWindowIs() {
-        WindowDriver.requireDisplay();
         JPanel there = new JPanel() {
             @Override
             public GraphicsConfiguration getGraphicsConfiguration() {

@@ -20,6 +20,14 @@ class SpeedTextTest {
     @ParameterizedTest
     @CsvSource({
         "0.97, BETA, 0.97",
+        "'0,97', BETA, 0.97",
+        "'gamma 2,5', GAMMA, 2.5",
+        "'99,5 %', BETA, 0.995",
+        "'1-0,1', ONE_MINUS_BETA, 0.1",
+        "149896.229 km/s, BETA, 0.5",
+        "'149896,229km/s', BETA, 0.5",
+        "149896229 m/s, BETA, 0.5",
+        "beta = 1.49896229e5 km/s, BETA, 0.5",
         ".5 c, BETA, 0.5",
         "99.5 %, BETA, 0.995",
         "beta=10%, BETA, 0.1",
@@ -41,6 +49,34 @@ class SpeedTextTest {
         assertThat(velocity.value()).isEqualTo(value);
     }
 
+    /** By sqrt(2 (gamma - 1)), which rapidity and beta are at low speeds. */
+    @ParameterizedTest
+    @CsvSource({"gamma 1+5e-7, 1e-3", "gamma 1 + 5e-15, 1e-7"})
+    void aGammaThatHardlyDiffersFromOneKeepsItsDigits(String text, double beta) {
+        Velocity velocity = SpeedText.parse(text, SpeedScale.BETA, ALONG_Z);
+        assertThat(velocity.speed()).isCloseTo(beta, within(1e-6 * beta));
+        assertThat(velocity.gammaMinusOne()).isCloseTo(beta * beta / 2, within(1e-9 * beta * beta));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "BETA, 0.001, GAMMA, 1+5e-7",
+        "BETA, 0.01, GAMMA, 1.00005",
+        "BETA, 0.6, GAMMA, 1.25",
+        "BETA, 0.8, RAPIDITY, 1.099",
+        "BETA, 0, GAMMA, 1",
+        "GAMMA, 1.00000001, GAMMA, 1+1e-8",
+        "GAMMA, 1.0001, GAMMA, 1.0001",
+        "GAMMA, 10, BETA, 0.995",
+        "GAMMA, 100, BETA, 0.99995",
+        "GAMMA, 2, BETA, 0.866",
+        "BETA, 0.1234567, BETA, 0.1234567",
+        "ONE_MINUS_BETA, 1e-9, BETA, 1-1e-9",
+    })
+    void whatNobodyTypedHasFourDigits(SpeedScale typed, double value, SpeedScale scale, String text) {
+        assertThat(SpeedText.of(Velocity.of(typed, value, ALONG_Z), scale)).isEqualTo(text);
+    }
+
     @Test
     void aBareNumberIsReadOnTheScaleThatIsShown() {
         assertThat(SpeedText.parse("60%", SpeedScale.GAMMA, ALONG_Z).speed()).isEqualTo(0.6);
@@ -56,7 +92,11 @@ class SpeedTextTest {
                 "warp 9",
                 "",
                 "fast",
-                "0,97",
+                "0,9,7",
+                "gamma 1,500",
+                "300000 km/s",
+                "km/s",
+                "gamma 1+-0.1",
                 "rapidity -1",
                 "101%",
                 "-5%",
@@ -70,7 +110,7 @@ class SpeedTextTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"0,97", "gamma 2,5", "1-0,1"})
+    @ValueSource(strings = {"0,9,7", "gamma 1,500", "1-1,234"})
     void aDecimalCommaIsNamed(String text) {
         assertThatThrownBy(() -> SpeedText.parse(text, SpeedScale.BETA, ALONG_Z))
                 .hasMessageContaining("with a point, not a comma");

@@ -1,4 +1,4 @@
-package tompkins.trace;
+package tompkins.world;
 
 import java.util.List;
 import tompkins.primitive.Placement;
@@ -8,7 +8,7 @@ import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
 
 /** Makes primitives of lists of objects, if they are not too many. */
-final class ObjectPreparation {
+public final class ObjectPreparation {
 
     private ObjectPreparation() {}
 
@@ -18,7 +18,7 @@ final class ObjectPreparation {
      * @param name what scene files call the list
      * @throws InvalidPropertyException if an object is too large or too small to work with, or there are too many
      */
-    static void add(String name, List<SceneObject> objects, PrimitiveCollector collector, Placement placement) {
+    public static void add(String name, List<SceneObject> objects, PrimitiveCollector collector, Placement placement) {
         requireFewEnough(name, objects);
         for (int i = 0; i < objects.size(); i++) {
             collector.add(place(name, i), objects.get(i), placement);

@@ -1,0 +1,109 @@
+package tompkins.image;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.Raster;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+
+/**
+ * Reads PNG pictures with the JDK's reader, which is handed the chunks that say what the pixels are and no others. It
+ * knows no transparent level of grey below 8 bits, so levels and colours that are transparent are found here.
+ */
+final class PngReader {
+
+    private static final int COLOUR_TYPE_AT = PngFile.BIT_DEPTH_AT + 1;
+    private static final int GREY = 0;
+    private static final int RGB = 2;
+    private static final int PALETTE = 3;
+    private static final int LENGTH_AND_TYPE = 8;
+    private static final String APPLE = "CgBI";
+
+    private final byte[] file;
+    private final int bitDepth;
+    private final int colourType;
+    private final ByteArrayOutputStream plain;
+    private Orientation orientation = Orientation.TOP_LEFT;
+
+    /** The levels of the channels of what is transparent; empty if nothing is. */
+    private int[] transparent = {};
+
+    private PngReader(byte[] file) {
+        this.file = file;
+        this.bitDepth = file.length > COLOUR_TYPE_AT ? file[PngFile.BIT_DEPTH_AT] : 0;
+        this.colourType = file.length > COLOUR_TYPE_AT ? file[COLOUR_TYPE_AT] : 0;
+        this.plain = new ByteArrayOutputStream(file.length);
+    }
+
+    /**
+     * The pixels of a picture.
+     *
+     * @throws FileException if the picture is of a kind that is not read
+     * @throws IOException if the file is damaged
+     */
+    static Pixels read(byte[] file, String name) throws IOException {
+        PngReader reader = new PngReader(file);
+        reader.readChunks(name);
+        BufferedImage image = LibraryReader.image(PictureEncoding.PNG, reader.plain.toByteArray(), name);
+        Pixels pixels = PixelDecoder.decode(image);
+        if (reader.transparent.length > 0) {
+            reader.clear(pixels, image.getRaster());
+        }
+        return reader.orientation.turn(pixels);
+    }
+
+    /** Goes through the chunks; where the file ends too early, the library says so. */
+    private void readChunks(String name) throws FileException {
+        int at = PngChunk.SIGNATURE_LENGTH;
+        plain.write(file, 0, Math.min(at, file.length));
+        while (file.length - at >= PngChunk.FRAME) {
+            int length = ByteBuffer.wrap(file).getInt(at);
+            String type = new String(file, at + 4, 4, StandardCharsets.ISO_8859_1);
+            if (type.equals(APPLE)) {
+                throw new FileException(name + ": is packed as only devices of Apple read it (" + APPLE
+                        + "); save it as an ordinary PNG picture");
+            }
+            int rest = file.length - at - (int) PngChunk.FRAME;
+            int size = length >= 0 && length <= rest ? length : rest;
+            readChunk(type, Arrays.copyOfRange(file, at + LENGTH_AND_TYPE, at + LENGTH_AND_TYPE + size));
+            if (tellsPixels(type)) {
+                plain.write(file, at, size + (int) PngChunk.FRAME);
+            }
+            at += size + (int) PngChunk.FRAME;
+        }
+    }
+
+    private boolean tellsPixels(String type) {
+        return switch (type) {
+            case "IHDR", "IDAT", "IEND" -> true;
+            case "PLTE", "tRNS" -> colourType == PALETTE;
+            default -> false;
+        };
+    }
+
+    private void readChunk(String type, byte[] data) {
+        int channels = colourType == GREY ? 1 : colourType == RGB ? 3 : 0;
+        if (type.equals("tRNS") && data.length >= 2 * channels) {
+            transparent = new int[channels];
+            for (int i = 0; i < channels; i++) {
+                // Two bytes whatever the bits are, of which the upper ones say nothing.
+                transparent[i] = ByteBuffer.wrap(data).getShort(2 * i) & (1 << bitDepth) - 1;
+            }
+        } else if (type.equals("eXIf")) {
+            orientation = TiffDirectory.exifOrientation(data);
+        }
+    }
+
+    private void clear(Pixels pixels, Raster levels) {
+        int[] pixel = new int[levels.getNumBands()];
+        for (int y = 0, opacity = 3; y < pixels.height(); y++) {
+            for (int x = 0; x < pixels.width(); x++, opacity += 4) {
+                if (Arrays.equals(levels.getPixel(x, y, pixel), transparent)) {
+                    pixels.rgba()[opacity] = 0;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,63 @@
+package tompkins.image;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+
+/**
+ * What must not be left behind when the program is stopped in the middle, as by Ctrl-C: it is closed then, the newest
+ * first. From then on nothing new is begun.
+ */
+final class Unfinished {
+
+    private static final Deque<Closeable> OPEN = new ArrayDeque<>();
+
+    private static boolean stopped;
+
+    static {
+        Runtime.getRuntime().addShutdownHook(new Thread(Unfinished::stop, "tompkins-remove"));
+    }
+
+    private Unfinished() {}
+
+    /**
+     * Notes that something is begun.
+     *
+     * @throws InterruptedIOException if the program is being stopped
+     */
+    static void begin(Closeable work) throws InterruptedIOException {
+        synchronized (OPEN) {
+            if (stopped) {
+                throw new InterruptedIOException(FileFailure.STOPPED);
+            }
+            OPEN.push(work);
+        }
+    }
+
+    /** Notes that something has ended, whichever way. */
+    static void end(Closeable work) {
+        synchronized (OPEN) {
+            OPEN.remove(work);
+        }
+    }
+
+    private static void stop() {
+        List<Closeable> open;
+        synchronized (OPEN) {
+            stopped = true;
+            open = List.copyOf(OPEN);
+        }
+        // without the lock: what ends by itself meanwhile needs it
+        for (Closeable work : open) {
+            try {
+                work.close();
+            } catch (IOException | UncheckedIOException kept) {
+                // there is nobody left to tell
+            }
+        }
+    }
+}

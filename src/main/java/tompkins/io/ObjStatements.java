@@ -1,0 +1,110 @@
+package tompkins.io;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+
+/**
+ * The statements of an OBJ file one after the other, each cut into its words. A comment ends its line. A backslash at
+ * the end of a line goes on with the next, and parts two words.
+ */
+final class ObjStatements {
+
+    private static final char BYTE_ORDER_MARK = '\uFEFF';
+
+    private final BufferedReader lines;
+    private int linesRead;
+    private int firstLine;
+    private String text = "";
+    private int wordStart;
+    private int wordEnd;
+
+    ObjStatements(BufferedReader lines) {
+        this.lines = lines;
+    }
+
+    /** Goes to the next statement, before its first word; false after the last one. */
+    boolean next() throws IOException {
+        firstLine = linesRead + 1;
+        String line = line();
+        if (line == null) {
+            return false;
+        }
+        text = isContinued(line) ? continued(line) : line;
+        wordEnd = 0;
+        return true;
+    }
+
+    private String continued(String first) throws IOException {
+        StringBuilder joined = new StringBuilder();
+        String part = first;
+        while (part != null && isContinued(part)) {
+            joined.append(part, 0, part.length() - 1).append(' ');
+            part = line();
+        }
+        return joined.append(part == null ? "" : part).toString();
+    }
+
+    private static boolean isContinued(String line) {
+        return line.endsWith("\\");
+    }
+
+    /** The next line without its comment and the blanks at its end, or null after the last one. */
+    private String line() throws IOException {
+        String line = lines.readLine();
+        if (line == null) {
+            return null;
+        }
+        linesRead++;
+        int start = linesRead == 1 && !line.isEmpty() && line.charAt(0) == BYTE_ORDER_MARK ? 1 : 0;
+        int comment = line.indexOf('#');
+        int end = comment < 0 ? line.length() : comment;
+        while (end > start && isBlank(line.charAt(end - 1))) {
+            end--;
+        }
+        return line.substring(start, end);
+    }
+
+    /** Blanks of all kinds, those of typesetters and control characters too. */
+    private static boolean isBlank(char letter) {
+        return letter <= ' ' || letter >= 0x7f && (Character.isSpaceChar(letter) || Character.isISOControl(letter));
+    }
+
+    /** Goes to the next word of the statement; false after the last one. */
+    boolean nextWord() {
+        wordStart = wordEnd;
+        while (wordStart < text.length() && isBlank(text.charAt(wordStart))) {
+            wordStart++;
+        }
+        wordEnd = wordStart;
+        while (wordEnd < text.length() && !isBlank(text.charAt(wordEnd))) {
+            wordEnd++;
+        }
+        return wordEnd > wordStart;
+    }
+
+    /** The word. */
+    String word() {
+        return text.substring(wordStart, wordEnd);
+    }
+
+    /** Whether the word is a given one, in small letters or capital ones. */
+    boolean wordIs(String other) {
+        return wordEnd - wordStart == other.length() && text.regionMatches(true, wordStart, other, 0, other.length());
+    }
+
+    /** The line where the statement begins, counted from 1. */
+    int firstLine() {
+        return firstLine;
+    }
+
+    /** A mistake in the statement. */
+    ObjMistake mistake(String message) {
+        return new ObjMistake(firstLine, message);
+    }
+
+    /** The statement cannot be understood at all. */
+    ObjMistake unclear() {
+        return mistake(Problems.quoted(text.strip()) + " cannot be understood; a vertex is written like \"v 0 1.5 -2\","
+                + " a face like \"f 1 2 3\" with vertices counted from 1");
+    }
+}

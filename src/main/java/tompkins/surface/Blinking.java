@@ -1,0 +1,65 @@
+package tompkins.surface;
+
+import tompkins.property.Meaning;
+import tompkins.property.Require;
+import tompkins.ray.Colour;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+
+/** Two surfaces in turns, half a period each, by the proper time of the object: on a plane they show simultaneity. */
+@Meaning("Two surfaces in turns, by the proper time of the object; each point by its own time")
+public record Blinking(
+        @Meaning(value = "Time after which the first surface returns", unit = "time")
+        double period,
+
+        @Meaning("Surface in the first half of each period, which begins at time 0")
+        Surface first,
+
+        @Meaning("Surface in the second half") Surface second)
+        implements Surface {
+
+    /** White and dark grey. */
+    public static final Blinking DEFAULT = new Blinking(
+            1, new ColouredSurface(Colour.WHITE, Colour.BLACK), new ColouredSurface(Colour.grey(0.2), Colour.BLACK));
+
+    /** Checks all values. */
+    public Blinking {
+        Require.positive("period", period);
+        Require.present("first", first);
+        Require.present("second", second);
+    }
+
+    @Override
+    public Response respond(Ray ray, Hit hit, Tracer tracer) {
+        return at(hit).respond(ray, hit, tracer);
+    }
+
+    private Surface at(Hit hit) {
+        return SquareWave.isOdd(Math.floor(2 * hit.clockReading() / period)) ? second : first;
+    }
+
+    @Override
+    public boolean usesCoordinates() {
+        return first.usesCoordinates() || second.usesCoordinates();
+    }
+
+    @Override
+    public Shadow shadow() {
+        return first.shadow().orElsewhere(second.shadow());
+    }
+
+    @Override
+    public boolean throwsShadowAt(Hit hit) {
+        return at(hit).throwsShadowAt(hit);
+    }
+
+    @Override
+    public boolean showsTime() {
+        return true;
+    }
+
+    @Override
+    public boolean continuesRays() {
+        return first.continuesRays() || second.continuesRays();
+    }
+}

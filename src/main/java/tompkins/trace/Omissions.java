@@ -1,0 +1,171 @@
+package tompkins.trace;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Predicate;
+import tompkins.camera.Camera;
+import tompkins.camera.CameraRays;
+import tompkins.camera.ThinLensCamera;
+import tompkins.light.PointLight;
+import tompkins.ray.RayCounts;
+import tompkins.shutter.AperturePlaneShutter;
+import tompkins.studio.Studio;
+import tompkins.surface.ColourFilter;
+import tompkins.surface.GalileoWindow;
+import tompkins.surface.LorentzWindow;
+import tompkins.surface.Mirror;
+import tompkins.surface.Refractive;
+import tompkins.surface.Surface;
+
+/** Says in sentences what a picture leaves out of nature, as far as that can be seen in it. */
+final class Omissions {
+
+    /** Pixels in a row of the grid of pixels that are tried; as many rows. */
+    private static final int TRIED = 24;
+
+    /** Searches of a primitive that a sentence may cost: some milliseconds. */
+    private static final double MOST_SEARCHES = 100_000;
+
+    private final Studio studio;
+    private final Camera camera;
+    private final CameraRays cameraRays;
+    private final boolean atRest;
+    private final Set<Surface> inScene;
+    private final Set<Surface> beforeLens;
+    private final boolean hasImagePoints;
+
+    /**
+     * The omissions of a picture.
+     *
+     * @param atRest whether the camera and the scene share one frame
+     * @param inScene the surfaces of the scene
+     * @param beforeLens the surfaces that move with the camera
+     * @param hasImagePoints whether the scene holds points where the camera photographs others
+     */
+    Omissions(
+            Studio studio,
+            CameraRays cameraRays,
+            boolean atRest,
+            Set<Surface> inScene,
+            Set<Surface> beforeLens,
+            boolean hasImagePoints) {
+        this.studio = studio;
+        this.camera = studio.camera();
+        this.cameraRays = cameraRays;
+        this.atRest = atRest;
+        this.inScene = inScene;
+        this.beforeLens = beforeLens;
+        this.hasImagePoints = hasImagePoints;
+    }
+
+    /** The sentences; those that do not concern the picture are left out. */
+    List<String> sentences() {
+        List<String> sentences = new ArrayList<>();
+        addWindows(sentences);
+        addFocus(sentences);
+        addShutter(sentences);
+        if (hasImagePoints && !beforeLens.isEmpty()) {
+            sentences.add("Image points are worked out as if nothing stood before the lens:"
+                    + " they do not know of the objects that move with the camera.");
+        }
+        addLight(sentences);
+        return sentences;
+    }
+
+    private void addWindows(List<String> sentences) {
+        Predicate<Surface> isWindow = part -> part instanceof LorentzWindow || part instanceof GalileoWindow;
+        if (!has(inScene, isWindow) && !has(beforeLens, isWindow)) {
+            return;
+        }
+        boolean manyTimes = !atRest && !(camera.shutter() instanceof AperturePlaneShutter);
+        if (camera.hasWideAperture() || manyTimes) {
+            sentences.add("Windows give light the right directions, but not the right places: "
+                    + (camera.hasWideAperture()
+                            ? "through a wide aperture"
+                            : "with a shutter that opens at different times for different rays")
+                    + " the rays cross a window at different events, and each goes on from its own.");
+        }
+        if (studio.shiftsColours()) {
+            sentences.add("Windows turn light and leave its frequency as it is.");
+        }
+    }
+
+    private void addFocus(List<String> sentences) {
+        if (!isFocused()) {
+            return;
+        }
+        if (has(beforeLens, Omissions::turnsRays)) {
+            sentences.add("The focus does not know of windows, glass and mirrors before the lens:"
+                    + " it lies where the rays would meet it without them.");
+        }
+        RayCounts counts = tried();
+        if (counts.withoutFocus > 0 && hasSurfaceInFocus()) {
+            sentences.add("The surface in focus is missed by about " + share(counts.withoutFocus, counts.samples)
+                    + " of the pixels: these are focused at infinity"
+                    + (counts.withoutShutter > 0 ? ", and stay black where that gives the shutter no time." : "."));
+        }
+    }
+
+    private boolean isFocused() {
+        return camera.hasWideAperture() || camera.shutter().needsFocus();
+    }
+
+    private boolean hasSurfaceInFocus() {
+        return camera instanceof ThinLensCamera lens && lens.focus().primitiveCount() > 0;
+    }
+
+    /** What goes wrong with the rays of a few pixels, spread evenly over the picture. */
+    private RayCounts tried() {
+        RayCounts counts = new RayCounts();
+        double primitives =
+                camera instanceof ThinLensCamera lens ? Math.max(1, lens.focus().primitiveCount()) : 1;
+        int rows = (int) Math.max(2, Math.min(TRIED, Math.sqrt(MOST_SEARCHES / primitives)));
+        double width = studio.settings().width();
+        double height = studio.settings().height();
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < rows; column++) {
+                counts.samples++;
+                cameraRays.ray((column + 0.5) / rows * width, (row + 0.5) / rows * height, 0, 0, counts);
+            }
+        }
+        return counts;
+    }
+
+    private static String share(long some, long all) {
+        return Math.max(1, Math.round(100.0 * some / all)) + " %";
+    }
+
+    private void addShutter(List<String> sentences) {
+        if (!atRest) {
+            sentences.add("The shutter opens for an instant: nothing is blurred by motion.");
+        }
+    }
+
+    private void addLight(List<String> sentences) {
+        boolean isLit = !inScene.isEmpty() || !beforeLens.isEmpty();
+        boolean hasLamps = studio.lights().stream().anyMatch(PointLight.class::isInstance);
+        if (isLit && hasLamps) {
+            sentences.add("Lamps do not get fainter with distance.");
+            Predicate<Surface> isClear =
+                    part -> turnsRays(part) && !(part instanceof Mirror) || part instanceof ColourFilter;
+            if (has(inScene, isClear) || has(beforeLens, isClear)) {
+                sentences.add("Filters, glass and windows throw no shadow and do not tint the light of lamps.");
+            }
+        }
+        if (camera instanceof ThinLensCamera) {
+            sentences.add("The picture does not get darker towards its edges: no cos^4 law, which real lenses follow.");
+        }
+    }
+
+    private static boolean turnsRays(Surface surface) {
+        return surface instanceof LorentzWindow
+                || surface instanceof GalileoWindow
+                || surface instanceof Refractive
+                || surface instanceof Mirror;
+    }
+
+    private static boolean has(Set<Surface> surfaces, Predicate<Surface> property) {
+        return surfaces.stream().flatMap(Surface::parts).anyMatch(property);
+    }
+}

@@ -1,0 +1,185 @@
+package tompkins.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.joml.Matrix3d;
+import org.joml.Vector3d;
+import tompkins.light.LightSource;
+import tompkins.light.MovingLights;
+import tompkins.primitive.Placement;
+import tompkins.sceneobject.FrameObjects;
+import tompkins.sceneobject.ImagePoints;
+import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.sceneobject.SceneObject;
+import tompkins.search.LampShadows;
+import tompkins.search.ObjectTree;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.studio.Studio;
+
+/**
+ * The scene, ready to be met by rays: for each velocity in it an inertial frame with the primitives that rest there in
+ * a tree; the lamps, each in its frame, and what each lamp sees of what rests with it. Nothing of it depends on the
+ * camera, unless the scene holds image points or the camera is far away; a film in which only the camera changes uses
+ * one for all its pictures.
+ */
+public final class World {
+
+    /**
+     * The lamps that get a light buffer, which takes milliseconds to make; with more of them the tree does for the
+     * rest.
+     */
+    private static final int MOST_BUFFERS = 16;
+
+    /** Primitives that all lamps with buffers see: a million take 30 MB and half a second for each lamp. */
+    private static final int MOST_SEEN = 2_000_000;
+
+    private final List<SceneObject> described;
+    private final List<LightSource> describedLights;
+    private final TransformationLaw law;
+    private final boolean followsCamera;
+    private final List<FrameObjects> frames;
+    private final List<ObjectTree> objects;
+
+    // for each lamp its frame and what it sees; lights that have no place belong to the scene frame
+    private final List<LightSource> lights = new ArrayList<>();
+    private final List<FrameObjects> lightFrames = new ArrayList<>();
+    private final List<LampShadows> lampShadows = new ArrayList<>();
+
+    /**
+     * Prepares the scene of a studio.
+     *
+     * @param crossing says where the coordinates of each frame begin
+     * @param imagePoints where the camera photographs the points that move with it
+     * @param plain whether to leave out all that only saves time: trees, and what the lamps see
+     * @throws tompkins.property.InvalidPropertyException if an object is too large, too small or too fast to work with
+     */
+    public World(Studio studio, FrameCrossing crossing, ImagePoints imagePoints, boolean plain) {
+        described = studio.scene();
+        describedLights = studio.lights();
+        law = studio.transformation();
+        boolean[] asked = new boolean[1];
+        PrimitiveCollector collector = new PrimitiveCollector(
+                point -> {
+                    asked[0] = true;
+                    return imagePoints.inScene(point);
+                },
+                law,
+                crossing::origin);
+        Placement placement = new Placement(
+                1, new Matrix3d(), new Vector3d(), crossing.origin().position());
+        ObjectPreparation.add("scene", described, collector, placement);
+        followsCamera = asked[0];
+        for (int i = 0; i < describedLights.size(); i++) {
+            add(describedLights.get(i), collector, placement);
+        }
+        frames = collector.frames();
+        int smallestTree = plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE;
+        objects = frames.stream()
+                .map(frame -> new ObjectTree(frame.primitives(), smallestTree))
+                .toList();
+        prepareShadows(plain);
+    }
+
+    private void add(LightSource source, PrimitiveCollector collector, Placement placement) {
+        if (source instanceof MovingLights moving) {
+            collector.addMoving(
+                    moving.velocity(),
+                    moving.place(),
+                    0,
+                    placement,
+                    inner -> moving.objects().forEach(light -> add(light, collector, inner)));
+        } else {
+            lights.add(source.seenFrom(placement.point(new Vector3d()).negate()));
+            lightFrames.add(collector.frame());
+        }
+    }
+
+    /**
+     * What lights the camera's own frame: lamps as if they stood at the same coordinates of it, where they are at time
+     * 0.
+     */
+    public static List<LightSource> atRest(List<LightSource> lights) {
+        return lights.stream()
+                .flatMap(light -> light instanceof MovingLights moving
+                        ? atRest(moving.objects()).stream()
+                                .map(inner -> inner.seenFrom(moving.place().negate(new Vector3d())))
+                        : Stream.of(light))
+                .toList();
+    }
+
+    private void prepareShadows(boolean plain) {
+        int lamps = 0;
+        try {
+            for (int i = 0; i < lights.size(); i++) {
+                ObjectTree seen = objects.get(frames.indexOf(lightFrames.get(i)));
+                boolean wanted = !plain
+                        && lights.get(i).position() != null
+                        && lamps++ < Math.min(MOST_BUFFERS, MOST_SEEN / Math.max(1, seen.size()));
+                lampShadows.add(wanted ? LampShadows.of(lights.get(i).position(), seen) : null);
+            }
+        } catch (ArithmeticException beyondNumbers) {
+            throw PrimitiveCollector.refusal("scene", "larger");
+        }
+    }
+
+    /** Whether this is what would be prepared for a studio, whatever its camera is. */
+    public boolean isOf(Studio studio, FrameCrossing crossing) {
+        return !followsCamera
+                && described == studio.scene()
+                && describedLights == studio.lights()
+                && (law == studio.transformation() || frames.size() == 1 && !hasMotion())
+                && frames.stream()
+                        .allMatch(frame -> crossing.origin(frame.motion()).equals(frame.origin()));
+    }
+
+    private boolean hasMotion() {
+        return described.stream().anyMatch(SceneObject::moves)
+                || describedLights.stream().anyMatch(MovingLights.class::isInstance);
+    }
+
+    /** Whether the scene holds image points, and so depends on the camera. */
+    public boolean followsCamera() {
+        return followsCamera;
+    }
+
+    /** Number of frames; the first is the scene frame. */
+    public int frameCount() {
+        return frames.size();
+    }
+
+    /** What rests in a frame, and how it moves. */
+    public FrameObjects frame(int index) {
+        return frames.get(index);
+    }
+
+    /** The primitives that rest in a frame. */
+    public ObjectTree objects(int frame) {
+        return objects.get(frame);
+    }
+
+    /** Whether there are primitives in any frame. */
+    public boolean hasObjects() {
+        return objects.stream().anyMatch(tree -> tree.size() > 0);
+    }
+
+    /** All light sources, each at rest in its frame, in the coordinates in which the tracer works. */
+    public List<LightSource> lights() {
+        return lights;
+    }
+
+    /** The frame of a light source. */
+    public int frameOfLight(int source) {
+        return frames.indexOf(lightFrames.get(source));
+    }
+
+    /** What a light source sees of what rests with it, or null if that is not prepared. */
+    public LampShadows lampShadows(int source) {
+        return lampShadows.get(source);
+    }
+
+    /** The ways between the frames. */
+    public FrameRoutes routes(FrameCrossing crossing) {
+        return new FrameRoutes(frames, crossing);
+    }
+}

@@ -1,0 +1,179 @@
+package tompkins.world;
+
+import tompkins.primitive.Primitive;
+import tompkins.ray.Ray;
+import tompkins.ray.RayPacket;
+import tompkins.search.EntryNodes;
+import tompkins.search.NearestHit;
+import tompkins.search.ObjectTree;
+import tompkins.search.PacketSearch;
+
+/**
+ * The search for the nearest hit in several frames. A ray is taken into each of them; its distances there are told in
+ * the units of the direction that it had at the camera, which are the same in all frames. One for each thread.
+ */
+public final class WorldSearch {
+
+    private final World world;
+    private final FrameRoutes routes;
+    private final NearestHit nearest;
+    private final Ray[] mapped;
+    private final FramePacket[] packets;
+    private RayPacket sceneRays;
+
+    // of the search that was made last
+    private Primitive found;
+    private double distance;
+    private double share;
+    private int frame;
+    private Ray ray;
+
+    /** A search with the memory of its thread. */
+    public WorldSearch(World world, FrameRoutes routes, NearestHit nearest) {
+        this.world = world;
+        this.routes = routes;
+        this.nearest = nearest;
+        int count = world.frameCount();
+        mapped = new Ray[count];
+        packets = new FramePacket[count];
+        for (int i = 0; i < count; i++) {
+            mapped[i] = Ray.blank();
+        }
+    }
+
+    /** The rays of a block in one frame, and what was found for all of them together. */
+    private static final class FramePacket {
+        final RayPacket rays = new RayPacket(RayPacket.MOST);
+        final PacketSearch search = new PacketSearch();
+        final EntryNodes entries = new EntryNodes(search);
+        boolean isFound;
+        boolean hasEntries;
+    }
+
+    /**
+     * Searches the nearest primitive that a ray hits, in all frames.
+     *
+     * @param from the frame of the ray
+     * @return whether there is one; it stands in the memory of the thread, {@link #ray()} and {@link #frame()}
+     */
+    public boolean nearest(Ray start, int from) {
+        begin(start, from);
+        ObjectTree own = world.objects(from);
+        own.nearest(start, Primitive.NO_HIT, nearest);
+        compare(start, from);
+        for (int i = 0; i < mapped.length; i++) {
+            ObjectTree objects = world.objects(i);
+            if (i == from || objects.size() == 0) {
+                continue;
+            }
+            Ray inFrame = routes.transform(from, i, start, mapped[i]);
+            if (!Double.isNaN(inFrame.dx)) {
+                objects.nearest(inFrame, limit(inFrame), nearest);
+                compare(inFrame, i);
+            }
+        }
+        return end();
+    }
+
+    /** Begins to search for the rays of a block, which are in the scene frame. */
+    public void begin(RayPacket rays) {
+        sceneRays = rays;
+        for (int i = 0; i < packets.length; i++) {
+            if (world.objects(i).size() == 0) {
+                continue;
+            }
+            if (packets[i] == null) {
+                packets[i] = new FramePacket();
+            }
+            FramePacket packet = packets[i];
+            packet.rays.set(rays);
+            routes.transform(0, i, packet.rays);
+            packet.isFound = packet.search.find(world.objects(i), packet.rays, nearest);
+            packet.hasEntries = false;
+        }
+    }
+
+    /** As {@link #nearest(Ray, int)}, for a ray of that block; asked in the order of the places. */
+    public boolean nearest(int place, Ray start) {
+        begin(start, 0);
+        for (int i = 0; i < packets.length; i++) {
+            if (world.objects(i).size() > 0) {
+                search(packets[i], i, place, start);
+            }
+        }
+        return end();
+    }
+
+    private void search(FramePacket packet, int index, int place, Ray start) {
+        if (!packet.isFound && place % EntryNodes.RAYS == 0) {
+            packet.hasEntries = packet.entries.find(
+                    world.objects(index), packet.rays, place, Math.min(packet.rays.count(), place + EntryNodes.RAYS));
+        }
+        if (packet.isFound && !packet.search.mayMeet(place) || Double.isNaN(packet.rays.dx[place])) {
+            return;
+        }
+        Ray inFrame = index == 0 ? start : packet.rays.copy(place, mapped[index]);
+        double limit = limit(inFrame);
+        if (packet.isFound) {
+            packet.search.nearest(inFrame, place, limit, nearest);
+        } else if (packet.hasEntries) {
+            world.objects(index).nearest(inFrame, limit, packet.entries, nearest);
+        } else {
+            world.objects(index).nearest(inFrame, limit, nearest);
+        }
+        compare(inFrame, index);
+    }
+
+    /** The rays of the block, in the scene frame. */
+    public RayPacket sceneRays() {
+        return sceneRays;
+    }
+
+    private void begin(Ray start, int from) {
+        found = null;
+        distance = Primitive.NO_HIT;
+        share = Primitive.NO_HIT;
+        frame = from;
+        ray = start;
+    }
+
+    private double limit(Ray inFrame) {
+        return found == null ? Primitive.NO_HIT : share * inFrame.stretch;
+    }
+
+    /** Takes what was found last, if it is nearer than all before; of equally near ones the one listed first. */
+    private void compare(Ray inFrame, int index) {
+        Primitive candidate = nearest.primitive();
+        if (candidate == null) {
+            return;
+        }
+        double candidateShare = nearest.distance() / inFrame.stretch;
+        if (candidateShare < share || candidateShare == share && (found == null || candidate.order() < found.order())) {
+            found = candidate;
+            distance = nearest.distance();
+            share = candidateShare;
+            frame = index;
+            ray = inFrame;
+        }
+    }
+
+    private boolean end() {
+        nearest.resume(found, distance);
+        nearest.forgetLeaf();
+        if (found != null && ray == mapped[frame]) {
+            // whoever follows the ray keeps it while others are searched for
+            mapped[frame] = Ray.blank();
+        }
+        return found != null;
+    }
+
+    /** The frame of the hit that was found last; that of the ray if there was none. */
+    public int frame() {
+        return frame;
+    }
+
+    /** The ray that was searched for last, in that frame. */
+    public Ray ray() {
+        return ray;
+    }
+}

@@ -1,0 +1,94 @@
+package tompkins.image;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.net.URISyntaxException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.ray.Colour;
+import tompkins.ray.PixelPicture;
+
+/** Files as other programs write them. */
+class ForeignPicturesTest {
+
+    private static Path file(String name) {
+        try {
+            return Path.of(
+                    ForeignPicturesTest.class.getResource("/pictures/" + name).toURI());
+        } catch (URISyntaxException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "bmp-no-blue-bits.bmp, 0.50196, 1, 0",
+        "hdr-exposure.hdr, 0.25, 0.125, 0.0625",
+        "hdr-flat.hdr, 1, 0.5, 0.25",
+        "jpeg-linear-profile.jpg, 0.50196, 0.24706, 0.12157",
+        "jpeg-no-profile.jpg, 0.50196, 0.24706, 0.12157",
+        "png-linear-profile.png, 0.50196, 0.25098, 0.12549",
+        "tiff-12bit.tif, 1, 1, 1",
+        "tiff-12bit-rgb.tif, 1, 0.50012, 0.25006",
+        "tiff-14bit.tif, 1, 1, 1",
+        "tiff-associated-alpha.tif, 0.78125, 0.39063, 0.19531",
+        "tiff-grey-associated-alpha.tif, 0.78125, 0.78125, 0.78125",
+        "tiff-palette-alpha.tif, 0, 1, 0"
+    })
+    void numbersAreThoseOfTheFile(String name, double red, double green, double blue) throws IOException {
+        PixelPicture picture = PictureFile.read(file(name));
+        for (double place : new double[] {0, 0.3, 0.6, 1}) {
+            Colour colour = picture.colour(place, 1 - place);
+            assertThat(new double[] {colour.red(), colour.green(), colour.blue()})
+                    .containsExactly(new double[] {red, green, blue}, within(1e-5));
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "png-grey2-trns-level1.png, false",
+        "png-grey8-trns-level85.png, false",
+        "silhouette-yellow.png, false",
+        "silhouette-darkblue.png, true"
+    })
+    void aSilhouetteIsWhereItIsDarkAndOpaque(String name, boolean dark) throws IOException {
+        assertThat(PictureFile.read(file(name)).isDark(0.5, 0.5)).isEqualTo(dark);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "hdr-xyze.hdr|its colours are CIE XYZ (32-bit_rle_xyze), not red, green and blue (32-bit_rle_rgbe); save it as RGB",
+                "tiff-int8.tif|its numbers are signed; those of a picture must be unsigned or floating point",
+                "tiff-float24.tif|its numbers are floating point with 24 bits; those of a TIFF picture must have 16, 32 or 64",
+                "tiff-zstd.tif|its compression is Zstandard (50000);"
+                        + " a TIFF picture must have none, LZW, Deflate, PackBits, JPEG or that of telefax"
+            })
+    void whatIsWholeAndNotReadIsNotDamaged(String name, String reason) {
+        assertThatThrownBy(() -> PictureFile.read(file(name)))
+                .isInstanceOf(FileException.class)
+                .hasMessage(name + ": " + reason);
+    }
+
+    /** Black above and white below as stored; the first row is the right column of the picture. */
+    @Test
+    void aPhotographHeldUprightIsUpright() throws IOException {
+        byte[] stored = Files.readAllBytes(file("jpeg-exif6.jpg"));
+        int upper = LibraryReader.image(PictureEncoding.JPEG, stored, "stored").getRGB(1, 1) & 0xff;
+        assertThat(upper).isLessThan(16);
+
+        PixelPicture picture = PictureFile.read(stored, "turned");
+
+        for (double v : new double[] {0.1, 0.9}) {
+            assertThat(picture.colour(0.9, v).green()).isLessThan(0.1);
+            assertThat(picture.colour(0.1, v).green()).isGreaterThan(0.9);
+        }
+    }
+}

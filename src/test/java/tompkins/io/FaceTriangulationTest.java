@@ -1,0 +1,181 @@
+package tompkins.io;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.IntStream;
+import org.joml.Matrix3d;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.RepeatedTest;
+import org.junit.jupiter.api.RepetitionInfo;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Areas against closed formulas; triangles that lay on each other, or outside their face, would make them larger. */
+class FaceTriangulationTest {
+
+    /** Corners in a plane, in both orders and with each as the first, in 10 planes in space. */
+    @ParameterizedTest
+    @CsvSource({
+        "arrow, 1.2, -1 -1 0 -0.2 1 -1 0 1",
+        "the letter L, 3, 0 0 2 0 2 1 1 1 1 2 0 2",
+        "the letter U, 7, 0 0 3 0 3 3 2 3 2 1 1 1 1 3 0 3",
+        "the letter E, 11, 0 0 3 0 3 1 1 1 1 2 3 2 3 3 1 3 1 4 3 4 3 5 0 5",
+        "square with corners on its sides, 4, 0 0 1 0 2 0 2 1 2 2 1 2 0 2 0 1",
+        "L with corners on its sides, 3, 0 0 1 0 2 0 2 0.5 2 1 1.5 1 1 1 1 1.5 1 2 0.5 2 0 2 0 1",
+        "frame that is cut open once, 12, 0 0 4 0 4 4 0 4 0 0 1 1 1 3 3 3 3 1 1 1",
+        "two triangles that touch at a corner, 4, 0 0 2 0 2 2 0 0 -2 0 -2 -2",
+        "side that touches a corner, 8, 0 0 4 0 4 4 2 0 0 4",
+        "corners that are given twice, 1.2, -1 -1 0 -0.2 0 -0.2 1 -1 0 1 0 1",
+        "spike without width, 4, 0 0 2 0 2 2 1 2 1 3 1 2 0 2",
+        "needle with a dent, 9.999995e-7, 0 0 1 -1e-6 2 0 1 -5e-13",
+        "needle with a hooked end, 1.999e-6, 0 0 1 0 1 1e-3 0.999 1e-3 0.999 1e-6 0 1e-6",
+        "large L, 3e120, 0 0 2e60 0 2e60 1e60 1e60 1e60 1e60 2e60 0 2e60",
+        "small L, 3e-120, 0 0 2e-60 0 2e-60 1e-60 1e-60 1e-60 1e-60 2e-60 0 2e-60",
+    })
+    void facesHaveTheirAreaInAnyPlane(String name, double area, String numbers) {
+        double[] flat = Arrays.stream(numbers.split(" "))
+                .mapToDouble(Double::parseDouble)
+                .toArray();
+        Random random = new Random(7);
+        int size = flat.length / 2;
+        for (int plane = 0; plane < 10; plane++) {
+            double[] vertices = inSpace(flat, plane == 0 ? new Matrix3d() : rotation(random));
+            int first = random.nextInt(size);
+            int step = plane % 2 == 0 ? 1 : size - 1;
+            int[] corners =
+                    IntStream.range(0, size).map(i -> (first + i * step) % size).toArray();
+
+            double[] areas = areas(vertices, corners, normal(vertices, corners));
+
+            assertThat(areas[0]).as("sum of sizes").isCloseTo(area, within(1e-9 * area));
+            assertThat(areas[1]).as("sum with signs").isCloseTo(area, within(1e-9 * area));
+        }
+    }
+
+    /** A face with any distance from its middle to its corners, seen from the middle in the order of their angles. */
+    @RepeatedTest(200)
+    void facesWithDeepDentsHaveTheirArea(RepetitionInfo repetition) {
+        Random random = new Random(repetition.getCurrentRepetition());
+        int size = 4 + random.nextInt(40);
+        double[] flat = new double[2 * size];
+        for (int i = 0; i < size; i++) {
+            double angle = 2 * Math.PI * (i + 0.9 * random.nextDouble()) / size;
+            double distance = Math.pow(10, -3 * random.nextDouble());
+            flat[2 * i] = distance * Math.cos(angle);
+            flat[2 * i + 1] = distance * Math.sin(angle);
+        }
+        double[] vertices = inSpace(flat, rotation(random));
+        int[] corners = IntStream.range(0, size).toArray();
+
+        double[] areas = areas(vertices, corners, normal(vertices, corners));
+
+        assertThat(areas[0]).isCloseTo(shoelace(flat), within(1e-12));
+        assertThat(areas[1]).isCloseTo(shoelace(flat), within(1e-12));
+    }
+
+    /** The face is bent along the line from (0, 0, 0) to (1, 1, 0): no plane holds it. */
+    @Test
+    void facesThatAreNotFlatKeepAllCorners() {
+        double[] vertices = {0, 0, 0, 3, 0, 0.3, 1, 1, 0, 0, 3, 0.3};
+
+        int[] triangles = triangles(vertices, new int[] {3, 0, 1, 2});
+
+        assertThat(IntStream.range(0, 2)
+                        .mapToObj(i -> IntStream.of(triangles)
+                                .skip(3L * i)
+                                .limit(3)
+                                .sorted()
+                                .boxed()
+                                .toList()))
+                .containsExactlyInAnyOrder(List.of(0, 1, 2), List.of(0, 2, 3));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1, 1000000", "0.9, 5000"})
+    @Timeout(60)
+    void largeFacesAreCutSoon(double inner, int size) {
+        double[] flat = new double[2 * size];
+        for (int i = 0; i < size; i++) {
+            double angle = 2 * Math.PI * i / size;
+            flat[2 * i] = (i % 2 == 0 ? 1 : inner) * Math.cos(angle);
+            flat[2 * i + 1] = (i % 2 == 0 ? 1 : inner) * Math.sin(angle);
+        }
+        double[] vertices = inSpace(flat, new Matrix3d());
+        int[] corners = IntStream.range(0, size).toArray();
+        double expected = size * inner * Math.sin(2 * Math.PI / size) / 2;
+
+        double[] areas = areas(vertices, corners, new Vector3d(0, 0, 1));
+
+        assertThat(areas[0]).isCloseTo(expected, within(1e-9));
+        assertThat(areas[1]).isCloseTo(expected, within(1e-9));
+    }
+
+    private static double[] inSpace(double[] flat, Matrix3d rotation) {
+        double[] vertices = new double[flat.length / 2 * 3];
+        for (int i = 0; i < flat.length / 2; i++) {
+            Vector3d place = new Vector3d(flat[2 * i], flat[2 * i + 1], 0).mul(rotation);
+            vertices[3 * i] = place.x;
+            vertices[3 * i + 1] = place.y;
+            vertices[3 * i + 2] = place.z;
+        }
+        return vertices;
+    }
+
+    private static Matrix3d rotation(Random random) {
+        Vector3d axis = new Vector3d(random.nextGaussian(), random.nextGaussian(), random.nextGaussian()).normalize();
+        return new Matrix3d().rotation(2 * Math.PI * random.nextDouble(), axis);
+    }
+
+    private static double shoelace(double[] flat) {
+        double twice = 0;
+        for (int i = 0; i < flat.length; i += 2) {
+            int next = (i + 2) % flat.length;
+            twice += flat[i] * flat[next + 1] - flat[next] * flat[i + 1];
+        }
+        return Math.abs(twice) / 2;
+    }
+
+    /** The direction in space to which the shoelace formula of the three planes of coordinates points. */
+    private static Vector3d normal(double[] vertices, int[] corners) {
+        Vector3d normal = new Vector3d();
+        for (int i = 0; i < corners.length; i++) {
+            Vector3d next = place(vertices, corners[(i + 1) % corners.length]);
+            normal.add(place(vertices, corners[i]).cross(next));
+        }
+        double largest = Math.abs(normal.get(normal.maxComponent()));
+        return normal.div(largest).normalize();
+    }
+
+    private static Vector3d place(double[] vertices, int vertex) {
+        return new Vector3d(vertices[3 * vertex], vertices[3 * vertex + 1], vertices[3 * vertex + 2]);
+    }
+
+    /** The sum of the sizes of all triangles, and the sum of what they turn to a direction. */
+    private static double[] areas(double[] vertices, int[] corners, Vector3d direction) {
+        int[] triangles = triangles(vertices, corners);
+        double sizes = 0;
+        double signed = 0;
+        for (int i = 0; i < triangles.length; i += 3) {
+            Vector3d first = place(vertices, triangles[i]);
+            Vector3d cross = place(vertices, triangles[i + 1])
+                    .sub(first)
+                    .cross(place(vertices, triangles[i + 2]).sub(first));
+            double along = cross.dot(direction) / 2;
+            sizes += Math.abs(along);
+            signed += along;
+        }
+        return new double[] {sizes, signed};
+    }
+
+    private static int[] triangles(double[] vertices, int[] corners) {
+        FaceTriangulation triangulation = new FaceTriangulation(vertices, corners.length - 2);
+        triangulation.add(corners, 0, corners.length);
+        return triangulation.triangles();
+    }
+}
