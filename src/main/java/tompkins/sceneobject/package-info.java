@@ -4,5 +4,3 @@
  * what rays meet.
  */
 package tompkins.sceneobject;
-
-import tompkins.primitive.Primitive;

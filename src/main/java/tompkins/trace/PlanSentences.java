@@ -5,20 +5,20 @@ import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import java.util.Set;
 import java.util.stream.Stream;
 import tompkins.camera.CameraRays;
-import java.util.Optional;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.ColourLaw;
 import tompkins.property.NumberText;
 import tompkins.ray.Ray;
 import tompkins.search.ObjectTree;
 import tompkins.shutter.AperturePlaneShutter;
-import tompkins.spacetime.FrameMotion;
 import tompkins.shutter.RollingShutter;
+import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
@@ -64,7 +64,8 @@ final class PlanSentences {
         sentences.add(cameraObjects());
         sentences.add(search());
         sentences.add(recursion(Stream.of(inScene, beforeLens).flatMap(Set::stream)));
-        sentences.addAll(new Omissions(studio, cameraRays, plan.isAtRest(), inScene, beforeLens, hasImagePoints).sentences());
+        sentences.addAll(
+                new Omissions(studio, cameraRays, plan.isAtRest(), inScene, beforeLens, hasImagePoints).sentences());
         warnings().forEach(warning -> sentences.add("Warning: " + warning + "."));
         return sentences;
     }

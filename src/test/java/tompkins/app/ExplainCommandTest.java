@@ -1,11 +1,5 @@
 package tompkins.app;
 
-import tompkins.sceneobject.Group;
-import tompkins.sceneobject.ImagePointGrid;
-import tompkins.sceneobject.Parallelogram;
-import tompkins.sceneobject.Plane;
-import tompkins.sceneobject.Sphere;
-
 import static org.assertj.core.api.Assertions.as;
 import static org.assertj.core.api.Assertions.assertThat;
 import static tompkins.app.ProgramRun.FIG1B;

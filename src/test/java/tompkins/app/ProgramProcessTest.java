@@ -1,7 +1,5 @@
 package tompkins.app;
 
-import tompkins.sceneobject.CylinderLattice;
-
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;

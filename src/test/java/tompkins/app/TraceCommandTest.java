@@ -1,7 +1,5 @@
 package tompkins.app;
 
-import tompkins.sceneobject.Plane;
-
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 

@@ -1,8 +1,5 @@
 package tompkins.io;
 
-import tompkins.sceneobject.Placed;
-import tompkins.sceneobject.Sphere;
-
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 

@@ -115,7 +115,7 @@ class ExtremeSizesTest {
 
     /** The first primitives of an object; none if it refuses to be of that size. */
     private static List<Primitive> primitives(SceneObject object, double scale) {
-        PrimitiveCollector collector = new PrimitiveCollector(point -> point);
+        PrimitiveCollector collector = new PrimitiveCollector();
         try {
             object.addTo(collector, new Placement(scale, new Matrix3d(), new Vector3d()));
         } catch (ArithmeticException | InvalidPropertyException beyondNumbers) {

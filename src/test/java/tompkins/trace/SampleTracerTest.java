@@ -1,7 +1,5 @@
 package tompkins.trace;
 
-import tompkins.sceneobject.Plane;
-
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;

@@ -17,6 +17,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tompkins.light.ColourLaw;
@@ -37,6 +38,7 @@ import tompkins.ui.widget.Look;
 
 /** The photograph and what it is compared with, without a display. */
 @Timeout(120)
+@Tag("alone")
 class PhotographViewTest {
 
     private final StudioModel model =
@@ -140,6 +142,7 @@ class PhotographViewTest {
         view.close();
         WindowDriver.onEventThread(() -> {
             pick.doClick();
+            mouse(view.canvas(), MouseEvent.MOUSE_PRESSED);
             mouse(view.canvas(), MouseEvent.MOUSE_RELEASED);
         });
         assertThat(pick.isSelected()).isFalse();
@@ -202,6 +205,7 @@ class PhotographViewTest {
             int round = i;
             WindowDriver.onEventThread(() -> {
                 view.startPicking(() -> {}, picked::add);
+                mouse(view.canvas(), MouseEvent.MOUSE_PRESSED);
                 mouse(view.canvas(), MouseEvent.MOUSE_RELEASED);
                 view.setPin(new Point2D.Double(10.5, 10.5));
             });
