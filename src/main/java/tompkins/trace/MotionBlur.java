@@ -8,9 +8,9 @@ import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.View;
 
 /**
- * How far what is seen moves across the picture while the shutter is open. A point goes on as its object
- * does; the place in the picture at which it is seen follows from three neighbouring rays: one beside, one below and
- * one a little later. The line delays of a rolling shutter are in these rays, and so are windows before the lens.
+ * How far what is seen moves across the picture while the shutter is open. A point goes on as its object does; the
+ * place in the picture at which it is seen follows from three neighbouring rays: one beside, one below and one a little
+ * later. The line delays of a rolling shutter are in these rays, and so are windows before the lens.
  */
 final class MotionBlur {
 
@@ -63,9 +63,11 @@ final class MotionBlur {
         Vector3d here = miss(life, point, velocity);
         int across = column == 0 ? 1 : -1;
         int down = row == 0 ? 1 : -1;
-        Vector3d perColumn = miss(at(x + across, y, 0.5), point, velocity).sub(here).mul(across);
+        Vector3d perColumn =
+                miss(at(x + across, y, 0.5), point, velocity).sub(here).mul(across);
         Vector3d perRow = miss(at(x, y + down, 0.5), point, velocity).sub(here).mul(down);
-        Vector3d perExposure = miss(at(x, y, 0.5 + LATER), point, velocity).sub(here).div(LATER);
+        Vector3d perExposure =
+                miss(at(x, y, 0.5 + LATER), point, velocity).sub(here).div(LATER);
         // columns and rows that undo what the exposure does, by least squares
         double columns = perColumn.lengthSquared();
         double rows = perRow.lengthSquared();
@@ -82,7 +84,9 @@ final class MotionBlur {
         return RayLife.of(plan, x, y, 0, 0, moment);
     }
 
-    /** The velocity in the scene of what rests in a frame; NaN where the light of the picture is not that of relativity. */
+    /**
+     * The velocity in the scene of what rests in a frame; NaN where the light of the picture is not that of relativity.
+     */
     private Vector3d velocity(FrameMotion motion) {
         if (motion == null) {
             return new Vector3d();
