@@ -74,7 +74,7 @@ class SceneFileReferenceTest {
                 .toList();
         assertThat(types).hasSizeGreaterThan(30).allSatisfy(type -> {
             String section =
-                    text.split("\n### " + type.getSimpleName() + "\n", -1)[1].split("\n##", -1)[0];
+                    text.split("\n### " + SceneFileReference.heading(type) + "\n", -1)[1].split("\n##", -1)[0];
             Stream.of(type.getRecordComponents())
                     .forEach(component -> assertThat(section).contains("\n| `" + component.getName() + "` |"));
         });
