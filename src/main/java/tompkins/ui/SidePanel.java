@@ -73,6 +73,7 @@ final class SidePanel {
         panel.add(remarks.component(), "wmin 0, gapleft 6");
         add("section.velocity", new VelocityPanel(model).component(), true);
         add("section.shutter", shutter.component(), true);
+        add("section.shutterDetails", shutter.details(), false);
         add("section.lens", lens.component(), false);
         add("section.compare", compare.component(), false);
         add("section.transformation", LawPanel.ofTransformation(model).component(), false);
