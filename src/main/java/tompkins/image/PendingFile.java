@@ -330,7 +330,7 @@ public final class PendingFile implements Closeable {
     private void move(Path place) throws IOException {
         try {
             Files.move(temporary, place, StandardCopyOption.ATOMIC_MOVE);
-        } catch (AtomicMoveNotSupportedException e) {
+        } catch (AtomicMoveNotSupportedException | FileAlreadyExistsException e) {
             if (kind == Kind.NEW_FOLDER) {
                 Files.move(temporary, place);
             } else {

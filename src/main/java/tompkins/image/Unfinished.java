@@ -3,10 +3,10 @@ package tompkins.image;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.InterruptedIOException;
-import java.io.UncheckedIOException;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
  * What must not be left behind when the program is stopped in the middle, as by Ctrl-C: it is closed then, the newest
@@ -16,7 +16,7 @@ final class Unfinished {
 
     private static final Deque<Closeable> OPEN = new ArrayDeque<>();
 
-    private static boolean stopped;
+    private static final AtomicBoolean STOPPED = new AtomicBoolean();
 
     static {
         Runtime.getRuntime().addShutdownHook(new Thread(Unfinished::stop, "tompkins-remove"));
@@ -31,7 +31,7 @@ final class Unfinished {
      */
     static void begin(Closeable work) throws InterruptedIOException {
         synchronized (OPEN) {
-            if (stopped) {
+            if (STOPPED.get()) {
                 throw new InterruptedIOException(FileFailure.STOPPED);
             }
             OPEN.push(work);
@@ -48,14 +48,14 @@ final class Unfinished {
     private static void stop() {
         List<Closeable> open;
         synchronized (OPEN) {
-            stopped = true;
+            STOPPED.set(true);
             open = List.copyOf(OPEN);
         }
         // without the lock: what ends by itself meanwhile needs it
         for (Closeable work : open) {
             try {
                 work.close();
-            } catch (IOException | UncheckedIOException kept) {
+            } catch (IOException | RuntimeException kept) {
                 // there is nobody left to tell
             }
         }

@@ -26,7 +26,7 @@ public final class BundledScenes {
     /**
      * The topics that come first, for they show what the program is for; the others follow in the order of their files.
      */
-    private static final List<String> FIRST_TOPICS = List.of("Figures of the paper", "Relativity");
+    private static final List<String> FIRST_TOPICS = List.of("Figures of the paper", "Relativity", "Motion");
 
     private BundledScenes() {}
 

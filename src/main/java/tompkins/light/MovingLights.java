@@ -28,8 +28,8 @@ public record MovingLights(
     /** A lamp that passes to the right, above what is in front of the camera. */
     public static final MovingLights DEFAULT = new MovingLights(
             Velocity.of(SpeedScale.BETA, 0.5, new Vector3d(1, 0, 0)),
-            new Vector3d(0, 4, 8),
-            List.of(new PointLight(new Vector3d(), Colour.WHITE, Colour.WHITE, 40)));
+            new Vector3d(),
+            List.of(new PointLight(new Vector3d(0, 4, 8), Colour.WHITE, Colour.WHITE, 40)));
 
     /** Checks all values. */
     public MovingLights {

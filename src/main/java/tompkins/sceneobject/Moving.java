@@ -8,7 +8,6 @@ import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
-import tompkins.surface.ColouredSurface;
 
 /**
  * Objects that move with one velocity. They are described at rest, in a frame of their own, whose origin passes the
@@ -34,9 +33,9 @@ public record Moving(
     public static final Moving DEFAULT = new Moving(
             "moving",
             Velocity.of(SpeedScale.BETA, 0.5, new Vector3d(1, 0, 0)),
-            new Vector3d(0, 0, 10),
+            new Vector3d(),
             0,
-            List.of(new Sphere("ball", new Vector3d(), 1, ColouredSurface.DEFAULT)));
+            List.of(Sphere.DEFAULT));
 
     /** The most velocities of a scene: each has a search of its own. */
     public static final int MOST_FRAMES = 256;

@@ -94,7 +94,7 @@ public final class TompkinsWindow {
         frame.getRootPane().setTransferHandler(opener.drop());
         PeekKey.bind(frame, view.canvas());
         FocusFollower.install(frame);
-        Screens.keepDialogsOnScreen();
+        Screens.keepDialogsOnScreen(frame);
         frame.setName("tompkins");
         frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         frame.addWindowListener(new Closer());

@@ -1,6 +1,7 @@
 package tompkins.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
 import static tompkins.app.ProgramRun.FIG1B;
 
 import java.io.IOException;
@@ -78,6 +79,44 @@ class PicturePlacesTest {
         assertThat(run.out()).startsWith(numbered.toRealPath().toString());
         assertThat(StudioReader.read(numbered).title()).isNotEmpty();
         assertThat(target).hasContent("from somebody else");
+    }
+
+    @Test
+    void aFolderIsMadeForItsPicturesAndNotForMistakes() throws IOException {
+        Path made = folder.resolve("made");
+        assertThat(ProgramRun.of("render", FIG1B, "scenes/fig1a.json", "-o", made + "/", "--size", "8x6")
+                        .code())
+                .isZero();
+        assertThat(made.resolve("fig1a.png")).exists();
+        assertThat(made.resolve("fig1b.png")).exists();
+
+        Path deep = folder.resolve("no/deep");
+        ProgramRun tooDeep = ProgramRun.of("render", FIG1B, "-o", deep + "/");
+        assertThat(tooDeep.code()).isEqualTo(Failures.MISTAKE);
+        assertThat(tooDeep.err()).contains("there is no folder " + deep.getParent());
+
+        Path unused = folder.resolve("unused");
+        assertThat(ProgramRun.of("render", "nothing.json", "-o", unused + "/").code())
+                .isEqualTo(Failures.MISTAKE);
+        assertThat(unused).doesNotExist();
+    }
+
+    @Test
+    @Timeout(60)
+    void aPipeIsKeptByAllCommands() throws Exception {
+        Path pipe = folder.resolve("pipe.png");
+        assumeThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
+                .isZero();
+        for (String force : List.of("--force", "--size=8x6")) {
+            ProgramRun picture = ProgramRun.of("render", FIG1B, "-o", pipe, force);
+            ProgramRun film = ProgramRun.of("animate", FIG1B, "--from", 0, "--to", 0.5, "-o", pipe, force);
+            for (ProgramRun run : List.of(picture, film)) {
+                assertThat(run.code()).isEqualTo(Failures.MISTAKE);
+                assertThat(run.err()).contains(pipe + ": cannot be written: it is no file but a device or a pipe");
+            }
+        }
+        assertThat(Files.isRegularFile(pipe)).isFalse();
+        assertThat(folder).isDirectoryNotContaining(file -> !file.equals(pipe));
     }
 
     /** What happens without a display. */

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assumptions.assumeThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Tag;
@@ -80,6 +81,51 @@ class ProgramProcessTest {
         assertThat(run.out()).isEqualTo("0\n");
     }
 
+    /** Whoever writes goes on until the last moment, and would leave behind what it writes after the tidying. */
+    @Test
+    void anAnimationThatIsStoppedLeavesNothingBehind() throws IOException, InterruptedException {
+        Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 64, \"height\": 48}}");
+
+        for (String pause : List.of("0", "0.01", "0.02", "0.05", "0.1")) {
+            ProgramRun run = shell(PROGRAM + " animate sky.json --from 0 --to 0.9 --duration 600 -o frames & p=$!; "
+                    + "while kill -0 $p 2> /dev/null && [ -z \"$(find . -name frame0001.png)\" ]; do sleep 0.01; done; "
+                    + "sleep " + pause + "; kill -TERM $p; wait $p; echo $?; ls -A | grep -v -e sky -e err");
+
+            assertThat(run.out()).isEqualTo("143\n");
+        }
+    }
+
+    @Test
+    void twoProcessesWithOneNameLoseNothing() throws IOException, InterruptedException {
+        Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 64, \"height\": 48}}");
+
+        ProgramRun run = shell("tompkins render sky.json & tompkins render sky.json & wait; ls *.png");
+
+        assertThat(run.out().lines().skip(2)).containsExactly("sky-2.png", "sky.png");
+        assertThat(PhotographFile.readScene(folder.resolve("sky-2.png"))).isPresent();
+    }
+
+    /** As for 60 000 spheres in a photograph of 64 x 48. */
+    @Test
+    void aPhotographThatTheMemoryCannotHoldIsNamed() throws IOException, InterruptedException {
+        String sphere = "{\"type\": \"Sphere\", \"centre\": [0, 0, 50]}";
+        Files.writeString(
+                folder.resolve("many.json"),
+                "{\"settings\": {\"width\": 8, \"height\": 6}, \"scene\": ["
+                        + String.join(",", Collections.nCopies(60_000, sphere)) + "]}");
+        assertThat(ProgramRun.of("render", folder.resolve("many.json"), "-o", folder.resolve("many.png"))
+                        .code())
+                .isZero();
+
+        for (String command : List.of("render many.png -o again.png", "check many.png", "explain many.png")) {
+            ProgramRun run =
+                    shell("tompkins() { \"$JAVA\" -Xmx24m " + Main.class.getName() + " \"$@\"; }; tompkins " + command);
+
+            assertThat(run.err()).matches("many.png: not enough memory: Java may use 2\\d MB; .*-Xmx\n");
+            assertThat(run.code()).isEqualTo(Failures.FAILURE);
+        }
+    }
+
     @Test
     void whoeverReadsOnlyTheBeginningHearsNoComplaint() throws IOException, InterruptedException {
         Files.writeString(folder.resolve("good.json"), "{}");
@@ -97,7 +143,8 @@ class ProgramProcessTest {
 
         ProgramRun run = shell("tompkins check rods.json");
 
-        assertThat(run.err()).matches("not enough memory: Java may use 6\\d MB; start java with a larger -Xmx\n");
+        assertThat(run.err())
+                .matches("rods.json: not enough memory: Java may use 6\\d MB; start java with a larger -Xmx\n");
         assertThat(run.out()).isEmpty();
         assertThat(run.code()).isEqualTo(Failures.FAILURE);
     }

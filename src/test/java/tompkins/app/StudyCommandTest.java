@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -60,7 +59,7 @@ class StudyCommandTest {
         Path file = Files.writeString(folder.resolve("stability"), "a file where the folder of the charts goes");
 
         assertThat(refusal(folder, Failures.FAILURE))
-                .isEqualTo(file + ": cannot be read or written: there is a file of this name already");
+                .isEqualTo(file + ": cannot be written: it is a file, not a folder");
     }
 
     @Test
@@ -82,13 +81,22 @@ class StudyCommandTest {
     }
 
     @Test
-    void aFolderThatDoesNotExistIsAMistake() throws IOException {
+    void aFolderThatCannotBeMadeIsAMistake() throws IOException {
         Path file = Files.writeString(folder.resolve("mine.txt"), "mine");
-        for (Path none : List.of(file, file.resolve("x"), folder.resolve("none"))) {
-            assertThat(refusal(none, Failures.MISTAKE)).isEqualTo("-o must name an existing folder, was " + none);
-        }
+        Path none = folder.resolve("none");
+        assertThat(refusal(file, Failures.MISTAKE)).isEqualTo(file + ": cannot be written: it is a file, not a folder");
+        assertThat(refusal(file.resolve("x"), Failures.MISTAKE)).endsWith("there is no folder " + file);
+        assertThat(refusal(none.resolve("x"), Failures.MISTAKE)).endsWith("there is no folder " + none);
         assertThat(folder).isDirectoryContaining(file::equals).isDirectoryNotContaining(path -> !path.equals(file));
         assertThat(Files.readString(file)).isEqualTo("mine");
+    }
+
+    @Test
+    void aNewFolderIsMadeWhereItsParentIs() {
+        Path made = folder.resolve("made");
+        assertThat(ProgramRun.of("study", "stability", "-o", made).code()).isZero();
+        assertThat(made.resolve("stability.md")).exists();
+        assertThat(made.resolve("stability/stability.csv")).exists();
     }
 
     @Test

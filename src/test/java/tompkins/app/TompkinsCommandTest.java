@@ -59,7 +59,7 @@ class TompkinsCommandTest {
             delimiter = '|',
             value = {
                 "study | needs NAME: aperture, antialiasing, precision, tree, depth, preview, stability, all",
-                "study -o | --output needs FOLDER: an existing folder for the page",
+                "study -o | --output needs FOLDER: a folder for the page",
                 "render | needs SCENE: scene files, or saved photographs",
                 "check | needs SCENE: scene files, or saved photographs",
                 "explain | needs SCENE: scene file, or saved photograph",

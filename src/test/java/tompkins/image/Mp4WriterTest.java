@@ -89,6 +89,19 @@ class Mp4WriterTest {
         assertFails(program, "ffmpeg failed with exit code 9: Unknown encoder libx264");
     }
 
+    /** The program names the hidden place; and its complaints must not need the disk either. */
+    @Test
+    void aFullDiskIsTheReason() throws IOException {
+        assertFails(
+                program("for last do :; done\ncat > /dev/null\n"
+                        + "echo \"Error writing trailer of $last: No space left on device\" >&2\n"
+                        + "echo 'Conversion failed!' >&2\nexit 1\n"),
+                "No space left on device");
+        assertFails(
+                program("for last do :; done\ncat > /dev/null\necho \"$last: odd\" >&2\nexit 1\n"),
+                "ffmpeg failed with exit code 1: " + folder.resolve("film.mp4") + ": odd");
+    }
+
     @Test
     void aProgramThatDoesNotReadIsBlamedAndNotThePipe() throws IOException {
         assertFails(program("echo 'no such option' >&2\nexit 1\n"), "ffmpeg failed with exit code 1: no such option");

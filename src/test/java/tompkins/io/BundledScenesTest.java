@@ -59,7 +59,7 @@ class BundledScenesTest {
         List<Studio> scenes = BundledScenes.studios();
         assertThat(scenes).hasSameSizeAs(BundledScenes.all());
         assertThat(scenes.stream().map(Studio::topic).distinct())
-                .containsExactly("Figures of the paper", "Relativity", "Objects", "Surfaces");
+                .containsExactly("Figures of the paper", "Relativity", "Motion", "Objects", "Shutters", "Surfaces");
         assertThat(scenes.stream().map(Studio::title)).startsWith("Fig. 1(a): camera at rest");
     }
 }

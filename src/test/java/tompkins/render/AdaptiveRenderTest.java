@@ -38,6 +38,7 @@ import tompkins.trace.RenderPlan;
 
 /** Samples go where they are needed, and the error is what the report says. */
 @Tag("slow")
+@Tag("alone")
 class AdaptiveRenderTest {
 
     private static final Renderer RENDERER = new Renderer(2);

@@ -1,7 +1,10 @@
 package tompkins.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
+import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -58,6 +61,127 @@ class AdaptiveScheduleTest {
 
         assertThat(schedule.progress(0)).isEqualTo(0.25);
         assertThat(schedule.wantedError()).isZero();
+    }
+
+    /** The border, and of the rest one pixel of 17 in each row, five columns on from row to row. */
+    @Test
+    void oneOfSeventeenIsLookedAtAfterTheCentres() {
+        AdaptiveSchedule schedule = new AdaptiveSchedule(60 * 50, false, false, 0.01, endless());
+        Film film = new Film(60, 50, 1, true);
+        schedule.next(film, () -> false);
+        fill(film, 1, 1);
+        film.add(film.pixel(34, 0), 1, 1, 1, 1);
+
+        Pass look = schedule.next(film, () -> false);
+
+        int looked = 0;
+        for (int row = 0; row < 50; row++) {
+            for (int column = 0; column < 60; column++) {
+                boolean isBorder = row == 0 || row == 49 || column == 0 || column == 59;
+                boolean isOfSeventeen = Math.floorMod(column - 12 * row, 17) == 0;
+                boolean isExpected = (isBorder || isOfSeventeen) && !(column == 34 && row == 0);
+                assertThat(look.takes(column, row, film.pixel(column, row))).isEqualTo(isExpected);
+                looked += isExpected ? 1 : 0;
+            }
+        }
+        assertThat(look.firstSample()).isZero();
+        assertThat(look.samples()).isEqualTo(16);
+        assertThat(look.work()).isCloseTo(16.0 * looked / 3000, within(1e-12));
+        film.add(0, 5, 5, 5, 1);
+        assertThat(film.samples(0)).as("the first sample gives way").isEqualTo(1);
+    }
+
+    /** Left all is settled, right the halves differ: there the next samples go, and to the neighbours on the left. */
+    @Test
+    void roughPixelsGetTwiceAsManySamples() {
+        AdaptiveSchedule schedule = new AdaptiveSchedule(20 * 10, true, false, 0.05, endless());
+        Film film = new Film(20, 10, 1, true);
+        while (film.samples(0) < 16) {
+            Pass pass = schedule.next(film, () -> false);
+            for (int row = 0; row < 10; row++) {
+                for (int column = 0; column < 20; column++) {
+                    double light = column >= 12 && pass.firstSample() >= 8 ? 2 : 1;
+                    film.add(film.pixel(column, row), light * pass.samples(), 0, 0, pass.samples());
+                }
+            }
+        }
+
+        Pass next = schedule.next(film, () -> false);
+
+        assertThat(next.firstSample()).isEqualTo(16);
+        assertThat(next.samples()).isEqualTo(16);
+        for (int pixel = 0; pixel < 200; pixel++) {
+            boolean isRough = pixel % 20 >= 12;
+            boolean isNextToRough = pixel % 20 == 11;
+            if (!isNextToRough) {
+                assertThat(next.chosen().get(pixel)).as("pixel %d", pixel).isEqualTo(isRough);
+            }
+        }
+        assertThat(schedule.wantedError()).isEqualTo(0.05);
+        assertThat(schedule.progress(0)).isZero();
+        assertThat(schedule.progress(16)).isBetween(0.1, 1.0);
+    }
+
+    @Test
+    void nothingIsTakenWhenTheErrorIsReached() {
+        AdaptiveSchedule schedule = new AdaptiveSchedule(16, true, false, 0.05, endless());
+        Film film = new Film(4, 4, 1, true);
+        for (int pass = 0; pass < 5; pass++) {
+            assertThat(schedule.next(film, () -> false)).isNotNull();
+        }
+        fill(film, 1, 8);
+        fill(film, 1.01, 8);
+
+        assertThat(schedule.next(film, () -> false)).isNull();
+    }
+
+    @Test
+    void whoIsStoppedPlansNoMore() {
+        AdaptiveSchedule schedule = new AdaptiveSchedule(16, false, false, 0.05, endless());
+        Film film = new Film(4, 4, 1, true);
+        schedule.next(film, () -> false);
+        fill(film, 1, 1);
+
+        assertThatThrownBy(() -> schedule.next(film, () -> true)).isInstanceOf(CancellationException.class);
+    }
+
+    @Test
+    void fixedSamplesAreWhatWasAskedFor() {
+        FixedSchedule schedule = new FixedSchedule(Pass.of(4, 4, false));
+        Film film = new Film(4, 4, 1, false);
+
+        int samples = 0;
+        for (Pass pass = schedule.next(film, () -> false); pass != null; pass = schedule.next(film, () -> false)) {
+            samples += pass.samples();
+        }
+
+        assertThat(samples).isEqualTo(4);
+        assertThat(schedule.progress(1)).isEqualTo(0.25);
+        assertThat(schedule.wantedError()).isZero();
+        assertThat(schedule.isOver()).isFalse();
+    }
+
+    @Test
+    void timeIsCountedFromTheStart() {
+        now = 5_000_000_000L;
+        TimeBudget time = new TimeBudget(10, () -> now);
+        now = 8_000_000_000L;
+
+        assertThat(time.spent()).isEqualTo(3);
+        assertThat(time.left()).isEqualTo(7);
+        assertThat(time.isLimited()).isTrue();
+        assertThat(endless().isLimited()).isFalse();
+        assertThat(endless().isOver()).isFalse();
+    }
+
+    private TimeBudget endless() {
+        return new TimeBudget(Double.POSITIVE_INFINITY, () -> now);
+    }
+
+    private static void fill(Film film, double light, int samples) {
+        for (int pixel = 0; pixel < film.width() * film.height(); pixel++) {
+            film.add(pixel, light * samples, light * samples, light * samples, samples);
+        }
     }
 
     private AdaptiveSchedule schedule(boolean severalFirst, double seconds) {

@@ -98,6 +98,58 @@ class FilmTest {
         assertThat(film.halvesVariance(0)).as("exposed by a factor 2").isCloseTo(4 * variance, withinPercentage(1e-9));
     }
 
+    /**
+     * Light that grows evenly to the right and downwards is the same between coarse pixels; behind the last it stays.
+     */
+    @Test
+    void evenSlopesAreInterpolatedExactly() {
+        Film film = new Film(21, 12, 2, false);
+        for (int row = 0; row < 12; row += 4) {
+            for (int column = 0; column < 21; column += 4) {
+                film.add(film.pixel(column, row), column, row, column + 3 * row, 1);
+            }
+        }
+
+        LinearImage image = film.image();
+
+        assertThat(film.sampledPixels()).isEqualTo(18);
+        for (int row = 0; row < 12; row++) {
+            for (int column = 0; column < 21; column++) {
+                int right = Math.min(column, 20);
+                int down = Math.min(row, 8);
+                assertThat(image.value(column, row, 0)).isEqualTo(2f * right);
+                assertThat(image.value(column, row, 1)).isEqualTo(2f * down);
+                assertThat(image.value(column, row, 2)).isEqualTo(2f * right + 6f * down);
+            }
+        }
+    }
+
+    @Test
+    void meansOfARowStandBehindItsBorder() {
+        Film film = new Film(2, 3, 2, false);
+        film.add(film.pixel(0, 2), 3, 6, 9, 1);
+        film.add(film.pixel(0, 2), 1, 0, 3, 1);
+        film.add(film.pixel(1, 2), 30, 60, 90, 3);
+        double[] means = new double[12];
+
+        film.means(2, means);
+
+        assertThat(means).containsExactly(0, 0, 0, 4, 6, 12, 20, 40, 60, 0, 0, 0);
+        film.means(0, means);
+        assertThat(means[3]).isNaN();
+        assertThat(film.height()).isEqualTo(3);
+        assertThat(film.width()).isEqualTo(2);
+    }
+
+    /** Three floats and an int for each pixel; three floats more for the half. */
+    @Test
+    void memoryIsWhatItHolds() {
+        assertThat(Film.bytesPerPixel(false)).isEqualTo(16);
+        assertThat(Film.bytesPerPixel(true)).isEqualTo(28);
+        assertThat(new Film(1, 1, 1, true).comparesHalves()).isTrue();
+        assertThat(new Film(1, 1, 1, false).comparesHalves()).isFalse();
+    }
+
     private static void add(Film film, int column, int row, Colour colour) {
         film.add(film.pixel(column, row), colour.red(), colour.green(), colour.blue(), 1);
     }

@@ -37,6 +37,7 @@ import tompkins.trace.VariedStudios;
 
 @Timeout(120)
 @Tag("slow")
+@Tag("alone")
 class RendererTest {
 
     private static final Duration SOON = Duration.ofMillis(100);

@@ -17,6 +17,7 @@ import tompkins.trace.RenderPlan;
  * -Dtompkins.soak=1000}.
  */
 @Tag("slow")
+@Tag("alone")
 class SoakTest {
 
     private static final int RENDERS = Integer.getInteger("tompkins.soak", 100);

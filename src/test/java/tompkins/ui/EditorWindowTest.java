@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
@@ -79,6 +80,23 @@ class EditorWindowTest {
         assertThat(driver.studio()).isEqualTo(Studio.DEFAULT);
         assertThat(driver.find(JButton.class, Texts.get("tree.add")).isEnabled())
                 .isTrue();
+    }
+
+    /** Swing finds no line in it, whose beginning would be the place of the caret. */
+    @Test
+    void textWithoutRoomSurvivesKeys() {
+        JTextField field = radius();
+        driver.click(field);
+        for (Dimension none : List.of(new Dimension(0, 0), new Dimension(field.getWidth(), 1), new Dimension(1, 20))) {
+            WindowDriver.onEventThread(() -> field.setSize(none));
+            for (int key : List.of(KeyEvent.VK_HOME, KeyEvent.VK_END, KeyEvent.VK_LEFT, KeyEvent.VK_UP)) {
+                driver.key(key);
+                driver.key(key, KeyEvent.VK_SHIFT);
+            }
+            assertThat(field.getSize()).as("not laid out anew").isEqualTo(none);
+        }
+        assertThat(field.isFocusOwner()).isTrue();
+        assertThat(Components.messages(driver.window().frame())).isEmpty();
     }
 
     private JTextField radius() {

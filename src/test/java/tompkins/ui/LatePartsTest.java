@@ -10,10 +10,12 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 
+@Tag("alone")
 final class LatePartsTest {
 
     private final CompletableFuture<List<Studio>> menu = new CompletableFuture<>();

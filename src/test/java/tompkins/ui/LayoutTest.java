@@ -299,7 +299,7 @@ class LayoutTest {
         if (child instanceof JTextArea area) {
             return area.getHeight() + 1 < area.getPreferredSize().height;
         }
-        if (child instanceof JLabel label && !label.getText().startsWith("<html>")) {
+        if (child instanceof JLabel label) {
             return textWidth(label, label.getText()) > innerWidth(label);
         }
         if (child instanceof AbstractButton button

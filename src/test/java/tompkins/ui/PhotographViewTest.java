@@ -17,6 +17,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tompkins.light.ColourLaw;
@@ -38,6 +39,7 @@ import tompkins.ui.widget.Texts;
 
 /** The photograph and what it is compared with, without a display. */
 @Timeout(120)
+@Tag("alone")
 class PhotographViewTest {
 
     private final StudioModel model =
@@ -142,12 +144,16 @@ class PhotographViewTest {
         JToggleButton pick = Components.find(panel, JToggleButton.class, "Pick a point to focus on");
         WindowDriver.onEventThread(() -> {
             pick.doClick();
+            mouse(view.canvas(), MouseEvent.MOUSE_PRESSED, 1, 1);
             mouse(view.canvas(), MouseEvent.MOUSE_RELEASED, 1, 1);
         });
         WindowDriver.await("the answer", () -> told.equals(List.of(Texts.get("lens.pickedNothing"))));
         assertThat(pick.isSelected()).isTrue();
         assertThat(model.studio().camera().focusDistance()).isEqualTo(before);
-        WindowDriver.onEventThread(() -> mouse(view.canvas(), MouseEvent.MOUSE_RELEASED));
+        WindowDriver.onEventThread(() -> {
+            mouse(view.canvas(), MouseEvent.MOUSE_PRESSED);
+            mouse(view.canvas(), MouseEvent.MOUSE_RELEASED);
+        });
         WindowDriver.await("the end of the picking", () -> !pick.isSelected());
         assertThat(model.studio().camera().focusDistance()).isNotEqualTo(before);
     }
@@ -220,6 +226,7 @@ class PhotographViewTest {
             int round = i;
             WindowDriver.onEventThread(() -> {
                 view.startPicking(picked::add, () -> {});
+                mouse(view.canvas(), MouseEvent.MOUSE_PRESSED);
                 mouse(view.canvas(), MouseEvent.MOUSE_RELEASED);
                 view.setPin(new Point2D.Double(10.5, 10.5));
             });

@@ -30,6 +30,7 @@ import javax.swing.JComponent;
 import javax.swing.JFileChooser;
 import javax.swing.JMenuItem;
 import javax.swing.JToggleButton;
+import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
 import tompkins.studio.Studio;
 import tompkins.ui.picture.Picture;
@@ -202,7 +203,14 @@ public final class WindowDriver implements AutoCloseable {
         onEventThread(() -> unfold(component));
         settle();
         anchor(component);
-        onEventThread(() -> component.scrollRectToVisible(new Rectangle(component.getSize())));
+        onEventThread(() -> {
+            if (component.getParent() instanceof JComponent parent && !(parent instanceof JViewport)) {
+                // a text field keeps such a wish to itself
+                parent.scrollRectToVisible(component.getBounds());
+            } else {
+                component.scrollRectToVisible(new Rectangle(component.getSize()));
+            }
+        });
         settle();
         return onEventThread(() -> {
             Point corner = component.getLocationOnScreen();

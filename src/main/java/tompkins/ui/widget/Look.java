@@ -128,6 +128,7 @@ public enum Look {
             FlatLightLaf.setup();
         }
         PlainTextUI.install();
+        SqueezedText.guard();
     }
 
     private Map<String, String> defaults() {

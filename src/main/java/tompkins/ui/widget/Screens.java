@@ -9,12 +9,12 @@ import java.awt.Insets;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
+import java.awt.event.AWTEventListener;
+import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 
 /** The screens, of which there may be several, such as a projector beside that of a laptop. */
 public final class Screens {
-
-    private static boolean watching;
 
     private Screens() {}
 
@@ -39,18 +39,27 @@ public final class Screens {
         return new Dimension(Math.min(width, screen.width), Math.min(height, screen.height));
     }
 
-    /** From now on, dialogs that open are kept on their screen. Called by the event thread. */
-    public static void keepDialogsOnScreen() {
-        if (!watching) {
-            watching = true;
-            Toolkit.getDefaultToolkit().addAWTEventListener(Screens::watch, AWTEvent.WINDOW_EVENT_MASK);
-        }
+    /** Keeps the dialogs of a window on their screen when they open, until the window is closed. */
+    public static void keepDialogsOnScreen(Window window) {
+        AWTEventListener watcher = event -> {
+            if (event.getID() == WindowEvent.WINDOW_OPENED
+                    && event.getSource() instanceof Dialog dialog
+                    && isOwner(window, dialog)) {
+                keepOnScreen(dialog);
+            }
+        };
+        Toolkit toolkit = Toolkit.getDefaultToolkit();
+        toolkit.addAWTEventListener(watcher, AWTEvent.WINDOW_EVENT_MASK);
+        window.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosed(WindowEvent event) {
+                toolkit.removeAWTEventListener(watcher);
+            }
+        });
     }
 
-    private static void watch(AWTEvent event) {
-        if (event.getID() == WindowEvent.WINDOW_OPENED && event.getSource() instanceof Dialog dialog) {
-            keepOnScreen(dialog);
-        }
+    private static boolean isOwner(Window window, Window owned) {
+        return owned != null && (owned.getOwner() == window || isOwner(window, owned.getOwner()));
     }
 
     /** Moves a window to the right of another as far as the screen goes, where it covers least of its picture. */

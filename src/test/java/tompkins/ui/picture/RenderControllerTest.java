@@ -10,6 +10,7 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -27,6 +28,7 @@ import tompkins.surface.Mirror;
 import tompkins.trace.RenderPlan;
 
 @Timeout(120)
+@Tag("alone")
 class RenderControllerTest {
 
     private final List<Picture> pictures = new CopyOnWriteArrayList<>();
@@ -68,7 +70,9 @@ class RenderControllerTest {
         OutOfMemoryError full = new OutOfMemoryError("of this test");
         try (RenderController throwing = new RenderController(
                 picture -> {
-                    throw full;
+                    if (picture.complete()) {
+                        throw full;
+                    }
                 },
                 failures::add)) {
             show(throwing, Studios.sphere(), Pace.HAND);

@@ -1,0 +1,165 @@
+package tompkins.scenes;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Predicate;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.camera.ThinLensCamera;
+import tompkins.shutter.AperturePlaneShutter;
+import tompkins.spacetime.Event;
+import tompkins.studio.Studio;
+import tompkins.studio.View;
+import tompkins.trace.RayLife;
+import tompkins.trace.RenderPlan;
+
+/** The numbers that the scenes of the topic Motion tell in their remarks, measured on their rays. */
+class MotionScenesTest {
+
+    private static Studio at(Studio studio, double openingTime) {
+        return studio.withCamera(((ThinLensCamera) studio.camera()).withShutter(new AperturePlaneShutter(openingTime)));
+    }
+
+    /** What a row of the picture sees, pixel by pixel. */
+    private static List<RayLife.Encounter> row(Studio studio, double row) {
+        RenderPlan plan = RenderPlan.of(studio.withSettings(studio.settings().withSize(2000, 1500)));
+        List<RayLife.Encounter> seen = new ArrayList<>();
+        for (int column = 0; column < 2000; column++) {
+            RayLife life = RayLife.of(plan, column + 0.5, row * 1500, 0, 0);
+            if (life != null && life.end() != null) {
+                seen.add(life.end());
+            }
+        }
+        return seen;
+    }
+
+    private static double width(List<RayLife.Encounter> hits, Predicate<RayLife.Encounter> which) {
+        List<Double> places =
+                hits.stream().filter(which).map(hit -> hit.event().x()).toList();
+        assertThat(places).hasSizeGreaterThan(5);
+        return places.get(places.size() - 1) - places.get(0);
+    }
+
+    private static Predicate<RayLife.Encounter> named(String name) {
+        return hit -> hit.object().description().equals(name);
+    }
+
+    private static Predicate<RayLife.Encounter> frontOfRod() {
+        return named("rod").and(hit -> hit.rest().event().z() < -0.2);
+    }
+
+    private static Predicate<RayLife.Encounter> onFront() {
+        return named("cube").and(hit -> Math.abs(hit.rest().event().z() - 11) < 1e-9);
+    }
+
+    private static Predicate<RayLife.Encounter> onRearSide() {
+        return named("cube").and(hit -> Math.abs(hit.rest().event().x() + 1) < 1e-9);
+    }
+
+    /** Front 2/gamma; the far edge of the rear side is farther away, so that its light is as much older. */
+    @Test
+    void cubeLooksTurned() throws Exception {
+        List<RayLife.Encounter> hits = row(SceneFiles.read("motion-cube"), 0.5);
+
+        assertThat(width(hits, onFront())).isCloseTo(1.2, within(0.02));
+        List<RayLife.Encounter> side = hits.stream().filter(onRearSide()).toList();
+        Event near = side.get(side.size() - 1).event();
+        Event far = side.get(0).event();
+        double older =
+                near.position().distance(new Vector3d(0, 1, 0)) - far.position().distance(new Vector3d(0, 1, 0));
+        assertThat(near.x() - far.x()).isCloseTo(-0.8 * older, within(0.01));
+        assertThat(near.x() - far.x()).isBetween(1.6, 1.8);
+    }
+
+    /** Before it passes the front is wider than 2/gamma, afterwards narrower: the light of its ends differs in age. */
+    @ParameterizedTest
+    @CsvSource({"8, 1", "11.045, 0", "17, -1"})
+    void cubeIsStretchedComingAndFlattenedGoing(double time, int sign) throws Exception {
+        List<RayLife.Encounter> front = row(at(SceneFiles.read("motion-cube"), time), 0.5).stream()
+                .filter(onFront())
+                .toList();
+        if (front.isEmpty()) {
+            assertThat(sign).isEqualTo(-1);
+            return;
+        }
+        double width = width(front, hit -> true);
+
+        assertThat(Math.signum(Math.rint((width - 1.2) * 20))).isEqualTo(sign);
+    }
+
+    @Test
+    void rodFitsAsSeenAndAsMeasured() throws Exception {
+        double row = 0.5 + 0.5 * 0.6 / 8 / (0.75 * Math.tan(Math.toRadians(35)));
+        Studio seen = SceneFiles.read("motion-barn");
+        Studio measured = SceneFiles.read("motion-barn-measured");
+        assertThat(measured.view()).isEqualTo(View.MEASURED);
+
+        assertThat(width(row(seen, row), frontOfRod())).isCloseTo(6, within(0.1));
+        assertThat(width(row(measured, row), frontOfRod())).isCloseTo(6, within(0.1));
+    }
+
+    /** An end at x seen at time T left its light at T - |way|; both ends move with 0.8 and are 6 apart at one time. */
+    @ParameterizedTest
+    @CsvSource({"6", "8.565", "12"})
+    void rodIsAsLongAsTheAgeOfItsLightSays(double time) throws Exception {
+        List<RayLife.Encounter> rod = row(at(SceneFiles.read("motion-barn"), time), 0.56).stream()
+                .filter(named("rod"))
+                .toList();
+        assertThat(rod).hasSizeGreaterThan(5);
+        for (RayLife.Encounter hit : rod) {
+            double own = hit.rest().event().x();
+            assertThat(hit.event().x()).isCloseTo(0.8 * hit.event().time() + 0.6 * own, within(1e-9));
+        }
+    }
+
+    /** tau = gamma (t - v x) at the place and time of each hit; the front one of two is 0.6 x 2 behind. */
+    @Test
+    void clocksOfTheUpperRowDisagreeWhenMeasured() throws Exception {
+        Studio studio = SceneFiles.read("motion-clocks").withView(View.MEASURED);
+        List<RayLife.Encounter> clocks = row(at(studio, 0), 0.378).stream()
+                .filter(named("clock"))
+                .filter(hit -> hit.rest().motion() != null)
+                .toList();
+        assertThat(clocks).hasSizeGreaterThan(100);
+        RayLife.Encounter first = clocks.get(0);
+        RayLife.Encounter last = clocks.get(clocks.size() - 1);
+        double own = last.rest().event().x() - first.rest().event().x();
+        assertThat(last.rest().clockReading() - first.rest().clockReading()).isCloseTo(-0.6 * own, within(1e-9));
+    }
+
+    /** gamma b at the angle of fastest motion, in units of the speed of light, from two pictures 0.01 apart. */
+    @Test
+    void blobSeemsFasterThanLight() throws Exception {
+        Studio studio = SceneFiles.read("motion-superluminal");
+        Vector3d place = place(studio, 62);
+        double angle = place(studio, 62.01).angle(place);
+        assertThat(angle * place.length() / 0.01).isCloseTo(3.04, within(0.1));
+    }
+
+    /** Where the middle of the first blob is seen, by the retarded time of its centre. */
+    private static Vector3d place(Studio studio, double time) {
+        Vector3d velocity = new Vector3d(0.29664, 0, -0.90249);
+        Vector3d start = new Vector3d(-8, 0, 60);
+        double early = 0;
+        double late = time;
+        for (int i = 0; i < 200; i++) {
+            double middle = (early + late) / 2;
+            double arrival =
+                    middle + new Vector3d(velocity).mul(middle).add(start).length();
+            early = arrival < time ? middle : early;
+            late = arrival < time ? late : middle;
+        }
+        Vector3d place = new Vector3d(velocity).mul(early).add(start);
+        double x = 320 * (1 + place.x / place.z / Math.tan(Math.toRadians(22)));
+        RayLife life = RayLife.of(RenderPlan.of(at(studio, time)), x, 240, 0, 0);
+        assertThat(life.end().object().description()).isEqualTo("blob");
+        // its front is seen as it was up to ten times as much later as it is nearer
+        assertThat(life.end().event().position().distance(place)).isLessThan(1.6);
+        return place;
+    }
+}
