@@ -177,7 +177,8 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
             throw new MistakeException("--ride: no ride is recorded in " + scene + "; the window records one");
         }
         double recorded = studio.ride().stream().mapToDouble(RideLeg::seconds).sum();
-        RideFilm film = MistakeException.inOption("--ride", () -> new RideFilm(studio, duration(recorded), frameRate()));
+        RideFilm film =
+                MistakeException.inOption("--ride", () -> new RideFilm(studio, duration(recorded), frameRate()));
         return new Recording(film, Captions.ofPictures(film, captioned));
     }
 

@@ -48,8 +48,8 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
     public Vector3d[] corners() {
         Vector3d[] corners = new Vector3d[8];
         for (int i = 0; i < corners.length; i++) {
-            corners[i] = new Vector3d(
-                    (i & 1) == 0 ? minX : maxX, (i & 2) == 0 ? minY : maxY, (i & 4) == 0 ? minZ : maxZ);
+            corners[i] =
+                    new Vector3d((i & 1) == 0 ? minX : maxX, (i & 2) == 0 ? minY : maxY, (i & 4) == 0 ? minZ : maxZ);
         }
         return corners;
     }

@@ -61,8 +61,8 @@ final class AnimationExport {
         List<FormatFilter<AnimationFormat>> formats = Stream.of(AnimationFormat.values())
                 .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
                 .toList();
-        AnimationOptions options = new AnimationOptions(
-                studio, rate -> maker.make(studio, rate).frames());
+        AnimationOptions options =
+                new AnimationOptions(studio, rate -> maker.make(studio, rate).frames());
         JFileChooser chooser = dialogs.chooser();
         chooser.setAccessory(options.component());
         SaveDialog.ask(

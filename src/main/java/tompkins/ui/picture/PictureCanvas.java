@@ -264,7 +264,8 @@ public final class PictureCanvas extends JPanel {
 
     private void paintOverlays(Graphics2D g) {
         Rectangle bounds = pictureBounds();
-        Rectangle visible = bounds.intersection(PicturePainter.inUnits(arrangement().room(), scale()));
+        Rectangle visible =
+                bounds.intersection(PicturePainter.inUnits(arrangement().room(), scale()));
         Graphics2D clipped = (Graphics2D) g.create();
         clipped.clip(visible);
         for (Overlay overlay : overlays) {
