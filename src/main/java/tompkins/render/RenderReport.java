@@ -98,6 +98,11 @@ public record RenderReport(
         return (double) samples / pixels;
     }
 
+    /** Whether the motion makes so much of the picture brighter than white that the exposure must be wrong. */
+    public boolean isBurnt() {
+        return whitePixels > MOST_WHITE * pixels;
+    }
+
     /** What the user should know: one sentence for each kind of trouble. */
     public List<String> warnings() {
         List<String> warnings = new ArrayList<>();
@@ -120,7 +125,7 @@ public record RenderReport(
                     blackPixels,
                     pixels));
         }
-        if (whitePixels > MOST_WHITE * pixels) {
+        if (isBurnt()) {
             warnings.add(String.format(
                     Locale.ROOT,
                     "%d of %d pixels are brighter than white: a lower exposure shows more of them",

@@ -59,6 +59,7 @@ final class PhotographView implements AutoCloseable {
     private final StudioModel model;
     private final Listener listener;
     private final PictureCanvas canvas;
+    private final PictureNotice notice;
     private final ScreenPictures screen;
     private final RenderController controller;
     private final RenderController otherController;
@@ -89,6 +90,7 @@ final class PhotographView implements AutoCloseable {
         screen = new ScreenPictures(this::show, this::fail);
         canvas = new PictureCanvas(this::fit);
         canvas.setMouse(new ProbeMouse());
+        notice = new PictureNotice(model, canvas);
         controller = new RenderController(
                 screen::setNow, error -> SwingUtilities.invokeLater(() -> listener.noPicture(Messages.of(error))));
         otherController = new RenderController(this::showOther, this::fail);
@@ -152,6 +154,7 @@ final class PhotographView implements AutoCloseable {
 
     private void show(ScreenPicture pictures) {
         canvas.show(pictures);
+        notice.show(pictures.now());
         listener.shown(pictures.now());
         if (pin != null && !pictures.now().holds(pin)) {
             setPin(null);

@@ -87,6 +87,7 @@ final class SidePanel {
         add("section.velocity", new VelocityPanel(model).component(), true);
         add("section.camera", new CameraPanel(model, () -> shown).component(), false);
         add("section.shutter", shutter.component(), true);
+        add("section.shutterDetails", shutter.details(), false);
         add("section.lens", lens.component(), false);
         add("section.compare", compare.component(), false);
         add("section.transformation", LawPanel.ofTransformation(model).component(), false);

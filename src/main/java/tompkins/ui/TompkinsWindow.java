@@ -33,7 +33,7 @@ public final class TompkinsWindow {
     /** Sizes of the window at first, in sizes of its type. */
     private static final double WIDTH = 84;
 
-    private static final double HEIGHT = 56;
+    private static final double HEIGHT = 60;
     private static final double MINIMUM_WIDTH = 40;
     private static final double MINIMUM_HEIGHT = 24;
 

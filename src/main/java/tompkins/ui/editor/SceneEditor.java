@@ -18,6 +18,7 @@ import javax.swing.KeyStroke;
 import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
 import tompkins.camera.ThinLensCamera;
+import tompkins.light.LightSource;
 import tompkins.property.Descriptions;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.SceneObject;
@@ -290,10 +291,25 @@ public final class SceneEditor {
         }
         StudioPath path = listPath();
         int place = isElement() ? place() + 1 : list().size();
-        List<?> longer = inserted(list(), place, Descriptions.standard(type));
+        List<?> before = list();
+        Object added = NewObject.of(type, before);
+        List<Object> longer = new ArrayList<>(inserted(before, place, added));
+        if (isFirstObject(path)) {
+            NewObject.floorBeneath(added).ifPresent(longer::add);
+        }
         if (note.attempt(() -> model.set(path.with(model.studio(), longer)))) {
             select(path.then(place));
+            if (added instanceof LightSource && !before.isEmpty()) {
+                note.setText(Texts.get("tree.moreLight", before.size()));
+            }
         }
+    }
+
+    private boolean isFirstObject(StudioPath list) {
+        Studio studio = model.studio();
+        return list.equals(StudioPath.ROOT.then("scene"))
+                && studio.scene().isEmpty()
+                && studio.cameraFrame().isEmpty();
     }
 
     private void changeList(UnaryOperator<List<?>> change, int step) {

@@ -32,6 +32,7 @@ import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
+import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Updating;
 import tompkins.ui.widget.Wording;
 
@@ -43,16 +44,17 @@ public final class ShutterPanel {
     private final JPanel panel = Rows.column();
     private final JComboBox<Class<?>> models = new JComboBox<>();
     private final Updating updating = new Updating();
-
-    /** What each model means, in the same place: as high as the highest, so that nothing below it moves. */
-    private final CardPanel meanings = new CardPanel();
-
     private final Note place = new Note("");
     private final Note note = new Note("");
+    private final JPanel details = Rows.column();
+    private final Note refused = new Note("");
     private final NumberRow time;
     private final JPanel timeRow = Rows.panel();
     private final ShutterTimingPanel timing;
+
+    /** What each model has of its own, as high as the highest, so that nothing below it moves. */
     private final CardPanel parameters = new CardPanel();
+
     private final Map<Class<?>, RecordForm> forms = new HashMap<>();
     private Class<?> shownModel;
     private Shutter replaced;
@@ -77,13 +79,13 @@ public final class ShutterPanel {
                 value -> withShutter(shutter().openedAt(requireFinite(value))));
         time.addTo(timeRow);
         timing = new ShutterTimingPanel(model, size);
+        details.add(parameters.component(), "wmin 0");
+        details.add(new MessageRoom(1, refused).component(), "wmin 0");
+        details.add(timing.component(), "wmin 0");
         panel.add(models, "wmin 0");
         Descriptions.members(Shutter.class).forEach(this::addModel);
-        panel.add(meanings.component(), "wmin 0");
         panel.add(timeRow, "wmin 0, hidemode 0");
-        panel.add(timing.component(), "wmin 0");
-        panel.add(parameters.component(), "wmin 0");
-        panel.add(new MessageRoom(3, note, place).component(), "wmin 0");
+        panel.add(new MessageRoom(2, note, place).component(), "wmin 0");
         model.addListener(this::update);
         update();
     }
@@ -95,6 +97,11 @@ public final class ShutterPanel {
     /** The panel itself. */
     public JComponent component() {
         return panel;
+    }
+
+    /** What else there is to say of the shutter: where it is, how long it stays open, and how it rolls. */
+    public JComponent details() {
+        return details;
     }
 
     private Shutter shutter() {
@@ -125,9 +132,11 @@ public final class ShutterPanel {
     private void update() {
         Shutter shutter = shutter();
         if (shutter.getClass() != shownModel) {
+            // what was typed for the model before goes with it
+            EntryField.in(details).forEach(EntryField::revert);
             shownModel = shutter.getClass();
             updating.during(() -> models.setSelectedItem(shownModel));
-            meanings.show(shownModel);
+            models.setToolTipText(Tips.wrapped(Wording.meaning(shownModel)));
             parameters.show(shownModel);
         }
         boolean hasTime = shutter.hasOpeningTime();
@@ -143,11 +152,10 @@ public final class ShutterPanel {
     }
 
     private void addModel(Class<?> type) {
-        meanings.add(type, new Note(Wording.meaning(type)).component());
         RecordForm form = new RecordForm(
                 type,
                 component -> !component.getName().equals("openingTime"),
-                note,
+                refused,
                 changed -> model.set(withShutter((Shutter) changed)));
         forms.put(type, form);
         parameters.add(type, form.component());

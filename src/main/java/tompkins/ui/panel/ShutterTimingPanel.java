@@ -72,7 +72,7 @@ final class ShutterTimingPanel {
         rolls.setLabelFor(directions);
         controls.add(rolls);
         controls.add(directions, "span 2, growx, wmin 0");
-        panel.add(controls, "wmin 0");
+        panel.add(controls, "wmin 0, hidemode 0");
         panel.add(new MessageRoom(2, refused, hidden).component(), "wmin 0");
     }
 

@@ -4,7 +4,6 @@ import java.awt.event.ActionEvent;
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import org.joml.Vector3d;
@@ -29,7 +28,6 @@ import tompkins.ui.widget.SpeedText;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.ValueSlider;
 import tompkins.ui.widget.VectorFields;
-import tompkins.ui.widget.Wording;
 
 /** How fast the camera moves, and where to. */
 public final class VelocityPanel {
@@ -93,7 +91,6 @@ public final class VelocityPanel {
     private JComponent directionRow() {
         JPanel row = Rows.of("gap 10 4", "[pref!][grow,fill]");
         JPanel fields = Rows.of("wrap 2, gap 6 4", "[][grow,fill]");
-        fields.add(new JLabel(Wording.label("direction")), "span");
         direction.addInColumn(fields);
         row.add(sphere);
         row.add(fields, "growx, wmin 0");

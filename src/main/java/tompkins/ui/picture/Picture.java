@@ -23,6 +23,7 @@ import tompkins.trace.RenderPlan;
  * @param samples mean number of samples of a pixel
  * @param error estimated root mean square error; NaN while it is not known
  * @param warnings what went wrong; known when it is complete
+ * @param flaw what spoils it; known when it is complete
  */
 public record Picture(
         Studio studio,
@@ -32,7 +33,31 @@ public record Picture(
         Duration time,
         double samples,
         double error,
-        List<String> warnings) {
+        List<String> warnings,
+        Flaw flaw) {
+
+    /** What spoils a whole picture, and can be put right at once. */
+    public enum Flaw {
+        /** Nothing that is known. */
+        NONE,
+        /** The motion makes more than half of it brighter than white. */
+        BURNT,
+        /** No ray met an object of the scene. */
+        EMPTY
+    }
+
+    /** A picture without a known flaw. */
+    public Picture(
+            Studio studio,
+            RenderPlan plan,
+            LinearImage image,
+            boolean complete,
+            Duration time,
+            double samples,
+            double error,
+            List<String> warnings) {
+        this(studio, plan, image, complete, time, samples, error, warnings, Flaw.NONE);
+    }
 
     /** Which samples it gets. */
     public Quality quality() {

@@ -218,6 +218,12 @@ public final class RenderController implements AutoCloseable {
                     / rendered.plan().studio().settings().pixels();
         }
 
+        private static Picture.Flaw flaw(RenderReport report) {
+            return report.missesScene()
+                    ? Picture.Flaw.EMPTY
+                    : report.isBurnt() ? Picture.Flaw.BURNT : Picture.Flaw.NONE;
+        }
+
         private void deliver(RenderJob rendered, boolean complete) {
             Duration time = Duration.ofNanos(System.nanoTime() - request.time);
             // the error takes a moment to work out: not while the picture follows a hand
@@ -231,7 +237,8 @@ public final class RenderController implements AutoCloseable {
                     time,
                     samples(rendered),
                     tellsError ? report.error() : Double.NaN,
-                    complete ? report.warnings() : List.of());
+                    complete ? report.warnings() : List.of(),
+                    complete ? flaw(report) : Picture.Flaw.NONE);
             synchronized (shownLock) {
                 // a newer picture may have been faster
                 if (number >= lastShown) {

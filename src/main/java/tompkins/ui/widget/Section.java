@@ -31,7 +31,7 @@ public final class Section {
         heading.putClientProperty(
                 FlatClientProperties.STYLE,
                 "font: bold; toolbar.selectedBackground: null; toolbar.hoverBackground: $Tompkins.hover;"
-                        + " margin: 3,2,3,2");
+                        + " margin: 1,2,1,2");
         heading.setName(title);
         heading.getAccessibleContext().setAccessibleDescription(Texts.get("section.tip"));
         heading.addItemListener(event -> {
@@ -42,7 +42,7 @@ public final class Section {
         });
         content.setVisible(open);
         panel.add(heading);
-        panel.add(content, "gapleft 6, gapright 4, gapbottom 8, wmin 0");
+        panel.add(content, "gapleft 6, gapright 4, gapbottom 4, wmin 0");
     }
 
     /** Heading and content. */

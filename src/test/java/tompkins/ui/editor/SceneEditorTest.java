@@ -6,6 +6,7 @@ import java.awt.Container;
 import java.awt.Rectangle;
 import java.awt.event.MouseEvent;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
@@ -22,16 +23,27 @@ import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.LightSource;
+import tompkins.light.PointLight;
+import tompkins.primitive.Bounds;
+import tompkins.primitive.Primitive;
 import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Cone;
+import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.ImagePointGrid;
+import tompkins.sceneobject.Parallelogram;
+import tompkins.sceneobject.Placed;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Silhouette;
 import tompkins.sceneobject.Sphere;
+import tompkins.sceneobject.Triangle;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
@@ -192,7 +204,7 @@ class SceneEditorTest {
         choose("Scene");
         editor.addElement(type);
         assertThat(model.studio().scene()).hasSize(3);
-        assertThat(model.studio().scene().get(2)).isEqualTo(Descriptions.standard(type));
+        assertThat(model.studio().scene().get(2)).isInstanceOf(type);
         assertThat(Components.all(panel).count()).isPositive();
     }
 
@@ -202,7 +214,7 @@ class SceneEditorTest {
         assertThat(Components.find(panel, JButton.class, "Add\u2026").isEnabled())
                 .isTrue();
         editor.addElement(Sphere.class);
-        assertThat(model.studio().scene()).hasSize(3).last().isEqualTo(Sphere.DEFAULT);
+        assertThat(model.studio().scene()).hasSize(3).last().isInstanceOf(Sphere.class);
         choose("Camera");
         assertThat(Components.find(panel, JButton.class, "Add\u2026").isEnabled())
                 .isFalse();
@@ -353,5 +365,85 @@ class SceneEditorTest {
         assertThat(model.studio().scene())
                 .extracting(SceneObject::description)
                 .containsExactly(Sphere.DEFAULT.description(), Sphere.DEFAULT.description() + " 2");
+    }
+
+    static Stream<Class<?>> bodies() {
+        return Stream.of(
+                Sphere.class,
+                Box.class,
+                Cone.class,
+                Cylinder.class,
+                Disc.class,
+                Triangle.class,
+                Parallelogram.class,
+                Silhouette.class,
+                CylinderLattice.class,
+                Placed.class);
+    }
+
+    /** New objects of all kinds keep apart from each other, whoever was there first. */
+    @ParameterizedTest
+    @MethodSource("bodies")
+    void newObjectsDoNotLandInEachOther(Class<?> type) {
+        model.set(Studio.DEFAULT);
+        SceneEditor fresh = new SceneEditor(model);
+        fresh.addElement(Sphere.class);
+        for (int i = 0; i < 3; i++) {
+            fresh.addElement(type);
+        }
+        List<SceneObject> objects = model.studio().scene().stream()
+                .filter(object -> !(object instanceof Plane))
+                .toList();
+        assertThat(objects).hasSize(4);
+        for (SceneObject one : objects) {
+            for (SceneObject other : objects) {
+                assertThat(one == other || areApart(bounds(one), bounds(other)))
+                        .as(one + " and " + other)
+                        .isTrue();
+            }
+        }
+    }
+
+    private static Bounds bounds(SceneObject object) {
+        return PrimitiveCollector.primitivesOf(object).stream()
+                .map(Primitive::bounds)
+                .reduce(Bounds::with)
+                .orElseThrow();
+    }
+
+    private static boolean areApart(Bounds one, Bounds other) {
+        return one.maxX() < other.minX() || other.maxX() < one.minX();
+    }
+
+    @Test
+    void theFirstObjectStandsOnAFloor() {
+        model.set(Studio.DEFAULT);
+        SceneEditor fresh = new SceneEditor(model);
+        fresh.addElement(Sphere.class);
+        assertThat(model.studio().scene()).hasSize(2);
+        assertThat(model.studio().scene().get(0)).isEqualTo(Sphere.DEFAULT);
+        Plane floor = (Plane) model.studio().scene().get(1);
+        assertThat(floor.point().y()).isEqualTo(-1);
+        assertThat(floor.normal()).isEqualTo(new Vector3d(0, 1, 0));
+        fresh.addElement(Sphere.class);
+        assertThat(model.studio().scene()).hasSize(3);
+        model.set(Studio.DEFAULT);
+        fresh.addElement(Plane.class);
+        assertThat(model.studio().scene()).containsExactly(Plane.DEFAULT);
+    }
+
+    @Test
+    void aNewLampStandsElsewhereAndSaysThatItAddsLight() {
+        model.set(Studio.DEFAULT);
+        SceneEditor fresh = new SceneEditor(model);
+        fresh.choose(StudioPath.ROOT.then("lights"));
+        fresh.addElement(PointLight.class);
+        assertThat(Components.notes((Container) fresh.component())).anyMatch(note -> note.contains("lights before: 2"));
+        fresh.addElement(PointLight.class);
+        assertThat(model.studio().lights().stream()
+                        .filter(PointLight.class::isInstance)
+                        .map(light -> ((PointLight) light).position())
+                        .distinct())
+                .hasSize(3);
     }
 }

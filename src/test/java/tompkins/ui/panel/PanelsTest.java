@@ -122,7 +122,7 @@ class PanelsTest {
 
     @Test
     void aShutterIsFoundByItsFirstLetterAndSpokenByItsName() {
-        Container panel = (Container) new ShutterPanel(model).component();
+        Container panel = shutter(new ShutterPanel(model));
         @SuppressWarnings("unchecked")
         JComboBox<Class<?>> models = Components.find(panel, JComboBox.class, "Shutter model");
         models.selectWithKeyChar('d');
@@ -312,7 +312,7 @@ class PanelsTest {
 
     @Test
     void anotherShutterOpensSoThatTheMiddleKeepsItsTime() {
-        Container panel = (Container) new ShutterPanel(model).component();
+        Container panel = shutter(new ShutterPanel(model));
         JComboBox<?> models = Components.find(panel, JComboBox.class, "Shutter model");
         models.setSelectedItem(FocusSurfaceShutter.class);
         // light from the focus at distance 10 crosses the lens at time 0
@@ -333,7 +333,7 @@ class PanelsTest {
     void whatASliderMustNotSetIsToldBeneathIt() {
         Sphere far = new Sphere("", new Vector3d(0, 0, 1e60), 1, ColouredSurface.DEFAULT);
         model.open(model.studio().withScene(List.of(far)), null);
-        Container panel = (Container) new ShutterPanel(model).component();
+        Container panel = shutter(new ShutterPanel(model));
 
         JSlider time = Components.find(panel, JSlider.class, "Opens at, slider");
         time.setValue(time.getMaximum());
@@ -367,7 +367,7 @@ class PanelsTest {
 
     @Test
     void exposureAndSweepStandWithTheShutter() {
-        Container panel = (Container) new ShutterPanel(model).component();
+        Container panel = shutter(new ShutterPanel(model));
         Components.enter(panel, "Stays open", "0.25");
         Components.enter(panel, "Sweep", "2");
         JComboBox<?> directions = Components.find(panel, JComboBox.class, "Rolling direction");
@@ -382,7 +382,7 @@ class PanelsTest {
     /** A model without an opening time has no controls for them, but says that they act. */
     @Test
     void onlyModelsWithAnOpeningTimeShowExposure() {
-        Container panel = (Container) new ShutterPanel(model).component();
+        Container panel = shutter(new ShutterPanel(model));
         JTextField field = Components.find(panel, JTextField.class, "Stays open");
         assertThat(field.getParent().isVisible()).isTrue();
         JComboBox<?> models = Components.find(panel, JComboBox.class, "Shutter model");
@@ -400,7 +400,7 @@ class PanelsTest {
 
     @Test
     void theFixedPointSurfaceDoesNotForgetTheOpeningTime() {
-        Container panel = (Container) new ShutterPanel(model).component();
+        Container panel = shutter(new ShutterPanel(model));
         JComboBox<?> models = Components.find(panel, JComboBox.class, "Shutter model");
         models.setSelectedItem(FixedPointSurfaceShutter.class);
         models.setSelectedItem(AperturePlaneShutter.class);
@@ -709,5 +709,13 @@ class PanelsTest {
         Components.enter(lens, "Samples", "16");
         assertThat(Quality.of(model.studio())).isEqualTo(new Quality.Samples(16));
         assertThat(Components.notes(quality)).containsExactly("16 samples per pixel");
+    }
+
+    /** The shutter with its details. */
+    private static Container shutter(ShutterPanel panel) {
+        JPanel all = new JPanel();
+        all.add(panel.component());
+        all.add(panel.details());
+        return all;
     }
 }

@@ -1,0 +1,76 @@
+package tompkins.ui;
+
+import java.awt.Color;
+import java.awt.FlowLayout;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.UIManager;
+import net.miginfocom.swing.MigLayout;
+import tompkins.studio.Studio;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.PictureCanvas;
+
+/** Says on a spoilt picture what spoils it, and offers the remedy there. */
+final class PictureNotice {
+
+    private final StudioModel model;
+    private final JPanel panel = new NoticePanel();
+    private final JLabel problem = new JLabel();
+    private final JButton button = new JButton();
+    private Studio noticed;
+    private Remedy remedy;
+
+    /** Nothing is said on the canvas yet. */
+    PictureNotice(StudioModel model, PictureCanvas canvas) {
+        this.model = model;
+        problem.setName("notice.problem");
+        button.setName("notice.remedy");
+        button.addActionListener(event -> apply());
+        panel.add(problem);
+        panel.add(button);
+        panel.setVisible(false);
+        canvas.setLayout(new MigLayout("novisualpadding, insets 10, fill", "[center]", "[top]"));
+        canvas.add(panel);
+    }
+
+    /** Shows what there is to say of the picture on the screen; of one that is not complete nobody knows. */
+    void show(Picture picture) {
+        if (picture.complete()) {
+            noticed = picture.studio();
+            remedy = Remedy.of(picture).orElse(null);
+            panel.setVisible(remedy != null);
+            if (remedy != null) {
+                problem.setText(remedy.problem());
+                button.setText(remedy.action());
+            }
+        } else if (!picture.studio().equals(noticed)) {
+            panel.setVisible(false);
+        }
+    }
+
+    private void apply() {
+        // the scene may have changed since the picture was taken
+        if (remedy != null && model.studio().equals(noticed)) {
+            panel.setVisible(false);
+            model.set(remedy.studio());
+        }
+    }
+
+    @SuppressWarnings("serial") // never written to a stream
+    private static final class NoticePanel extends JPanel {
+
+        NoticePanel() {
+            super(new FlowLayout(FlowLayout.CENTER, 8, 4));
+        }
+
+        @Override
+        public void updateUI() {
+            super.updateUI();
+            Color line = UIManager.getColor("Tompkins.line");
+            setBorder(BorderFactory.createLineBorder(line == null ? Color.GRAY : line));
+        }
+    }
+}

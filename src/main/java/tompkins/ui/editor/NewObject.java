@@ -1,0 +1,148 @@
+package tompkins.ui.editor;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.light.LightSource;
+import tompkins.light.PointLight;
+import tompkins.primitive.Bounds;
+import tompkins.primitive.Primitive;
+import tompkins.property.Descriptions;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.sceneobject.SceneObject;
+import tompkins.surface.Tiling;
+
+/** Where what is new comes into the scene: beside what is there already, and the first object onto a floor. */
+final class NewObject {
+
+    /** The components of objects that say where they are, and not how large or how turned. */
+    private static final Set<String> PLACES = Set.of(
+            "centre",
+            "from",
+            "to",
+            "tip",
+            "baseCentre",
+            "start",
+            "end",
+            "corner",
+            "first",
+            "second",
+            "third",
+            "translation",
+            "place");
+
+    /** From one object to the next, in widths of the new one. */
+    private static final double STEP = 1.25;
+
+    /** After so many places to either side it comes where it usually is. */
+    private static final int MOST_STEPS = 50;
+
+    /** To look for room among more primitives takes too long. */
+    private static final double MOST_PRIMITIVES = 100_000;
+
+    /** From one lamp to the next. */
+    private static final double LAMPS_APART = 200;
+
+    private NewObject() {}
+
+    /** A new element of a list, of a type, in a place of its own. */
+    static Object of(Class<?> type, List<?> list) {
+        Object standard = Descriptions.standard(type);
+        if (standard instanceof SceneObject object) {
+            return beside(object, list);
+        }
+        return standard instanceof PointLight lamp ? beside(lamp, list) : standard;
+    }
+
+    private static LightSource beside(PointLight lamp, List<?> list) {
+        PointLight placed = lamp;
+        while (isTaken(placed.position(), list)) {
+            Vector3d next = new Vector3d(placed.position()).add(-LAMPS_APART, 0, 0);
+            placed = Descriptions.with(placed, "position", next);
+        }
+        return placed;
+    }
+
+    private static boolean isTaken(Vector3dc place, List<?> list) {
+        return list.stream()
+                .anyMatch(each ->
+                        each instanceof PointLight other && other.position().equals(place));
+    }
+
+    private static SceneObject beside(SceneObject object, List<?> list) {
+        List<SceneObject> others = list.stream().map(SceneObject.class::cast).toList();
+        double primitives =
+                others.stream().mapToDouble(SceneObject::primitiveCount).sum();
+        Optional<Bounds> room = bounds(object);
+        if (room.isEmpty() || primitives > MOST_PRIMITIVES) {
+            return object;
+        }
+        List<Bounds> taken = others.stream()
+                .flatMap(other -> PrimitiveCollector.primitivesOf(other).stream())
+                .map(Primitive::bounds)
+                .filter(Objects::nonNull)
+                .toList();
+        double step = STEP * (room.get().maxX() - room.get().minX());
+        for (int i = 0; i <= 2 * MOST_STEPS; i++) {
+            // to the right, to the left, farther to the right
+            double right = step * (i % 2 == 1 ? (i + 1) / 2 : -i / 2);
+            Bounds moved = moved(room.get(), right);
+            if (taken.stream().noneMatch(other -> overlap(moved, other))) {
+                return right == 0 ? object : moved(object, right);
+            }
+        }
+        return object;
+    }
+
+    /** The floor beneath a first object; none if that has no place, or is endless itself. */
+    static Optional<SceneObject> floorBeneath(Object first) {
+        return first instanceof SceneObject object
+                ? bounds(object)
+                        .map(bounds -> new Plane(
+                                "floor", new Vector3d(0, bounds.minY(), 0), new Vector3d(0, 1, 0), Tiling.DEFAULT))
+                : Optional.empty();
+    }
+
+    /** The box around an object; none if it is endless, or nothing. */
+    private static Optional<Bounds> bounds(SceneObject object) {
+        List<Bounds> parts = new ArrayList<>();
+        PrimitiveCollector.primitivesOf(object).forEach(primitive -> parts.add(primitive.bounds()));
+        return parts.contains(null) ? Optional.empty() : parts.stream().reduce(Bounds::with);
+    }
+
+    private static Bounds moved(Bounds bounds, double right) {
+        return new Bounds(
+                bounds.minX() + right,
+                bounds.minY(),
+                bounds.minZ(),
+                bounds.maxX() + right,
+                bounds.maxY(),
+                bounds.maxZ());
+    }
+
+    private static SceneObject moved(SceneObject object, double right) {
+        Object[] values = Descriptions.components(object.getClass()).stream()
+                .map(component -> {
+                    Object value = Descriptions.value(component, object);
+                    return PLACES.contains(component.getName())
+                            ? new Vector3d((Vector3dc) value).add(right, 0, 0)
+                            : value;
+                })
+                .toArray();
+        return (SceneObject) Descriptions.make(object.getClass(), values);
+    }
+
+    private static boolean overlap(Bounds first, Bounds second) {
+        return first.minX() <= second.maxX()
+                && second.minX() <= first.maxX()
+                && first.minY() <= second.maxY()
+                && second.minY() <= first.maxY()
+                && first.minZ() <= second.maxZ()
+                && second.minZ() <= first.maxZ();
+    }
+}

@@ -1,0 +1,143 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.List;
+import javax.swing.JLabel;
+import javax.swing.JMenuBar;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import tompkins.studio.Studio;
+import tompkins.studio.Studios;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.picture.ScreenPicture;
+
+/** How large the picture in the window is, which pixels it has, and how it is enlarged. */
+@NeedsDisplay
+@Timeout(180)
+class PictureSizeTest {
+
+    @TempDir
+    private Path folder;
+
+    private WindowDriver driver;
+    private PictureCanvas canvas;
+
+    @BeforeEach
+    void open() {
+        Studio lattice = Studios.lattice();
+        driver = new WindowDriver(
+                folder,
+                lattice.withSettings(lattice.settings().withSize(320, 240).withSamples(1)),
+                null,
+                List.of());
+        canvas = driver.find(PictureCanvas.class, "picture");
+    }
+
+    @AfterEach
+    void close() {
+        driver.close();
+    }
+
+    private BufferedImage screen(Rectangle part) {
+        try {
+            Thread.sleep(300);
+            return new Robot().createScreenCapture(part);
+        } catch (Exception e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private Rectangle onScreen() {
+        return WindowDriver.onEventThread(() -> {
+            Rectangle bounds = canvas.pictureBounds();
+            Point corner = canvas.getLocationOnScreen();
+            bounds.translate(corner.x, corner.y);
+            return bounds;
+        });
+    }
+
+    private void assertSamePixels(BufferedImage seen, BufferedImage expected) {
+        int[] first = seen.getRGB(0, 0, seen.getWidth(), seen.getHeight(), null, 0, seen.getWidth());
+        int[] second = expected.getRGB(0, 0, seen.getWidth(), seen.getHeight(), null, 0, seen.getWidth());
+        assertThat(first).isEqualTo(second);
+    }
+
+    /** Nothing is enlarged: each pixel of the screen is a pixel of the picture. */
+    @Test
+    void thePictureHasThePixelsOfTheScreen() {
+        Picture picture = driver.completePicture();
+        Rectangle place = onScreen();
+        assertThat(new Dimension(picture.image().width(), picture.image().height()))
+                .isEqualTo(place.getSize());
+        assertThat(picture.isOfOwnSize()).isFalse();
+        assertSamePixels(screen(place), ScreenPicture.levels(picture));
+        WindowDriver.onEventThread(() -> driver.window().frame().setSize(700, 500));
+        Picture smaller = driver.completePicture();
+        assertThat(smaller.image().width()).isLessThan(picture.image().width());
+        assertSamePixels(screen(onScreen()), ScreenPicture.levels(smaller));
+    }
+
+    /** The lattice is 320 pixels wide: the first step shows them as squares that are larger than the picture was. */
+    @Test
+    void thePictureIsEnlargedToItsOwnPixelsAndBack() {
+        driver.completePicture();
+        Rectangle fitting = onScreen();
+        Point corner = WindowDriver.onEventThread(canvas::getLocationOnScreen);
+        Point at = new Point(
+                fitting.x + (int) (106.5 * fitting.width / 320), fitting.y + (int) (80.5 * fitting.height / 240));
+        driver.move(at);
+        JLabel what = driver.find(JLabel.class, "status.what");
+        WindowDriver.await("the pixel", () -> what.getText().startsWith("Pixel 106, 80"));
+        driver.key(KeyEvent.VK_EQUALS, KeyEvent.VK_CONTROL);
+        Picture own = driver.completePicture();
+        assertThat(own.isOfOwnSize()).isTrue();
+        driver.key(KeyEvent.VK_EQUALS, KeyEvent.VK_CONTROL);
+        Rectangle enlarged = onScreen();
+        int side = enlarged.width / own.image().width();
+        assertThat(enlarged.getSize()).isEqualTo(new Dimension(side * 320, side * 240));
+        assertThat(side).isGreaterThan(fitting.width / 320).isIn(4, 8, 16);
+        WindowDriver.await("the same pixel", () -> what.getText().startsWith("Pixel 106, 80"));
+        BufferedImage levels = ScreenPicture.levels(own);
+        BufferedImage square = screen(new Rectangle(enlarged.x + 106 * side, enlarged.y + 80 * side, side, side));
+        for (int x = 0; x < side; x++) {
+            assertThat(square.getRGB(x, side / 2)).isEqualTo(levels.getRGB(106, 80));
+        }
+        assertThat(corner.x + 0.0).as("some of it is out of sight").isGreaterThan(enlarged.x);
+        driver.key(KeyEvent.VK_0, KeyEvent.VK_CONTROL);
+        driver.completePicture();
+        assertThat(onScreen()).isEqualTo(fitting);
+    }
+
+    @Test
+    void thePictureFillsTheScreenAndKeysWorkThere() {
+        driver.completePicture();
+        Rectangle window =
+                WindowDriver.onEventThread(() -> driver.window().frame().getBounds());
+        JMenuBar menus = driver.window().frame().getJMenuBar();
+        driver.key(KeyEvent.VK_F11);
+        Rectangle screen = WindowDriver.onEventThread(
+                () -> driver.window().frame().getGraphicsConfiguration().getBounds());
+        WindowDriver.await("the full screen", () -> canvas.getSize().equals(screen.getSize()));
+        assertThat(menus.isShowing()).isFalse();
+        driver.key(KeyEvent.VK_F7);
+        WindowDriver.await("a key of the menus", () -> new Settings().number("caption", 0) == 1);
+        driver.key(KeyEvent.VK_F12);
+        WindowDriver.await("the panel", () -> canvas.getWidth() < screen.width);
+        driver.key(KeyEvent.VK_ESCAPE);
+        WindowDriver.await(
+                "the window", () -> driver.window().frame().getBounds().equals(window));
+        assertThat(menus.isShowing()).isTrue();
+    }
+}
