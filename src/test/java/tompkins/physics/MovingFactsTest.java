@@ -56,7 +56,8 @@ class MovingFactsTest {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 ColourLaw.UNCHANGED,
-                Studio.DEFAULT.settings().withSize(size, size));
+                Studio.DEFAULT.settings().withSize(size, size),
+                List.of());
     }
 
     private static Moving moving(double speed, Vector3dc place, SceneObject... objects) {
