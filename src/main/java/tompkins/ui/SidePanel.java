@@ -10,6 +10,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
+import javax.swing.UIManager;
 import tompkins.property.NumberText;
 import tompkins.studio.StudioPath;
 import tompkins.trace.RenderPlan;
@@ -98,6 +99,7 @@ final class SidePanel {
         rayPanel.add(ray.component());
         rayScroll.setVisible(false);
         split.setBorder(BorderFactory.createEmptyBorder());
+        split.setDividerSize(0);
         split.setResizeWeight(RAY_BEGINS);
     }
 
@@ -183,6 +185,7 @@ final class SidePanel {
         boolean isPinned = pinned != null;
         if (rayScroll.isVisible() != isPinned) {
             rayScroll.setVisible(isPinned);
+            split.setDividerSize(isPinned ? UIManager.getInt("SplitPane.dividerSize") : 0);
             if (isPinned) {
                 split.setDividerLocation(RAY_BEGINS);
             }

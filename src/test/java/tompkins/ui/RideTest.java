@@ -28,6 +28,7 @@ import tompkins.ui.picture.PictureCanvas;
 
 /** The camera is steered in the real window, with mouse and keys. */
 @Timeout(600)
+@NeedsDisplay
 class RideTest {
 
     @TempDir

@@ -141,7 +141,6 @@ class WindowPicturesTest {
 
     private static void compareWithRest(WindowDriver driver) {
         press(driver, JToggleButton.class, "Shutter");
-        press(driver, JToggleButton.class, "Lens");
         press(driver, JToggleButton.class, "Compare");
         press(driver, JToggleButton.class, "What this picture models");
         JComboBox<?> other = driver.find(JComboBox.class, "Compare with");
