@@ -167,8 +167,7 @@ public record RayLife(
         }
 
         @Override
-        public void hits(
-                Frame frame, int index, Ray ray, Hit hit, Primitive primitive, Hit event, int eventIndex) {
+        public void hits(Frame frame, int index, Ray ray, Hit hit, Primitive primitive, Hit event, int eventIndex) {
             Event traced = new Event(hit.x, hit.y, hit.z, hit.time);
             RestFrame rest = primitive.restFrame();
             hits.add(new Encounter(

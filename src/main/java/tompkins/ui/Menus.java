@@ -1,11 +1,14 @@
 package tompkins.ui;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import javax.swing.Box;
 import javax.swing.ButtonGroup;
+import javax.swing.JButton;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
@@ -20,6 +23,7 @@ import tompkins.ui.panel.NumberProperty;
 import tompkins.ui.picture.CanvasZoom;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Tips;
 
@@ -90,6 +94,8 @@ final class Menus {
         bar.add(playMenu());
         bar.add(viewMenu());
         bar.add(helpMenu());
+        bar.add(Box.createHorizontalGlue());
+        bar.add(rideButton());
     }
 
     JMenuBar bar() {
@@ -228,6 +234,16 @@ final class Menus {
         add(menu, "menu.ride", "F6", motion::toggleRide);
         add(menu, "menu.replay", null, motion::replayRide);
         return menu;
+    }
+
+    /** What invites most must not have to be looked for. */
+    private JButton rideButton() {
+        JButton button = new JButton(Texts.get("ride.begin"));
+        Naming.name(button, "ride.begin");
+        button.putClientProperty(FlatClientProperties.STYLE, "font: bold; margin: 1,10,1,10");
+        button.setFocusable(false);
+        button.addActionListener(event -> motion.toggleRide());
+        return button;
     }
 
     private JMenu viewMenu() {

@@ -1,13 +1,14 @@
 package tompkins.ui;
 
 import java.awt.Dimension;
+import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
-import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
+import javax.swing.KeyStroke;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
@@ -29,7 +30,6 @@ import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.widget.Column;
 import tompkins.ui.widget.Look;
-import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Section;
 import tompkins.ui.widget.Texts;
@@ -62,14 +62,8 @@ final class SidePanel {
      *
      * @param teller says in a line what becomes of a click
      * @param editor opens the editor for a part of the studio
-     * @param ride begins a ride, or pauses it
      */
-    SidePanel(
-            StudioModel model,
-            PhotographView view,
-            Consumer<String> teller,
-            Consumer<StudioPath> editor,
-            Runnable ride) {
+    SidePanel(StudioModel model, PhotographView view, Consumer<String> teller, Consumer<StudioPath> editor) {
         shutter = new ShutterPanel(model);
         lens = new LensPanel(model, picking -> pick(model, view, teller, picking));
         ComparePanel compare = new ComparePanel(model, view::compare, view.canvas()::setOtherAlone, view::keepPicture);
@@ -81,10 +75,6 @@ final class SidePanel {
         remarks.component().setName("remarks");
         panel.add(title.component(), "wmin 0, gapleft 6");
         panel.add(remarks.component(), "wmin 0, gapleft 6");
-        JButton rideButton = new JButton(Texts.get("ride.begin"));
-        Naming.name(rideButton, "ride.begin");
-        rideButton.addActionListener(event -> ride.run());
-        panel.add(rideButton, "gapleft 6, gapright 4, gaptop 4");
         add("section.velocity", new VelocityPanel(model).component(), true);
         add("section.camera", new CameraPanel(model, () -> shown).component(), false);
         add("section.shutter", shutter.component(), true);
@@ -101,6 +91,10 @@ final class SidePanel {
         split.setBorder(BorderFactory.createEmptyBorder());
         split.setDividerSize(0);
         split.setResizeWeight(RAY_BEGINS);
+        // keys of the window, which split panes have a use of their own for
+        for (String key : List.of("F6", "F8")) {
+            split.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(key), "none");
+        }
     }
 
     private static JScrollPane scroll(String name, JComponent content) {

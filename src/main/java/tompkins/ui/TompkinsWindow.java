@@ -65,7 +65,7 @@ public final class TompkinsWindow {
         // the window is built while it is worked on
         view.render();
         status = new StatusBar(view.controller());
-        side = new SideRoom(() -> new SidePanel(model, view, status::report, this::edit, this::toggleRide));
+        side = new SideRoom(() -> new SidePanel(model, view, status::report, this::edit));
         dialogs = new FileDialogs(frame, model, status, settings);
         saver = new SceneSaver(frame, model, status, dialogs);
         opener = new SceneOpener(frame, model, view, status, settings, dialogs, saver, this::pause);
@@ -177,10 +177,6 @@ public final class TompkinsWindow {
 
     private Pace pace() {
         return motion == null ? Pace.HAND : motion.pace();
-    }
-
-    private void toggleRide() {
-        motion.toggleRide();
     }
 
     private void pause() {

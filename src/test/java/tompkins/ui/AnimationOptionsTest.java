@@ -15,8 +15,7 @@ class AnimationOptionsTest {
 
     private final Studio studio =
             Studios.sphere().withSettings(Studios.sphere().settings().withSize(640, 480));
-    private final AnimationOptions options = new AnimationOptions(
-            studio, rate -> 4 * rate);
+    private final AnimationOptions options = new AnimationOptions(studio, rate -> 4 * rate);
     private final Container panel = (Container) options.component();
 
     @BeforeAll

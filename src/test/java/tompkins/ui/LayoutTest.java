@@ -106,7 +106,7 @@ class LayoutTest {
 
     private SidePanel sidePanel() {
         view = new PhotographView(model, new SilentListener(), () -> Pace.HAND);
-        return new SidePanel(model, view, message -> {}, part -> {}, () -> {});
+        return new SidePanel(model, view, message -> {}, part -> {});
     }
 
     @ParameterizedTest

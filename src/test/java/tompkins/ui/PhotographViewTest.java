@@ -132,8 +132,8 @@ class PhotographViewTest {
     @Test
     void aClickBesideAllObjectsLeavesThePickingOn() {
         List<String> told = new ArrayList<>();
-        Container panel = (Container)
-                WindowDriver.onEventThread(() -> new SidePanel(model, view, told::add, part -> {}, () -> {}))
+        Container panel =
+                (Container) WindowDriver.onEventThread(() -> new SidePanel(model, view, told::add, part -> {}))
                         .component();
         WindowDriver.onEventThread(() -> {
             model.set(Studios.sphere());

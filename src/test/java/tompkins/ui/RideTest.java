@@ -197,6 +197,20 @@ class RideTest {
     }
 
     @Test
+    void rideBeginsWhereverTheFocusIs() {
+        driver.click(driver.find(JButton.class, "Sideways"));
+        driver.key(KeyEvent.VK_F6);
+        WindowDriver.await("the ride", () -> driver.window().motion().pilot().isRiding());
+        driver.hold(KeyEvent.VK_W);
+        WindowDriver.await(
+                "thrust",
+                () -> driver.window().model().studio().velocity().direction().z() > 0.01);
+        driver.release(KeyEvent.VK_W);
+        driver.click(driver.find(JButton.class, "Ride through this scene (F6)"));
+        assertThat(driver.window().motion().pilot().isRiding()).isFalse();
+    }
+
+    @Test
     void spaceEndsThrustAndBBrakesToRest() {
         driver.key(KeyEvent.VK_F6);
         driver.hold(KeyEvent.VK_W);

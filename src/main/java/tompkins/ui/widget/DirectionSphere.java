@@ -36,7 +36,7 @@ import tompkins.property.NumberText;
 public final class DirectionSphere extends JPanel {
 
     /** In sizes of the type. */
-    private static final double SIZE = 8.5;
+    private static final double SIZE = 8.2;
 
     private static final double STEP = Math.toRadians(5);
 
