@@ -107,4 +107,25 @@ public record Animation(StudioNumber number, double from, double to, double seco
     public double timeOf(int frame) {
         return (double) frame / (course == Course.THERE_AND_BACK ? frames() : frames() - 1);
     }
+
+    /** The film of the number of a studio. */
+    public Film film(Studio studio) {
+        int count = frames();
+        return new Film() {
+            @Override
+            public int frames() {
+                return count;
+            }
+
+            @Override
+            public int frameRate() {
+                return frameRate;
+            }
+
+            @Override
+            public Studio studio(int frame) {
+                return Animation.this.studio(studio, timeOf(frame));
+            }
+        };
+    }
 }

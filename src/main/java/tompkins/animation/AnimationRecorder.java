@@ -1,7 +1,6 @@
 package tompkins.animation;
 
 import java.util.concurrent.CancellationException;
-import java.util.function.Function;
 import tompkins.image.AnimationWriter;
 import tompkins.image.FileException;
 import tompkins.image.ToneCurve;
@@ -11,7 +10,7 @@ import tompkins.render.Progress;
 import tompkins.render.RenderJob;
 import tompkins.studio.Studio;
 
-/** Takes the photographs of an animation one after the other, each with the quality that the studio asks for. */
+/** Takes the photographs of a film one after the other, each with the quality that the studio asks for. */
 public final class AnimationRecorder {
 
     private AnimationRecorder() {}
@@ -19,26 +18,21 @@ public final class AnimationRecorder {
     /**
      * Takes all photographs and adds them to a file, which is not completed yet.
      *
-     * @param caption what is written into the photograph of a studio; nothing if it is empty
+     * @param caption what is written into each photograph
      * @return what the user should know about the photographs
      * @throws CancellationException if it is cancelled
      * @throws FileException if the file cannot be written
      */
-    public static FrameWarnings record(
-            Studio studio,
-            Animation animation,
-            AnimationWriter writer,
-            Function<Studio, String> caption,
-            Progress progress)
+    public static FrameWarnings record(Film film, AnimationWriter writer, Film.Caption caption, Progress progress)
             throws FileException, InterruptedException {
-        int frames = animation.frames();
+        int frames = film.frames();
         FrameWarnings warnings = new FrameWarnings(frames);
         try (PhotographTaker taker = new PhotographTaker()) {
             for (int i = 0; i < frames; i++) {
-                Studio moment = animation.studio(studio, animation.timeOf(i));
+                Studio moment = film.studio(i);
                 RenderJob photograph = taker.take(moment, progress, (double) i / frames, 1.0 / frames);
                 ToneCurve curve = moment.settings().toneCurve();
-                writer.add(photograph.image(), curve, caption.apply(moment), SelfDescription.of(moment));
+                writer.add(photograph.image(), curve, caption.of(moment, i), SelfDescription.of(moment));
                 warnings.add(i + 1, photograph.report().warnings());
             }
         }

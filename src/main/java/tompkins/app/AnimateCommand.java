@@ -7,9 +7,10 @@ import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.Callable;
-import java.util.function.Function;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
@@ -17,9 +18,12 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
+import tompkins.animation.Film;
+import tompkins.animation.RideFilm;
 import tompkins.animation.StudioNumber;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
@@ -28,6 +32,7 @@ import tompkins.io.StudioReader;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Require;
 import tompkins.render.Quality;
+import tompkins.studio.RideLeg;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.Captions;
@@ -38,8 +43,11 @@ import tompkins.ui.Captions;
         versionProvider = ProgramVersion.class,
         description =
                 "Takes photographs while a number of the scene, such as the speed of the camera, runs from one value"
-                        + " to another, and saves them as an animation.")
+                        + " to another, or of a recorded ride, and saves them as an animation.")
 final class AnimateCommand implements Callable<Integer>, SceneCommand {
+
+    /** How long it plays if nobody says it. */
+    private static final double DEFAULT_SECONDS = 4;
 
     @Parameters(paramLabel = "SCENE", description = "scene file, or saved photograph")
     private Path scene;
@@ -62,22 +70,23 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
                             + " scene[0].centre.x; default: ${DEFAULT-VALUE}, the speed")
     private String number;
 
-    @Option(names = "--from", required = true, paramLabel = "A", description = "value at the beginning")
-    private double from;
+    @Option(names = "--from", paramLabel = "A", description = "value at the beginning")
+    private Double from;
 
     @Option(
             names = "--to",
-            required = true,
             paramLabel = "B",
             description = "value at the end, or in the middle of an animation there and back")
-    private double to;
+    private Double to;
+
+    @Option(names = "--ride", description = "take the ride that is recorded in the scene, instead of a number")
+    private boolean ride;
 
     @Option(
             names = "--duration",
-            defaultValue = "4",
             paramLabel = "S",
-            description = "seconds that it plays, from 0.1 to 600; default: ${DEFAULT-VALUE}")
-    private double seconds;
+            description = "seconds that it plays, from 0.1 to 600; default: 4, or those of the recorded ride")
+    private Double seconds;
 
     @Option(
             names = "--fps",
@@ -115,15 +124,14 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
     @Override
     public Integer call() throws IOException, InterruptedException {
         Studio studio = picture.applyTo(quality.applyTo(options.applyTo(StudioReader.read(scene))));
-        Animation animation = animation(studio);
-        Set<String> warnings = new LinkedHashSet<>(requirePossible(studio, animation));
+        Recording recording = ride ? ofRide(studio) : ofNumber(studio);
+        Set<String> warnings = new LinkedHashSet<>(requirePossible(recording.film));
         long start = System.nanoTime();
         PrintWriter err = spec.commandLine().getErr();
         ProgressLine progress = new ProgressLine(err);
         Path place;
-        try (AnimationWriter writer = open(animation)) {
-            Function<Studio, String> caption = Captions.ofPictures(studio, animation.number(), captioned);
-            warnings.addAll(AnimationRecorder.record(studio, animation, writer, caption, progress)
+        try (AnimationWriter writer = open(recording.film.frameRate())) {
+            warnings.addAll(AnimationRecorder.record(recording.film, writer, recording.caption, progress)
                     .sentences());
             place = writer.finish();
         } finally {
@@ -137,19 +145,69 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
                         "%s  (%.2f s, %d pictures)",
                         place.toRealPath(LinkOption.NOFOLLOW_LINKS),
                         (System.nanoTime() - start) / 1e9,
-                        animation.frames()));
+                        recording.film.frames()));
         Photographer.tellFilesToKeep(studio, err);
         return 0;
     }
 
-    private Animation animation(Studio studio) {
-        StudioNumber animated = MistakeException.inOption("--number", () -> StudioNumber.at(number, studio));
-        double duration = MistakeException.inOption(
-                "--duration", () -> Require.within("duration", seconds, Animation.SHORTEST, Animation.LONGEST));
-        int rate = MistakeException.inOption(
+    /** What is photographed, and what is written into it. */
+    private record Recording(Film film, Film.Caption caption) {}
+
+    private double duration(double usual) {
+        return seconds == null
+                ? usual
+                : MistakeException.inOption(
+                        "--duration", () -> Require.within("duration", seconds, Animation.SHORTEST, Animation.LONGEST));
+    }
+
+    private int frameRate() {
+        return MistakeException.inOption(
                 "--fps", () -> Require.within("fps", frameRate, 1, Animation.HIGHEST_FRAME_RATE));
-        Animation.Course course = back ? Animation.Course.THERE_AND_BACK : Animation.Course.FORWARDS;
-        return new Animation(animated, from, to, duration, course, rate);
+    }
+
+    private Recording ofRide(Studio studio) {
+        ParseResult given = spec.commandLine().getParseResult();
+        for (String other : List.of("--number", "--from", "--to", "--back")) {
+            if (given.hasMatchedOption(other)) {
+                throw new MistakeException(
+                        other + ": a ride has no number that runs; leave this option out, or --ride");
+            }
+        }
+        if (studio.ride().isEmpty()) {
+            throw new MistakeException("--ride: no ride is recorded in " + scene + "; the window records one");
+        }
+        double recorded = studio.ride().stream().mapToDouble(RideLeg::seconds).sum();
+        RideFilm film =
+                MistakeException.inOption("--ride", () -> new RideFilm(studio, duration(recorded), frameRate()));
+        return new Recording(film, Captions.ofPictures(film, captioned));
+    }
+
+    private Recording ofNumber(Studio studio) {
+        StudioNumber animated = MistakeException.inOption("--number", () -> StudioNumber.at(number, studio));
+        requireEnds();
+        Animation animation = new Animation(
+                animated,
+                from,
+                to,
+                duration(DEFAULT_SECONDS),
+                back ? Animation.Course.THERE_AND_BACK : Animation.Course.FORWARDS,
+                frameRate());
+        with("--from", from, studio, animated);
+        with("--to", to, studio, animated);
+        for (int i = 0; i < animation.frames(); i++) {
+            with("--number " + number, animation.value(animation.timeOf(i)), studio, animated);
+        }
+        return new Recording(animation.film(studio), Captions.ofPictures(studio, animated, captioned));
+    }
+
+    private void requireEnds() {
+        if (from == null || to == null) {
+            throw new MistakeException("Missing required " + (from == null && to == null ? "options" : "option") + ": "
+                    + Stream.of(from == null ? "--from=A" : "", to == null ? "--to=B" : "")
+                            .filter(name -> !name.isEmpty())
+                            .collect(Collectors.joining(", "))
+                    + "; or --ride for the ride that is recorded in the scene");
+        }
     }
 
     /**
@@ -157,16 +215,13 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
      *
      * @return warnings about the scene at both ends
      */
-    private List<String> requirePossible(Studio studio, Animation animation) {
-        Studio first = with("--from", from, studio, animation.number());
-        Studio last = with("--to", to, studio, animation.number());
+    private List<String> requirePossible(Film film) {
+        Studio first = film.studio(0);
+        Studio last = film.studio(film.frames() - 1);
         Photographer.info(first, scene);
         RenderPlan begin = ScenePlan.of(first, scene);
         RenderPlan end = ScenePlan.of(last, begin, scene);
-        for (int i = 0; i < animation.frames(); i++) {
-            with("--number " + number, animation.value(animation.timeOf(i)), studio, animation.number());
-        }
-        Photographer.requireMemory(studio.settings(), Quality.of(studio));
+        Photographer.requireMemory(first.settings(), Quality.of(first));
         if (!force) {
             Photographer.requireFree(output);
         }
@@ -174,19 +229,18 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
     }
 
     /** The studio with another value, which an option has brought. */
-    private static Studio with(String option, double value, Studio studio, StudioNumber number) {
+    private static void with(String option, double value, Studio studio, StudioNumber number) {
         try {
-            return number.with(studio, value);
+            Objects.requireNonNull(number.with(studio, value));
         } catch (InvalidPropertyException refused) {
             throw new MistakeException(option + ": " + refused.getMessage());
         }
     }
 
-    private AnimationWriter open(Animation animation) {
+    private AnimationWriter open(int rate) {
         try {
             AnimationFormat format =
                     OutputOption.namesFolder(spec) ? AnimationFormat.NUMBERED_PNG : AnimationFormat.of(output);
-            int rate = animation.frameRate();
             return force ? format.open(output, rate) : format.openNew(output, rate);
         } catch (FileException wrongPlace) {
             // no disk has failed yet: the user named the place

@@ -1,6 +1,8 @@
 package tompkins.camera;
 
+import org.joml.Quaterniond;
 import org.joml.Vector3dc;
+import tompkins.math.RigidMotion;
 import tompkins.property.Descriptions;
 import tompkins.shutter.RollingShutter;
 import tompkins.shutter.Shutter;
@@ -47,6 +49,45 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
     default Vector3dc rightDirection() {
         return CameraAxes.of(viewDirection(), topDirection()).right();
     }
+
+    /** Direction that points up in the picture, in its middle; a unit vector. */
+    default Vector3dc upDirection() {
+        return CameraAxes.of(viewDirection(), topDirection()).up();
+    }
+
+    /** The same camera after a motion in its own frame; its focus and its shutter go along. */
+    default Camera moved(RigidMotion motion) {
+        return moved(
+                motion, motion.place(position()), motion.direction(viewDirection()), motion.direction(topDirection()));
+    }
+
+    /**
+     * The same camera, turned about the centre of its lens; its focus and its shutter turn with it.
+     *
+     * @throws tompkins.property.InvalidPropertyException if the directions are parallel
+     */
+    default Camera turned(Vector3dc newView, Vector3dc newTop) {
+        CameraAxes.requireTop(newTop, newView);
+        CameraAxes before = CameraAxes.of(viewDirection(), topDirection());
+        RigidMotion turn =
+                RigidMotion.about(position(), CameraAxes.of(newView, newTop).turnFrom(before));
+        return moved(turn, position(), newView, newTop);
+    }
+
+    /** The motion that takes the lens and the axes of this camera to those of another one. */
+    default RigidMotion motionTo(Camera other) {
+        CameraAxes before = CameraAxes.of(viewDirection(), topDirection());
+        CameraAxes after = CameraAxes.of(other.viewDirection(), other.topDirection());
+        return RigidMotion.about(position(), after.turnFrom(before), other.position());
+    }
+
+    /** The same camera at another place of its frame; its focus and its shutter go along. */
+    default Camera shifted(Vector3dc way) {
+        return moved(new RigidMotion(new Quaterniond(), way));
+    }
+
+    /** The same camera after a motion that has led to a place and to directions. */
+    Camera moved(RigidMotion motion, Vector3dc newPosition, Vector3dc newView, Vector3dc newTop);
 
     /**
      * The distance of what is in focus in the middle of the picture: above 0 in front of the camera, below 0 behind it,

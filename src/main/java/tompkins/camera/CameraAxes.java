@@ -1,5 +1,7 @@
 package tompkins.camera;
 
+import org.joml.Matrix3d;
+import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
@@ -17,6 +19,13 @@ record CameraAxes(Vector3dc right, Vector3dc up, Vector3dc forward) {
         Vector3d forward = Vectors.unit(view);
         Vector3d right = Vectors.unit(Vectors.cross(Vectors.unit(top), forward));
         return new CameraAxes(right, forward.cross(right, new Vector3d()), forward);
+    }
+
+    /** The rotation that takes other axes to these. */
+    Quaterniond turnFrom(CameraAxes before) {
+        Matrix3d there = new Matrix3d(right, up, forward);
+        Matrix3d back = new Matrix3d(before.right, before.up, before.forward).transpose();
+        return new Quaterniond().setFromNormalized(there.mul(back)).normalize();
     }
 
     /** Accepts a top direction that is not parallel to the view direction. */

@@ -1,5 +1,6 @@
 package tompkins.camera;
 
+import org.joml.Vector2dc;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
@@ -39,4 +40,12 @@ public interface CameraRays {
 
     /** The unit direction of the ray through the centre of the lens for a point of the picture in pixels. */
     Vector3dc chiefDirection(double x, double y);
+
+    /**
+     * The point of the picture in pixels at which the ray through the centre of the lens has a direction; it may lie
+     * outside the edges. Null if there is none: a lens does not see what is behind it.
+     *
+     * @param direction unit vector in the camera frame
+     */
+    Vector2dc place(Vector3dc direction);
 }

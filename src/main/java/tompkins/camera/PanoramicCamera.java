@@ -1,7 +1,10 @@
 package tompkins.camera;
 
+import org.joml.Vector2d;
+import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.math.RigidMotion;
 import tompkins.property.Descriptions;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
@@ -130,6 +133,21 @@ public record PanoramicCamera(
     }
 
     @Override
+    public PanoramicCamera moved(RigidMotion motion, Vector3dc newPosition, Vector3dc newView, Vector3dc newTop) {
+        return new PanoramicCamera(
+                newPosition,
+                newView,
+                newTop,
+                horizontalAngleDegrees,
+                verticalAngleDegrees,
+                focusDistance,
+                exposureStops,
+                shutter.moved(motion),
+                exposureTime,
+                rollingShutter);
+    }
+
+    @Override
     public boolean hasWideAperture() {
         return false;
     }
@@ -164,6 +182,15 @@ public record PanoramicCamera(
         @Override
         public LensRay chiefRay(Vector3dc direction) {
             return new LensRay(camera.position, camera.position, direction, 1 / camera.focusDistance, direction);
+        }
+
+        @Override
+        public Vector2dc place(Vector3dc direction) {
+            double ahead = direction.dot(axes.forward());
+            double right = direction.dot(axes.right());
+            double latitude = Math.atan2(direction.dot(axes.up()), Math.hypot(ahead, right));
+            return new Vector2d(
+                    middleX + Math.atan2(right, ahead) / longitudePerPixel, middleY - latitude / latitudePerPixel);
         }
 
         @Override

@@ -2,6 +2,7 @@ package tompkins.camera;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.math.RigidMotion;
 import tompkins.math.Vectors;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
@@ -171,6 +172,22 @@ public record ThinLensCamera(
                 focus,
                 exposureStops,
                 shutter,
+                exposureTime,
+                rollingShutter);
+    }
+
+    @Override
+    public ThinLensCamera moved(RigidMotion motion, Vector3dc newPosition, Vector3dc newView, Vector3dc newTop) {
+        return new ThinLensCamera(
+                newPosition,
+                newView,
+                newTop,
+                horizontalAngleDegrees,
+                verticalAngleDegrees,
+                apertureRadius,
+                focus.moved(motion),
+                exposureStops,
+                shutter.moved(motion),
                 exposureTime,
                 rollingShutter);
     }

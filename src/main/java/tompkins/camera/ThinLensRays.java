@@ -1,6 +1,8 @@
 package tompkins.camera;
 
 import java.util.Arrays;
+import org.joml.Vector2d;
+import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.RayCounts;
@@ -74,6 +76,16 @@ final class ThinLensRays implements CameraRays {
         RayPacket rays = new RayPacket(1);
         aim(SamplePlaces.single(x, y, 0, 0, SamplePlaces.MIDDLE), rays);
         return new Vector3d(rays.dx[0], rays.dy[0], rays.dz[0]);
+    }
+
+    @Override
+    public Vector2dc place(Vector3dc direction) {
+        double ahead = direction.dot(axes.forward());
+        return ahead <= 0
+                ? null
+                : new Vector2d(
+                        middleX + direction.dot(axes.right()) / ahead / slopePerColumn,
+                        middleY - direction.dot(axes.up()) / ahead / slopePerRow);
     }
 
     @Override

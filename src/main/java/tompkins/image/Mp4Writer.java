@@ -141,7 +141,8 @@ final class Mp4Writer extends AnimationWriter {
 
     /** What ffmpeg says is the reason; that it no longer reads is only the consequence. */
     private IOException failure(IOException consequence) throws IOException {
-        process.destroy();
+        // not by the process itself, which would close what it complains through
+        process.toHandle().destroy();
         int exitCode = process.onExit().join().exitValue();
         if (pending().isEnded()) {
             return new InterruptedIOException(FileFailure.STOPPED);

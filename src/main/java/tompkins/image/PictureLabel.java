@@ -15,6 +15,7 @@ public final class PictureLabel {
     /** Where in a picture a label stands. */
     public enum Corner {
         TOP_LEFT,
+        TOP_MIDDLE,
         TOP_RIGHT,
         BOTTOM_LEFT,
         BOTTOM_RIGHT
@@ -56,8 +57,10 @@ public final class PictureLabel {
         int width = metrics.stringWidth(fitting) + 2 * margin;
         int height = metrics.getHeight() + 2 * halfMargin;
         boolean atRight = corner == Corner.TOP_RIGHT || corner == Corner.BOTTOM_RIGHT;
-        boolean atTop = corner == Corner.TOP_LEFT || corner == Corner.TOP_RIGHT;
-        int left = atRight ? picture.x + picture.width - gap - width : picture.x + gap;
+        boolean atTop = corner == Corner.TOP_LEFT || corner == Corner.TOP_MIDDLE || corner == Corner.TOP_RIGHT;
+        int left = atRight
+                ? picture.x + picture.width - gap - width
+                : corner == Corner.TOP_MIDDLE ? picture.x + (picture.width - width) / 2 : picture.x + gap;
         int top = atTop ? picture.y + gap : picture.y + picture.height - gap - height;
         g.setComposite(AlphaComposite.SrcOver.derive(0.65f));
         g.setColor(Color.BLACK);

@@ -44,6 +44,22 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
                 Math.max(maxZ, other.maxZ));
     }
 
+    /** Its eight corners. */
+    public Vector3d[] corners() {
+        Vector3d[] corners = new Vector3d[8];
+        for (int i = 0; i < corners.length; i++) {
+            corners[i] =
+                    new Vector3d((i & 1) == 0 ? minX : maxX, (i & 2) == 0 ? minY : maxY, (i & 4) == 0 ? minZ : maxZ);
+        }
+        return corners;
+    }
+
+    /** The same box, moved. */
+    public Bounds moved(Vector3dc way) {
+        return new Bounds(
+                minX + way.x(), minY + way.y(), minZ + way.z(), maxX + way.x(), maxY + way.y(), maxZ + way.z());
+    }
+
     /** This box, widened so that rounding in a ray's arithmetic cannot lose what touches its sides. */
     public Bounds widened() {
         double margin = farthest() * MARGIN;

@@ -98,7 +98,7 @@ public final class Hit {
 
     /** What a clock at the hit shows, which rests with the object: its proper time and the offset of its clock. */
     public double clockReading() {
-        return time + boundary.clockOffset();
+        return boundary == null ? time : time + boundary.clockOffset();
     }
 
     /** Makes this a place and a time on nothing, to ask what light gets there. */

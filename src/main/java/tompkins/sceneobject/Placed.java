@@ -1,8 +1,11 @@
 package tompkins.sceneobject;
 
+import org.joml.AxisAngle4d;
 import org.joml.Matrix3d;
+import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.math.RigidMotion;
 import tompkins.math.Vectors;
 import tompkins.primitive.Placement;
 import tompkins.property.Meaning;
@@ -55,5 +58,22 @@ public record Placed(
     public void addTo(PrimitiveCollector collector, Placement placement) {
         Matrix3d rotation = new Matrix3d().rotation(Math.toRadians(rotationDegrees), Vectors.unit(rotationAxis));
         object.addTo(collector, placement.after(new Placement(scale, rotation, translation)));
+    }
+
+    /** Both motions become one, so that an object that is moved again and again does not grow. */
+    @Override
+    public Placed moved(RigidMotion motion) {
+        Vector3d axis = Vectors.unit(rotationAxis);
+        Quaterniond before = new Quaterniond().fromAxisAngleRad(axis, Math.toRadians(rotationDegrees));
+        AxisAngle4d turn =
+                new AxisAngle4d(motion.rotation().mul(before, new Quaterniond()).normalize());
+        boolean turns = turn.angle != 0;
+        return new Placed(
+                description,
+                object,
+                scale,
+                turns ? new Vector3d(turn.x, turn.y, turn.z) : axis,
+                Math.toDegrees(turn.angle),
+                motion.place(translation));
     }
 }

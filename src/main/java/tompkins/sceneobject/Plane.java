@@ -2,6 +2,7 @@ package tompkins.sceneobject;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.math.RigidMotion;
 import tompkins.primitive.Placement;
 import tompkins.primitive.PlanePrimitive;
 import tompkins.property.Meaning;
@@ -39,5 +40,10 @@ public record Plane(
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
         collector.add(new PlanePrimitive(this, surface, point, normal, placement));
+    }
+
+    @Override
+    public Plane moved(RigidMotion motion) {
+        return new Plane(description, motion.place(point), motion.direction(normal), surface);
     }
 }

@@ -34,6 +34,9 @@ public final class PrimitiveCollector {
     private final List<FrameObjects> frames = new ArrayList<>();
     private int count;
 
+    /** Whether what has no size that is a number is refused: only where there is a place to name. */
+    private boolean checksSizes;
+
     // where what is added now belongs
     private FrameObjects frame;
     private RestFrame rest;
@@ -84,6 +87,7 @@ public final class PrimitiveCollector {
      * @throws InvalidPropertyException if the object is too large or too small to work with, or too fast
      */
     public void add(String property, SceneObject object, Placement placement) {
+        checksSizes = true;
         try {
             object.addTo(this, placement);
         } catch (ArithmeticException beyondNumbers) {
@@ -111,7 +115,9 @@ public final class PrimitiveCollector {
 
     /** Adds one primitive behind those that are there. */
     public void add(Primitive primitive) {
-        requireSize(primitive);
+        if (checksSizes) {
+            requireSize(primitive);
+        }
         primitive.setOrder(count++);
         primitive.setRestFrame(rest);
         frame.growing().add(primitive);

@@ -1,5 +1,8 @@
 package tompkins.sceneobject;
 
+import org.joml.AxisAngle4d;
+import org.joml.Vector3d;
+import tompkins.math.RigidMotion;
 import tompkins.primitive.Described;
 import tompkins.primitive.Placement;
 import tompkins.property.InvalidPropertyException;
@@ -55,4 +58,17 @@ public sealed interface SceneObject extends Described
 
     /** Adds the primitives of this object, placed, in the order in which they are listed. */
     void addTo(PrimitiveCollector collector, Placement placement);
+
+    /** The same object after a motion: a {@link Placed} one, unless its kind has another way to say where it is. */
+    default SceneObject moved(RigidMotion motion) {
+        AxisAngle4d turn = new AxisAngle4d(motion.rotation());
+        boolean turns = turn.angle != 0;
+        return new Placed(
+                description(),
+                this,
+                1,
+                turns ? new Vector3d(turn.x, turn.y, turn.z) : new Vector3d(0, 1, 0),
+                Math.toDegrees(turn.angle),
+                motion.translation());
+    }
 }

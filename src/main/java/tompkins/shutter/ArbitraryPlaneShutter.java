@@ -2,6 +2,7 @@ package tompkins.shutter;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.math.RigidMotion;
 import tompkins.math.Vectors;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
@@ -47,5 +48,10 @@ public record ArbitraryPlaneShutter(
     @Override
     public Shutter openedAt(double time) {
         return new ArbitraryPlaneShutter(time, point, normal);
+    }
+
+    @Override
+    public Shutter moved(RigidMotion motion) {
+        return new ArbitraryPlaneShutter(openingTime, motion.place(point), motion.direction(normal));
     }
 }

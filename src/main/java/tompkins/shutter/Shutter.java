@@ -1,5 +1,6 @@
 package tompkins.shutter;
 
+import tompkins.math.RigidMotion;
 import tompkins.spacetime.SpaceTimeTransformation;
 
 /**
@@ -30,6 +31,11 @@ public sealed interface Shutter
 
     /** The same shutter with another opening time; itself if it has none. */
     Shutter openedAt(double openingTime);
+
+    /** The same shutter after a motion of the camera in its own frame: what is at a place of its own goes along. */
+    default Shutter moved(RigidMotion motion) {
+        return this;
+    }
 
     /** The opening time, or 0 if the model has none. */
     double openingTime();

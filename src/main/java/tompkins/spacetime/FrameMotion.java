@@ -51,4 +51,21 @@ public record FrameMotion(FrameMotion outer, Velocity velocity, Event start) {
         Vector3dc second = velocity.proper();
         return new Vector3d(second).fma(first.dot(second) / (outer.gamma() + 1) + velocity.gamma(), first);
     }
+
+    /** An event of this frame, in the scene frame. */
+    public Event inScene(TransformationLaw law, Event own) {
+        Event moved = law.sceneFromCamera(velocity).transform(own);
+        Event around = new Event(
+                moved.x() + start.x(), moved.y() + start.y(), moved.z() + start.z(), moved.time() + start.time());
+        return outer == null ? around : outer.inScene(law, around);
+    }
+
+    /** Where a point that rests in this frame is at a time of the scene, in the scene frame. */
+    public Vector3d placeInScene(TransformationLaw law, Vector3dc own, double sceneTime) {
+        Event first = inScene(law, new Event(own.x(), own.y(), own.z(), 0));
+        Event later = inScene(law, new Event(own.x(), own.y(), own.z(), 1));
+        double time = (sceneTime - first.time()) / (later.time() - first.time());
+        Vector3d way = later.position().sub(first.position());
+        return first.position().fma(time, way);
+    }
 }

@@ -116,6 +116,14 @@ public final class Velocity {
         return new Velocity(scale, value, given, gamma, properSpeed, proper);
     }
 
+    /** A velocity from its proper velocity u = gamma beta, which is kept as a rapidity along a direction. */
+    public static Velocity ofProper(Vector3dc proper) {
+        double speed = Vectors.length(proper);
+        // asinh, with all its digits near rest
+        double rapidity = Math.log1p(speed + speed * (speed / (1 + Math.sqrt(1 + speed * speed))));
+        return speed == 0 ? REST : of(SpeedScale.RAPIDITY, rapidity, Vectors.unit(proper));
+    }
+
     /**
      * The same speed along another direction of any length, which stays as it is given. Components become a number on a
      * scale; on that of gamma where they are so near the speed of light that the scale may have no digits left.

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Vector3d;
 import tompkins.camera.Camera;
+import tompkins.math.RigidMotion;
 import tompkins.math.Vectors;
 import tompkins.property.Descriptions;
 import tompkins.sceneobject.Plane;
@@ -76,6 +77,22 @@ public final class FrontWindow {
     /** The window with another velocity. */
     public static Surface withVelocity(Surface window, Velocity velocity) {
         return Descriptions.with(window, "velocity", velocity);
+    }
+
+    /**
+     * The studio with its camera turned or moved on board: the window stays in front of the lens; all else that moves
+     * with the camera stays where it is on board.
+     */
+    public static Studio held(Studio studio, Camera moved) {
+        RigidMotion motion = studio.camera().motionTo(moved);
+        List<SceneObject> objects = new ArrayList<>(studio.cameraFrame());
+        for (int i = 0; i < objects.size(); i++) {
+            if (window(objects.get(i)).isPresent()) {
+                objects.set(i, objects.get(i).moved(motion));
+                return studio.withCamera(moved).withCameraFrame(objects);
+            }
+        }
+        return studio.withCamera(moved);
     }
 
     /** Whether the window has the velocity of the camera. */

@@ -52,7 +52,10 @@ public record Studio(
         @Meaning("What the motion does to brightness and colours, under the Lorentz transformation")
         ColourLaw colours,
 
-        @Meaning("Size and quality of the picture") RenderSettings settings) {
+        @Meaning("Size and quality of the picture") RenderSettings settings,
+
+        @Meaning("A ride with the camera that begins with this photograph, in legs that follow each other")
+        List<RideLeg> ride) {
 
     /** An empty scene, lit as in the paper, and its camera at rest. */
     public static final Studio DEFAULT = new Studio(
@@ -68,7 +71,8 @@ public record Studio(
             TransformationLaw.LORENTZ,
             View.SEEN,
             ColourLaw.UNCHANGED,
-            RenderSettings.DEFAULT);
+            RenderSettings.DEFAULT,
+            List.of());
 
     /** Checks that nothing is missing, and that the camera is not too fast for a picture. */
     public Studio {
@@ -88,6 +92,7 @@ public record Studio(
         Require.present("view", view);
         Require.present("colours", colours);
         Require.present("settings", settings);
+        ride = Require.list("ride", ride);
     }
 
     /** The title up to a colon, which its explanation follows. */
@@ -125,42 +130,47 @@ public record Studio(
 
     /** The same studio with another scene. */
     public Studio withScene(List<SceneObject> objects) {
-        return with(objects, cameraFrame, camera, velocity, transformation, view, colours, settings);
+        return with(objects, cameraFrame, camera, velocity, transformation, view, colours, settings, ride);
     }
 
     /** The same studio with other objects that move with the camera. */
     public Studio withCameraFrame(List<SceneObject> objects) {
-        return with(scene, objects, camera, velocity, transformation, view, colours, settings);
+        return with(scene, objects, camera, velocity, transformation, view, colours, settings, ride);
     }
 
     /** The same studio with another camera. */
     public Studio withCamera(Camera other) {
-        return with(scene, cameraFrame, other, velocity, transformation, view, colours, settings);
+        return with(scene, cameraFrame, other, velocity, transformation, view, colours, settings, ride);
     }
 
     /** The same studio with another velocity of the camera. */
     public Studio withVelocity(Velocity other) {
-        return with(scene, cameraFrame, camera, other, transformation, view, colours, settings);
+        return with(scene, cameraFrame, camera, other, transformation, view, colours, settings, ride);
     }
 
     /** The same studio under another law. */
     public Studio withTransformation(TransformationLaw law) {
-        return with(scene, cameraFrame, camera, velocity, law, view, colours, settings);
+        return with(scene, cameraFrame, camera, velocity, law, view, colours, settings, ride);
     }
 
     /** The same studio in another view. */
     public Studio withView(View other) {
-        return with(scene, cameraFrame, camera, velocity, transformation, other, colours, settings);
+        return with(scene, cameraFrame, camera, velocity, transformation, other, colours, settings, ride);
     }
 
     /** The same studio under another law of colours. */
     public Studio withColours(ColourLaw law) {
-        return with(scene, cameraFrame, camera, velocity, transformation, view, law, settings);
+        return with(scene, cameraFrame, camera, velocity, transformation, view, law, settings, ride);
     }
 
     /** The same studio with other settings of the picture. */
     public Studio withSettings(RenderSettings other) {
-        return with(scene, cameraFrame, camera, velocity, transformation, view, colours, other);
+        return with(scene, cameraFrame, camera, velocity, transformation, view, colours, other, ride);
+    }
+
+    /** The same studio with another ride that begins with it. */
+    public Studio withRide(List<RideLeg> legs) {
+        return with(scene, cameraFrame, camera, velocity, transformation, view, colours, settings, legs);
     }
 
     private Studio with(
@@ -171,7 +181,8 @@ public record Studio(
             TransformationLaw newTransformation,
             View newView,
             ColourLaw newColours,
-            RenderSettings newSettings) {
+            RenderSettings newSettings,
+            List<RideLeg> newRide) {
         return new Studio(
                 title,
                 topic,
@@ -185,6 +196,7 @@ public record Studio(
                 newTransformation,
                 newView,
                 newColours,
-                newSettings);
+                newSettings,
+                newRide);
     }
 }

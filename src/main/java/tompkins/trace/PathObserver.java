@@ -25,8 +25,10 @@ interface PathObserver {
      * @param frame whether this is in the camera frame, or in the scene
      * @param index the number of the frame of the ray and the hit, 0 for the camera frame or the scene frame itself
      * @param primitive what was hit
+     * @param event the event of the hit in the frame in which the ray has begun: there a fast object rounds it less
+     * @param eventIndex the number of that frame
      */
-    void hits(Frame frame, int index, Ray ray, Hit hit, Primitive primitive);
+    void hits(Frame frame, int index, Ray ray, Hit hit, Primitive primitive, Hit event, int eventIndex);
 
     /** The ray, or what came of it, goes on and meets nothing more in a frame. */
     void leaves(Frame frame, Ray ray);

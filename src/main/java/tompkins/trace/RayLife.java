@@ -167,13 +167,16 @@ public record RayLife(
         }
 
         @Override
-        public void hits(Frame frame, int index, Ray ray, Hit hit, Primitive primitive) {
+        public void hits(
+                Frame frame, int index, Ray ray, Hit hit, Primitive primitive, Hit event, int eventIndex) {
             Event traced = new Event(hit.x, hit.y, hit.z, hit.time);
             RestFrame rest = primitive.restFrame();
             hits.add(new Encounter(
                     primitive.object(),
                     frame,
-                    frame == Frame.CAMERA ? traced : plan.inScene(index, traced),
+                    frame == Frame.CAMERA
+                            ? traced
+                            : plan.inScene(eventIndex, new Event(event.x, event.y, event.z, event.time)),
                     hit.distance,
                     ray.throughput,
                     branch,

@@ -252,7 +252,14 @@ final class RayTracer implements Tracer, Lighting {
             Hit hit = nearest.hit(ray, memory);
             Surface surface = nearest.primitive().surface();
             if (observer != null) {
-                observer.hits(place, frame, ray, hit, nearest.primitive());
+                observer.hits(
+                        place,
+                        frame,
+                        ray,
+                        hit,
+                        nearest.primitive(),
+                        movingWorld == null ? hit : event,
+                        movingWorld == null ? frame : eventFrame);
             }
             Response response = surface.respond(ray, hit, this);
             light = first

@@ -11,6 +11,7 @@ import tompkins.camera.PixelSampler;
 import tompkins.camera.SamplePlaces;
 import tompkins.light.LightSource;
 import tompkins.math.Vectors;
+import tompkins.primitive.Bounds;
 import tompkins.primitive.Placement;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
@@ -171,6 +172,11 @@ public final class RenderPlan {
                 && Stream.of(world.objects(0), cameraFrame)
                         .flatMap(objects -> objects.primitives().stream())
                         .noneMatch(primitive -> primitive.surface().showsTime());
+    }
+
+    /** Boxes around the first objects that have an end, where they are in the scene when the picture is taken. */
+    public List<Bounds> sceneBounds(int most) {
+        return world.bounds(lensInScene().time(), most);
     }
 
     /** Whether the camera and the scene share one frame. */

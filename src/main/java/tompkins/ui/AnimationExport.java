@@ -10,7 +10,9 @@ import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
+import tompkins.animation.Film;
 import tompkins.animation.FrameWarnings;
+import tompkins.animation.RideFilm;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
 import tompkins.image.FileException;
@@ -34,36 +36,50 @@ final class AnimationExport {
         this.captions = captions;
     }
 
+    /** Makes a film of a studio, with a number of photographs in a second. */
+    private interface FilmMaker {
+
+        Film make(Studio studio, int frameRate);
+    }
+
     /** Asks where to save an animation of a studio. */
     void ask(Studio studio, Animation animation) {
+        boolean captioned = captions.areShown();
+        ask(
+                studio,
+                (chosen, rate) -> animation.withFrameRate(rate).film(chosen),
+                film -> Captions.ofPictures(studio, animation.number(), captioned));
+    }
+
+    /** Asks where to save the film of the ride that begins with a studio. */
+    void askForRide(Studio studio) {
+        boolean captioned = captions.areShown();
+        ask(studio, RideFilm::new, film -> Captions.ofPictures((RideFilm) film, captioned));
+    }
+
+    private void ask(Studio studio, FilmMaker maker, Function<Film, Film.Caption> caption) {
         List<FormatFilter<AnimationFormat>> formats = Stream.of(AnimationFormat.values())
                 .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
                 .toList();
-        AnimationOptions options = new AnimationOptions(studio, animation);
+        AnimationOptions options =
+                new AnimationOptions(studio, rate -> maker.make(studio, rate).frames());
         JFileChooser chooser = dialogs.chooser();
         chooser.setAccessory(options.component());
         SaveDialog.ask(
-                frame,
-                chooser,
-                Texts.get("play.exportTitle"),
-                dialogs.fileName(),
-                formats,
-                (file, format, replace) -> save(options.studio(), options.animation(), file, format, replace));
+                frame, chooser, Texts.get("play.exportTitle"), dialogs.fileName(), formats, (file, format, replace) -> {
+                    Film film = maker.make(options.studio(), options.frameRate());
+                    save(film, caption.apply(film), file, format, replace);
+                });
     }
 
-    /** Saves an animation, with progress and cancel. */
-    void save(Studio studio, Animation animation, Path file, AnimationFormat format, boolean replace) {
-        boolean captioned = captions.areShown();
+    /** Saves a film, with progress and cancel. */
+    private void save(Film film, Film.Caption caption, Path file, AnimationFormat format, boolean replace) {
         AtomicReference<Exported> exported = new AtomicReference<>();
         BackgroundTask.start(
                 frame,
                 Texts.get("file.saving", file),
-                progress -> exported.set(write(
-                        studio,
-                        animation,
-                        () -> open(file, format, animation.frameRate(), replace),
-                        captioned,
-                        progress)),
+                progress -> exported.set(
+                        write(film, caption, () -> open(file, format, film.frameRate(), replace), progress)),
                 () -> dialogs.exported(
                         exported.get().place(), exported.get().warnings().sentences()),
                 () -> dialogs.sayNotSaved(file));
@@ -78,12 +94,10 @@ final class AnimationExport {
     }
 
     /** Takes all pictures and writes them; leaves nothing behind if the task is cancelled or fails. */
-    static Exported write(
-            Studio studio, Animation animation, Callable<AnimationWriter> file, boolean captioned, Progress progress)
+    static Exported write(Film film, Film.Caption caption, Callable<AnimationWriter> file, Progress progress)
             throws Exception {
         try (AnimationWriter writer = file.call()) {
-            Function<Studio, String> caption = Captions.ofPictures(studio, animation.number(), captioned);
-            FrameWarnings warnings = AnimationRecorder.record(studio, animation, writer, caption, progress);
+            FrameWarnings warnings = AnimationRecorder.record(film, writer, caption, progress);
             return new Exported(writer.finish(), warnings);
         }
     }

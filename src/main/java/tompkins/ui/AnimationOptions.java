@@ -1,5 +1,6 @@
 package tompkins.ui;
 
+import java.util.function.IntUnaryOperator;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -25,17 +26,18 @@ final class AnimationOptions {
     private final NumberField height = field("height", pixels -> setSize("height", pixels, own().height()));
     private final RenderSettings own;
     private Studio studio;
-    private Animation animation;
+    private final IntUnaryOperator frames;
+    private int frameRate = Animation.FRAME_RATE;
 
     /** Takes a whole number, or refuses it. */
     private interface Taker {
         void take(int number);
     }
 
-    /** Proposes an animation of a studio in the size of that. */
-    AnimationOptions(Studio studio, Animation animation) {
+    /** Proposes an animation of a studio in the size of that; {@code frames} says how many pictures a rate needs. */
+    AnimationOptions(Studio studio, IntUnaryOperator frames) {
         this.studio = studio;
-        this.animation = animation;
+        this.frames = frames;
         own = studio.settings();
         panel.setBorder(BorderFactory.createEmptyBorder(0, 12, 0, 0));
         add("frameRate", rate);
@@ -65,7 +67,7 @@ final class AnimationOptions {
     }
 
     private void setRate(int picturesASecond) {
-        animation = animation.withFrameRate(picturesASecond);
+        frameRate = Require.within("frameRate", picturesASecond, 1, Animation.HIGHEST_FRAME_RATE);
         update();
     }
 
@@ -87,10 +89,10 @@ final class AnimationOptions {
 
     private void update() {
         RenderSettings size = studio.settings();
-        rate.show(animation.frameRate());
+        rate.show(frameRate);
         width.show(size.width());
         height.show(size.height());
-        count.setText(Texts.get("export.count", animation.frames(), size.width(), size.height()));
+        count.setText(Texts.get("export.count", frames.applyAsInt(frameRate), size.width(), size.height()));
     }
 
     /** The fields, to be put into a dialog. */
@@ -103,8 +105,8 @@ final class AnimationOptions {
         return studio;
     }
 
-    /** The animation with the pictures a second that were asked for. */
-    Animation animation() {
-        return animation;
+    /** The pictures a second that were asked for. */
+    int frameRate() {
+        return frameRate;
     }
 }

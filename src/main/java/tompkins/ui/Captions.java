@@ -2,14 +2,20 @@ package tompkins.ui;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Function;
+import java.util.Locale;
+import tompkins.animation.Film;
+import tompkins.animation.RideFilm;
 import tompkins.animation.StudioNumber;
 import tompkins.light.ColourLaw;
+import tompkins.property.NumberText;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.RideMoment;
 import tompkins.studio.Studio;
 import tompkins.ui.panel.NumberProperty;
 import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.SpeedText;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Wording;
@@ -18,6 +24,9 @@ import tompkins.ui.widget.Wording;
 public final class Captions {
 
     private static final String SETTING = "caption";
+
+    /** From this speed on, digits are counted from the speed of light. */
+    private static final double FAST = 0.9;
 
     private final PictureCanvas canvas;
     private final Settings settings;
@@ -58,9 +67,35 @@ public final class Captions {
     }
 
     /** Writes the captions of the pictures of an animation; empty ones, if none are wanted. */
-    public static Function<Studio, String> ofPictures(Studio studio, StudioNumber animated, boolean wanted) {
+    public static Film.Caption ofPictures(Studio studio, StudioNumber animated, boolean wanted) {
         NumberProperty number = NumberProperty.of(animated, studio);
-        return moment -> wanted ? of(moment, number) : "";
+        return (moment, frame) -> wanted ? of(moment, number) : "";
+    }
+
+    /** Writes the captions of the pictures of a ride; empty ones, if none are wanted. */
+    public static Film.Caption ofPictures(RideFilm film, boolean wanted) {
+        return (moment, frame) -> wanted ? of(film.moment(frame)) : "";
+    }
+
+    /** The caption of a moment of a ride: the motion, and the time on board and in the scene since its beginning. */
+    public static String of(RideMoment moment) {
+        Studio studio = moment.studio();
+        Velocity exact = studio.velocity();
+        // no more digits than can be read while they change
+        Velocity brief = exact.speed() < FAST
+                ? Velocity.of(SpeedScale.BETA, Math.rint(exact.speed() * 1e3) / 1e3, exact.givenDirection())
+                : Velocity.of(
+                        SpeedScale.ONE_MINUS_BETA,
+                        NumberText.rounded(exact.oneMinusSpeed(), 2),
+                        exact.givenDirection());
+        return String.join(
+                ", ",
+                motion(studio, brief, Numbers.brief(exact.gamma(), 3)),
+                Texts.get("caption.ride", tenths(moment.properTime()), tenths(moment.sceneTime())));
+    }
+
+    private static String tenths(double time) {
+        return String.format(Locale.ROOT, "%.1f", time);
     }
 
     /** The caption of a picture with a number besides its speed, or with none if it is null. */
@@ -76,10 +111,14 @@ public final class Captions {
 
     /** The speed, and the laws if they are not the usual ones: {@code beta = 0.97, gamma = 4.113}. */
     static String motion(Studio studio) {
+        return motion(studio, studio.velocity(), SpeedScale.GAMMA.reading(studio.velocity()));
+    }
+
+    private static String motion(Studio studio, Velocity velocity, String gamma) {
         List<String> words = new ArrayList<>();
-        words.add(Texts.get("caption.beta", SpeedText.of(studio.velocity(), SpeedScale.BETA)));
+        words.add(Texts.get("caption.beta", SpeedText.of(velocity, SpeedScale.BETA)));
         if (studio.transformation() == TransformationLaw.LORENTZ) {
-            words.add(Texts.get("caption.gamma", SpeedScale.GAMMA.reading(studio.velocity())));
+            words.add(Texts.get("caption.gamma", gamma));
         } else {
             words.add(Texts.get("caption." + studio.transformation()));
         }

@@ -43,12 +43,6 @@ final class Menus {
 
         void close();
 
-        void play(NumberProperty property);
-
-        void togglePlay();
-
-        void togglePlayPanel();
-
         void copyAnimation();
     }
 
@@ -60,6 +54,8 @@ final class Menus {
     private final History history;
     private final Settings settings;
     private final Captions captions;
+    private final Motion motion;
+    private final Signs signs;
     private final CanvasZoom zoom;
     private final HelpCommands help;
     private final Commands commands;
@@ -71,6 +67,8 @@ final class Menus {
             History history,
             Settings settings,
             Captions captions,
+            Motion motion,
+            Signs signs,
             CanvasZoom zoom,
             HelpCommands help,
             Commands commands) {
@@ -80,6 +78,8 @@ final class Menus {
         this.history = history;
         this.settings = settings;
         this.captions = captions;
+        this.motion = motion;
+        this.signs = signs;
         this.zoom = zoom;
         this.help = help;
         this.commands = commands;
@@ -217,13 +217,16 @@ final class Menus {
 
     private JMenu playMenu() {
         JMenu menu = menu("menu.play");
-        add(menu, "menu.playSpeed", null, () -> commands.play(NumberProperty.speed(SpeedScale.BETA)));
-        add(menu, "menu.playTime", null, () -> commands.play(NumberProperty.openingTime()));
+        add(menu, "menu.playSpeed", null, () -> motion.play(NumberProperty.speed(SpeedScale.BETA)));
+        add(menu, "menu.playTime", null, () -> motion.play(NumberProperty.openingTime()));
         menu.addSeparator();
-        add(menu, "menu.playPause", "F9", commands::togglePlay);
-        add(menu, "menu.playPanel", "ctrl L", commands::togglePlayPanel);
+        add(menu, "menu.playPause", "F9", motion::togglePlay);
+        add(menu, "menu.playPanel", "ctrl L", motion::togglePlayPanel);
         menu.addSeparator();
         add(menu, "menu.copyAnimation", null, commands::copyAnimation);
+        menu.addSeparator();
+        add(menu, "menu.ride", "F6", motion::toggleRide);
+        add(menu, "menu.replay", null, motion::replayRide);
         return menu;
     }
 
@@ -245,10 +248,18 @@ final class Menus {
         add(menu, "menu.zoomToFit", "ctrl 0", zoom::fit);
         menu.addSeparator();
         add(menu, caption, "menu.caption", "F7", () -> captions.setShown(caption.isSelected()));
+        addSign(menu, "menu.arrow", Signs.Sign.ARROW);
+        addSign(menu, "menu.map", Signs.Sign.MAP);
         add(menu, "menu.fullScreen", "F11", commands::toggleFullScreen);
         add(menu, "menu.panel", "F12", commands::togglePanel);
         add(menu, "menu.stop", "ESCAPE", commands::stop);
         return menu;
+    }
+
+    private void addSign(JMenu menu, String key, Signs.Sign sign) {
+        JCheckBoxMenuItem item = new JCheckBoxMenuItem();
+        item.setSelected(signs.isShown(sign));
+        add(menu, item, key, null, () -> signs.setShown(sign, item.isSelected()));
     }
 
     private JMenu helpMenu() {

@@ -3,9 +3,12 @@ package tompkins.ui;
 import java.awt.Dimension;
 import java.awt.geom.Point2D;
 import java.util.Objects;
-import java.util.function.BooleanSupplier;
+import java.util.function.DoubleConsumer;
 import java.util.function.DoublePredicate;
+import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
+import tompkins.camera.Aim.PicturePlace;
+import tompkins.camera.Camera;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
@@ -60,7 +63,7 @@ final class PhotographView implements AutoCloseable {
     private final ScreenPictures screen;
     private final RenderController controller;
     private final RenderController otherController;
-    private final BooleanSupplier animated;
+    private final Supplier<Pace> pace;
     private final PixelProbe hover = new PixelProbe(this::fail);
     private final PixelProbe pinned = new PixelProbe(this::fail);
     private final PixelProbe picked = new PixelProbe(this::fail);
@@ -79,11 +82,11 @@ final class PhotographView implements AutoCloseable {
     private String pinnedName;
     private Picking picking;
 
-    /** The photograph of a model; {@code animated} says whether the model changes by itself at the moment. */
-    PhotographView(StudioModel model, Listener listener, BooleanSupplier animated) {
+    /** The photograph of a model; {@code pace} says how soon a picture of a change has to come. */
+    PhotographView(StudioModel model, Listener listener, Supplier<Pace> pace) {
         this.model = model;
         this.listener = listener;
-        this.animated = animated;
+        this.pace = pace;
         screen = new ScreenPictures(this::show, this::fail);
         canvas = new PictureCanvas(this::fit);
         canvas.setMouse(new ProbeMouse());
@@ -103,7 +106,7 @@ final class PhotographView implements AutoCloseable {
     }
 
     /** Tells what went wrong; called by any thread. */
-    private void fail(Throwable error) {
+    void fail(Throwable error) {
         SwingUtilities.invokeLater(() -> listener.failed(Messages.of(error)));
     }
 
@@ -117,7 +120,7 @@ final class PhotographView implements AutoCloseable {
     /** Makes the picture of the current studio. */
     void render() {
         rendered = model.studio();
-        controller.show(rendered, sizeOf(rendered), pace());
+        controller.show(rendered, sizeOf(rendered), pace.get());
         renderOther();
     }
 
@@ -140,10 +143,6 @@ final class PhotographView implements AutoCloseable {
         if (rendered != null && !size().equals(before)) {
             render();
         }
-    }
-
-    private Pace pace() {
-        return animated.getAsBoolean() ? Pace.FILM : Pace.HAND;
     }
 
     /** Ends the work on all pictures; what is there stays until the next change. */
@@ -192,7 +191,7 @@ final class PhotographView implements AutoCloseable {
                 otherController.stop();
                 screen.setOther(keptPicture);
             } else {
-                otherController.show(studio, otherSize, pace());
+                otherController.show(studio, otherSize, pace.get());
             }
         }
     }
@@ -276,6 +275,22 @@ final class PhotographView implements AutoCloseable {
         picking = null;
         canvas.setPicking(false);
         listener.picking(false);
+    }
+
+    /** Asks how far away what is seen at a place is: as far as what is in focus where nothing is. */
+    void askDistance(PicturePlace place, DoubleConsumer answer) {
+        Picture picture = canvas.shown().now();
+        Camera camera = picture.studio().camera();
+        double focus = Math.abs(camera.focusDistance());
+        double usual = Double.isFinite(focus) && focus > 0 ? focus : 1;
+        Point2D point = new Point2D.Double(place.x(), place.y());
+        picked.ask(
+                picture,
+                point,
+                reading -> answer.accept(
+                        reading.inCamera() == null
+                                ? usual
+                                : reading.inCamera().position().distance(camera.position())));
     }
 
     /** Ends the picking; false if nothing was to be picked. */

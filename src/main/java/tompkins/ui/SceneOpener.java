@@ -95,6 +95,7 @@ final class SceneOpener {
         Studio opened = model.opened();
         boolean looked = model.file() == null
                 && model.studio().hasSameObjects(opened)
+                && (model.studio().ride().isEmpty() || model.studio().ride().equals(opened.ride()))
                 && model.studio().title().equals(opened.title())
                 && model.studio().remarks().equals(opened.remarks());
         if (looked) {

@@ -3,6 +3,7 @@ package tompkins.ui;
 import java.awt.Dimension;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
+import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -14,6 +15,7 @@ import tompkins.property.NumberText;
 import tompkins.studio.StudioPath;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.panel.CameraPanel;
 import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.panel.LawPanel;
 import tompkins.ui.panel.LensPanel;
@@ -27,6 +29,7 @@ import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.widget.Column;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Section;
 import tompkins.ui.widget.Texts;
@@ -59,8 +62,14 @@ final class SidePanel {
      *
      * @param teller says in a line what becomes of a click
      * @param editor opens the editor for a part of the studio
+     * @param ride begins a ride, or pauses it
      */
-    SidePanel(StudioModel model, PhotographView view, Consumer<String> teller, Consumer<StudioPath> editor) {
+    SidePanel(
+            StudioModel model,
+            PhotographView view,
+            Consumer<String> teller,
+            Consumer<StudioPath> editor,
+            Runnable ride) {
         shutter = new ShutterPanel(model);
         lens = new LensPanel(model, picking -> pick(model, view, teller, picking));
         ComparePanel compare = new ComparePanel(model, view::compare, view.canvas()::setOtherAlone, view::keepPicture);
@@ -72,7 +81,12 @@ final class SidePanel {
         remarks.component().setName("remarks");
         panel.add(title.component(), "wmin 0, gapleft 6");
         panel.add(remarks.component(), "wmin 0, gapleft 6");
+        JButton rideButton = new JButton(Texts.get("ride.begin"));
+        Naming.name(rideButton, "ride.begin");
+        rideButton.addActionListener(event -> ride.run());
+        panel.add(rideButton, "gapleft 6, gapright 4, gaptop 4");
         add("section.velocity", new VelocityPanel(model).component(), true);
+        add("section.camera", new CameraPanel(model, () -> shown).component(), false);
         add("section.shutter", shutter.component(), true);
         add("section.shutterDetails", shutter.details(), false);
         add("section.lens", lens.component(), false);

@@ -19,11 +19,9 @@ import tompkins.studio.StudioPath;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.PlainPath;
 import tompkins.ui.model.StudioModel;
-import tompkins.ui.panel.NumberProperty;
-import tompkins.ui.panel.PlayPanel;
+import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PixelProbe;
-import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.FocusFollower;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Screens;
@@ -57,22 +55,23 @@ public final class TompkinsWindow {
     private final FullScreen fullScreen;
     private final JPanel middle = new JPanel(new BorderLayout());
 
-    // made when it is first wanted
-    private PlayPanel play;
+    private final Motion motion;
 
     private TompkinsWindow(Studio studio, Path file, CommandLineWriter commandLine) {
         settings.look().install();
         Path place = file == null ? null : PlainPath.of(file);
         model = new StudioModel(studio, place);
-        view = new PhotographView(model, new PictureListener(), this::isPlaying);
+        view = new PhotographView(model, new PictureListener(), this::pace);
         // the window is built while it is worked on
         view.render();
         status = new StatusBar(view.controller());
-        side = new SideRoom(() -> new SidePanel(model, view, status::report, this::edit));
+        side = new SideRoom(() -> new SidePanel(model, view, status::report, this::edit, this::toggleRide));
         dialogs = new FileDialogs(frame, model, status, settings);
         saver = new SceneSaver(frame, model, status, dialogs);
         opener = new SceneOpener(frame, model, view, status, settings, dialogs, saver, this::pause);
         captions = new Captions(view.canvas(), settings);
+        Signs signs = new Signs(view.canvas(), settings);
+        motion = new Motion(frame, model, view, status, new AnimationExport(frame, dialogs, captions), captions);
         frame.setContentPane(content());
         clipboard = new ClipboardActions(frame, model, view, captions, commandLine, status);
         menus = new Menus(
@@ -82,6 +81,8 @@ public final class TompkinsWindow {
                 new History(model, frame, this::pause, this::sayOtherScene),
                 settings,
                 captions,
+                motion,
+                signs,
                 view.canvas().zoom(),
                 new HelpCommands(frame, opener),
                 new WindowCommands());
@@ -174,22 +175,20 @@ public final class TompkinsWindow {
         }
     }
 
-    private PlayPanel playPanel() {
-        if (play == null) {
-            play = new PlayPanel(model, new AnimationExport(frame, dialogs, captions)::ask, captions::setAnimated);
-            middle.add(play.component(), BorderLayout.SOUTH);
-        }
-        return play;
+    private Pace pace() {
+        return motion == null ? Pace.HAND : motion.pace();
     }
 
-    private boolean isPlaying() {
-        return play != null && play.isPlaying();
+    private void toggleRide() {
+        motion.toggleRide();
     }
 
     private void pause() {
-        if (play != null) {
-            play.setPlaying(false);
-        }
+        motion.pause();
+    }
+
+    Motion motion() {
+        return motion;
     }
 
     JFrame frame() {
@@ -214,6 +213,7 @@ public final class TompkinsWindow {
 
     private JComponent content() {
         middle.add(view.canvas(), BorderLayout.CENTER);
+        middle.add(motion.bars(), BorderLayout.SOUTH);
         JPanel content = new JPanel(new BorderLayout());
         content.add(middle, BorderLayout.CENTER);
         content.add(side.component(), BorderLayout.EAST);
@@ -329,9 +329,7 @@ public final class TompkinsWindow {
 
         @Override
         public void stop() {
-            if (isPlaying()) {
-                pause();
-            } else if (!view.endPicking() && !fullScreen.leave()) {
+            if (!motion.pauseIfMoving() && !view.endPicking() && !fullScreen.leave()) {
                 view.stop();
             }
         }
@@ -342,33 +340,8 @@ public final class TompkinsWindow {
         }
 
         @Override
-        public void play(NumberProperty property) {
-            takeEntries();
-            playPanel().run(property);
-        }
-
-        @Override
-        public void togglePlay() {
-            takeEntries();
-            playPanel().setShown(true);
-            playPanel().setPlaying(!playPanel().isPlaying());
-        }
-
-        /** What is half typed would stop an animation at once. */
-        private void takeEntries() {
-            EntryField.takeAll(frame);
-        }
-
-        @Override
-        public void togglePlayPanel() {
-            playPanel().setShown(!playPanel().isShown());
-        }
-
-        @Override
         public void copyAnimation() {
-            takeEntries();
-            playPanel().setShown(true);
-            playPanel().wanted().ifPresent(clipboard::copyCommandLine);
+            motion.wantedAnimation().ifPresent(clipboard::copyCommandLine);
         }
     }
 }

@@ -2,11 +2,15 @@ package tompkins.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Matrix3d;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
+import tompkins.primitive.Bounds;
 import tompkins.primitive.Placement;
 import tompkins.primitive.Primitive;
 import tompkins.sceneobject.FrameObjects;
@@ -15,6 +19,7 @@ import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
 import tompkins.search.LampShadows;
 import tompkins.search.ObjectTree;
+import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 import tompkins.surface.Refractive;
@@ -164,6 +169,34 @@ public final class World {
     /** The primitives that rest in a frame. */
     public ObjectTree objects(int frame) {
         return objects.get(frame);
+    }
+
+    /**
+     * Boxes around the first objects that have an end, in the scene frame, where they are at a time of it; those of
+     * moving ones hold the corners of their boxes at rest.
+     */
+    public List<Bounds> bounds(double sceneTime, int most) {
+        return IntStream.range(0, frames.size())
+                .boxed()
+                .flatMap(frame -> bounds(frame, sceneTime))
+                .limit(most)
+                .toList();
+    }
+
+    private Stream<Bounds> bounds(int index, double sceneTime) {
+        FrameObjects frame = frames.get(index);
+        return objects.get(index).primitives().stream()
+                .map(Primitive::bounds)
+                .filter(Objects::nonNull)
+                .map(box -> inScene(box.moved(frame.origin().position()), frame.motion(), sceneTime));
+    }
+
+    private Bounds inScene(Bounds box, FrameMotion motion, double sceneTime) {
+        return motion == null
+                ? box
+                : Bounds.around(Stream.of(box.corners())
+                        .map(corner -> motion.placeInScene(law, corner, sceneTime))
+                        .toArray(Vector3dc[]::new));
     }
 
     /** The boundaries of media that rest in a frame. */

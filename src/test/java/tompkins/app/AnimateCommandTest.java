@@ -19,9 +19,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
 import tompkins.sceneobject.Sphere;
+import tompkins.spacetime.Event;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
 import tompkins.surface.LorentzWindow;
+import tompkins.trace.RenderPlan;
 
 class AnimateCommandTest {
 
@@ -63,6 +65,38 @@ class AnimateCommandTest {
                 .mapToDouble(studio -> studio.velocity().components().z())
                 .toArray();
         assertThat(speeds).containsExactly(new double[] {0, 0.2, 0.4, 0.6, 0.8}, within(1e-15));
+    }
+
+    /** From rest, for one unit of proper time at a = 1: 0.2 s are five steps, of a rapidity of 0.2 each. */
+    @Test
+    void recordedRideIsTaken() throws IOException {
+        Files.writeString(scene, """
+                {
+                  "scene": [{ "type": "Sphere", "centre": [0, 0, 5], "radius": 1.5 }],
+                  "ride": [{ "seconds": 2, "properTime": 1, "acceleration": [0, 0, 1] }],
+                  "settings": { "width": 32, "height": 24, "samples": 1 }
+                }
+                """);
+        ProgramRun run = animate("frames", "--ride");
+        assertThat(run.err()).isEmpty();
+        assertThat(run.out()).contains("6 pictures");
+        List<Studio> moments = moments("frames");
+        for (int i = 0; i < moments.size(); i++) {
+            Event lens = RenderPlan.of(moments.get(i)).lensInScene();
+            assertThat(lens.z()).isCloseTo(Math.cosh(0.2 * i) - 1, within(1e-9));
+            assertThat(lens.time()).isCloseTo(Math.sinh(0.2 * i), within(1e-9));
+            assertThat(moments.get(i).ride()).isEmpty();
+        }
+        assertThat(animate("again", "--ride", "--from", "0").err()).contains("--from: a ride has no number");
+    }
+
+    @Test
+    void missingRideOrEndsAreNamed() {
+        assertThat(animate("none", "--ride").err()).contains("--ride: no ride is recorded in", "ball.json");
+        ProgramRun run = animate("none", "--from", "0");
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.err()).contains("--to=B", "--ride");
+        assertThat(folder.resolve("none")).doesNotExist();
     }
 
     /** A loop of five steps does not show its beginning twice. */

@@ -58,7 +58,7 @@ class TompkinsCommandTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "study | needs NAME: aperture, antialiasing, precision, tree, depth, preview, stability, all",
+                "study | needs NAME: aperture, exposure, antialiasing, precision, tree, depth, preview, stability, all",
                 "study -o | --output needs FOLDER: a folder for the page",
                 "render | needs SCENE: scene files, or saved photographs",
                 "check | needs SCENE: scene files, or saved photographs",
@@ -99,7 +99,7 @@ class TompkinsCommandTest {
                         "detector-plane",
                         "model of the shutter: " + String.join(", ", new ShutterNames()));
         assertThat(words(ProgramRun.of("study", "--help")))
-                .contains("NAME aperture, antialiasing, precision, tree, depth, preview, stability, all");
+                .contains("NAME aperture, exposure, antialiasing, precision, tree, depth, preview, stability, all");
         assertThat(ProgramRun.of("rendr", FIG1B).code()).isEqualTo(2);
     }
 

@@ -52,6 +52,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Background;
 import tompkins.studio.PanoramaBackground;
 import tompkins.studio.RenderSettings;
+import tompkins.studio.RideLeg;
 import tompkins.studio.SkyBackground;
 import tompkins.studio.Studio;
 import tompkins.studio.UniformBackground;
@@ -163,7 +164,18 @@ public final class RandomStudio {
                 random.nextInt(5) == 0 ? View.MEASURED : View.SEEN,
                 pick(ColourLaw.values()),
                 new RenderSettings(
-                        16, 12, 1 + random.nextInt(2), 0, random.nextLong(), pick(10, 100, 1000), ToneCurve.LINEAR)));
+                        16, 12, 1 + random.nextInt(2), 0, random.nextLong(), pick(10, 100, 1000), ToneCurve.LINEAR),
+                several(2, this::leg)));
+    }
+
+    private RideLeg leg() {
+        return new RideLeg(
+                1 - random.nextDouble(),
+                size(),
+                new Vector3d(random.nextDouble(), -random.nextDouble(), 0),
+                random.nextDouble(-180, 180),
+                random.nextDouble(-90, 90),
+                1 + random.nextDouble());
     }
 
     private static SceneObject atRest(SceneObject object) {

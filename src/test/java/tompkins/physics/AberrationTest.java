@@ -39,7 +39,8 @@ class AberrationTest {
                 dark.transformation(),
                 dark.view(),
                 dark.colours(),
-                dark.settings()));
+                dark.settings(),
+                List.of()));
     }
 
     @ParameterizedTest

@@ -147,6 +147,7 @@ class EnergyTest {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 ColourLaw.UNCHANGED,
-                Studio.DEFAULT.settings().withSize(size, size)));
+                Studio.DEFAULT.settings().withSize(size, size),
+                List.of()));
     }
 }

@@ -53,7 +53,8 @@ class MirrorCorridorTest {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 ColourLaw.UNCHANGED,
-                settings));
+                settings,
+                List.of()));
     }
 
     private static double light(Photograph photograph) {

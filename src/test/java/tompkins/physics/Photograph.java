@@ -59,7 +59,8 @@ final class Photograph {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 ColourLaw.UNCHANGED,
-                Studio.DEFAULT.settings().withSize(width, height)));
+                Studio.DEFAULT.settings().withSize(width, height),
+                List.of()));
     }
 
     /** A pinhole at the origin of the camera frame with a shutter in the aperture. */

@@ -112,7 +112,8 @@ class ReciprocityTest {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 colours,
-                Studio.DEFAULT.settings().withSize(160, 120));
+                Studio.DEFAULT.settings().withSize(160, 120),
+                List.of());
     }
 
     private static Moving moving(Velocity velocity, List<SceneObject> objects) {

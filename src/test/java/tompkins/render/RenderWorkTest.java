@@ -1,6 +1,7 @@
 package tompkins.render;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.withinPercentage;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import com.sun.management.ThreadMXBean;
@@ -17,13 +18,18 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.light.LightSource;
+import tompkins.light.MovingLights;
+import tompkins.light.PointLight;
 import tompkins.ray.Colour;
 import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
 import tompkins.sceneobject.CylinderLattice;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.sceneobject.Triangle;
+import tompkins.spacetime.Velocity;
 import tompkins.studio.PaperStudios;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
@@ -74,6 +80,59 @@ class RenderWorkTest {
                 arguments(rods, 307_200, 59_446, 1_021_417, 2_721_288),
                 arguments(PaperStudios.fig1a().withScene(spheres()), 307_200, 270_501, 2_051, 465_413),
                 arguments(small(PaperStudios.fig1a().withScene(hills())), 19_200, 19_200, 30_795, 158_614));
+    }
+
+    /** A camera that moves before things at rest, and the other way round: what is searched is the same. */
+    @ParameterizedTest
+    @MethodSource("worlds")
+    void motionCostsNoMoreThanTheSameAtRest(List<SceneObject> scene) throws InterruptedException {
+        Studio paper = small(PaperStudios.fig1b().withScene(scene));
+        Velocity beta = paper.velocity();
+        RenderReport rest = report(lit(paper, List.of(lamp())));
+        Velocity back = Velocity.of(beta.components().negate(new Vector3d()));
+        RenderReport moving = report(lit(
+                paper.withScene(List.of(new Moving("", back, new Vector3d(), 0, scene)))
+                        .withVelocity(Velocity.REST),
+                List.of(new MovingLights(back, new Vector3d(), List.of(lamp())))));
+
+        assertThat(rest.rays()).isPositive();
+        // rays on the edges of things may fall on the other side
+        assertThat(moving.rays()).as("rays").isEqualTo(rest.rays());
+        assertThat(moving.shadowRays()).as("shadow rays").isCloseTo(rest.shadowRays(), withinPercentage(0.1));
+        assertThat(moving.nodes()).as("nodes").isLessThanOrEqualTo(rest.nodes() + rest.nodes() / 50);
+        assertThat(moving.tests()).as("tests").isLessThanOrEqualTo(rest.tests() + rest.tests() / 50);
+    }
+
+    static Stream<List<SceneObject>> worlds() {
+        return Stream.of(List.of(CylinderLattice.DEFAULT), spheres(), hills());
+    }
+
+    private static LightSource lamp() {
+        return new PointLight(new Vector3d(5, 10, -5), Colour.grey(0.7), Colour.BLACK, 1);
+    }
+
+    private static Studio lit(Studio studio, List<LightSource> lights) {
+        return new Studio(
+                studio.title(),
+                studio.topic(),
+                studio.remarks(),
+                studio.scene(),
+                studio.cameraFrame(),
+                lights,
+                studio.background(),
+                studio.camera(),
+                studio.velocity(),
+                studio.transformation(),
+                studio.view(),
+                studio.colours(),
+                studio.settings(),
+                List.of());
+    }
+
+    private static RenderReport report(Studio studio) throws InterruptedException {
+        try (Renderer renderer = new Renderer(2)) {
+            return renderer.render(RenderPlan.of(studio)).report();
+        }
     }
 
     private static Studio small(Studio studio) {

@@ -21,6 +21,7 @@ public final class ClosedTypes {
             CylinderLattice.class,
             Group.class,
             Placed.class,
+            Moving.class,
             ImagePointGrid.class,
             Hidden.class);
 

@@ -107,6 +107,7 @@ class SharpnessTest {
                 studio.transformation(),
                 studio.view(),
                 studio.colours(),
-                studio.settings());
+                studio.settings(),
+                List.of());
     }
 }

@@ -216,7 +216,8 @@ public final class VariedStudios {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 ColourLaw.UNCHANGED,
-                Studio.DEFAULT.settings());
+                Studio.DEFAULT.settings(),
+                List.of());
         return studio.withSettings(studio.settings().withSize(80, 60));
     }
 

@@ -37,8 +37,7 @@ class AnimationExportTest {
     @Test
     void framesHoldTheirOwnScenes() throws Exception {
         Path frames = folder.resolve("frames");
-        AnimationExport.write(
-                Studios.sphere(), FASTER, () -> AnimationFormat.NUMBERED_PNG.open(frames, 25), false, progress());
+        write(Studios.sphere(), frames, AnimationFormat.NUMBERED_PNG, false, progress());
         try (Stream<Path> files = Files.list(frames)) {
             assertThat(files).hasSize(10);
         }
@@ -47,14 +46,23 @@ class AnimationExportTest {
                 .isEqualTo(Velocity.of(SpeedScale.BETA, 0.8, new Vector3d(0, 0, 1)));
     }
 
+    private static void write(Studio studio, Path file, AnimationFormat format, boolean captioned, Progress progress)
+            throws Exception {
+        AnimationExport.write(
+                FASTER.film(studio),
+                Captions.ofPictures(studio, FASTER.number(), captioned),
+                () -> format.open(file, 25),
+                progress);
+    }
+
     /** The caption covers the lower left corner, nothing else, and tells frames apart that show the same. */
     @Test
     void captionsAreWrittenIntoTheFrames() throws Exception {
         Path plain = folder.resolve("plain");
         Path captioned = folder.resolve("captioned");
         Studio empty = Studios.sphere().withScene(List.of());
-        AnimationExport.write(empty, FASTER, () -> AnimationFormat.NUMBERED_PNG.open(plain, 25), false, progress());
-        AnimationExport.write(empty, FASTER, () -> AnimationFormat.NUMBERED_PNG.open(captioned, 25), true, progress());
+        write(empty, plain, AnimationFormat.NUMBERED_PNG, false, progress());
+        write(empty, captioned, AnimationFormat.NUMBERED_PNG, true, progress());
 
         Rectangle first = difference(plain, captioned, "frame0001.png");
         assertThat(first.x).isBetween(1, 12);
@@ -92,12 +100,8 @@ class AnimationExportTest {
                 return true;
             }
         };
-        assertThatThrownBy(() -> AnimationExport.write(
-                        Studios.lattice(),
-                        FASTER,
-                        () -> AnimationFormat.GIF.open(folder.resolve("a.gif"), 25),
-                        false,
-                        cancelled))
+        assertThatThrownBy(
+                        () -> write(Studios.lattice(), folder.resolve("a.gif"), AnimationFormat.GIF, false, cancelled))
                 .isInstanceOf(CancellationException.class);
         try (Stream<Path> files = Files.list(folder)) {
             assertThat(files).isEmpty();

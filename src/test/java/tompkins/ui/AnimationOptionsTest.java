@@ -6,9 +6,6 @@ import java.awt.Container;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import tompkins.animation.Animation;
-import tompkins.animation.StudioNumber;
-import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.ui.widget.Look;
@@ -19,7 +16,7 @@ class AnimationOptionsTest {
     private final Studio studio =
             Studios.sphere().withSettings(Studios.sphere().settings().withSize(640, 480));
     private final AnimationOptions options = new AnimationOptions(
-            studio, new Animation(StudioNumber.speed(SpeedScale.BETA), 0, 0.9, 4, Animation.Course.FORWARDS));
+            studio, rate -> 4 * rate);
     private final Container panel = (Container) options.component();
 
     @BeforeAll
@@ -30,7 +27,7 @@ class AnimationOptionsTest {
     @Test
     void theUsualAnswersAreThoseOfTheScene() {
         assertThat(options.studio()).isEqualTo(studio);
-        assertThat(options.animation().frameRate()).isEqualTo(25);
+        assertThat(options.frameRate()).isEqualTo(25);
         assertThat(Components.notes(panel)).contains("100 pictures of 640 \u00d7 480 pixels");
     }
 
@@ -41,7 +38,7 @@ class AnimationOptionsTest {
         assertThat(Components.find(panel, JTextField.class, "Height").getText()).isEqualTo("240");
         assertThat(Components.notes(panel)).contains("200 pictures of 320 \u00d7 240 pixels");
         Components.enter(panel, "Height", "720");
-        assertThat(options.animation().frames()).isEqualTo(200);
+        assertThat(options.frameRate()).isEqualTo(50);
         assertThat(options.studio().settings()).isEqualTo(studio.settings().withSize(960, 720));
     }
 
@@ -53,6 +50,6 @@ class AnimationOptionsTest {
         assertThat(Components.isMarked(Components.enter(panel, "Height", "100000")))
                 .isTrue();
         assertThat(options.studio()).isEqualTo(studio);
-        assertThat(options.animation().frameRate()).isEqualTo(25);
+        assertThat(options.frameRate()).isEqualTo(25);
     }
 }

@@ -50,6 +50,7 @@ import tompkins.ui.model.Shutters;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.panel.PlayPanel;
+import tompkins.ui.picture.Pace;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
 
@@ -104,8 +105,8 @@ class LayoutTest {
     }
 
     private SidePanel sidePanel() {
-        view = new PhotographView(model, new SilentListener(), () -> false);
-        return new SidePanel(model, view, message -> {}, part -> {});
+        view = new PhotographView(model, new SilentListener(), () -> Pace.HAND);
+        return new SidePanel(model, view, message -> {}, part -> {}, () -> {});
     }
 
     @ParameterizedTest

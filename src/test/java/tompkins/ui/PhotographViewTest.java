@@ -30,6 +30,7 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.panel.Compared;
 import tompkins.ui.picture.Comparison;
+import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.PixelProbe;
@@ -45,7 +46,7 @@ class PhotographViewTest {
     private final StudioModel model =
             new StudioModel(Studios.lattice().withSettings(Studios.sphere().settings()), null);
     private final PhotographView view =
-            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener(), () -> false));
+            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener(), () -> Pace.HAND));
 
     @BeforeAll
     static void look() {
@@ -131,8 +132,8 @@ class PhotographViewTest {
     @Test
     void aClickBesideAllObjectsLeavesThePickingOn() {
         List<String> told = new ArrayList<>();
-        Container panel =
-                (Container) WindowDriver.onEventThread(() -> new SidePanel(model, view, told::add, part -> {}))
+        Container panel = (Container)
+                WindowDriver.onEventThread(() -> new SidePanel(model, view, told::add, part -> {}, () -> {}))
                         .component();
         WindowDriver.onEventThread(() -> {
             model.set(Studios.sphere());
@@ -176,7 +177,7 @@ class PhotographViewTest {
                         read.add(reading);
                     }
                 },
-                () -> false));
+                () -> Pace.HAND));
         try (watched) {
             PictureCanvas canvas = watched.canvas();
             WindowDriver.onEventThread(() -> {

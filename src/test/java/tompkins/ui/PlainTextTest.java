@@ -44,6 +44,7 @@ import tompkins.ui.widget.Texts;
  * nor ask the server.
  */
 @Timeout(600)
+@NeedsDisplay
 class PlainTextTest {
 
     @TempDir

@@ -23,6 +23,7 @@ import tompkins.studio.Studios;
 import tompkins.studio.UniformBackground;
 import tompkins.surface.LorentzWindow;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.widget.Look;
 
@@ -32,7 +33,7 @@ class RemedyTest {
 
     private final StudioModel model = new StudioModel(Studios.sphere(), null);
     private final PhotographView view =
-            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener(), () -> false));
+            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener(), () -> Pace.HAND));
 
     @BeforeAll
     static void look() {

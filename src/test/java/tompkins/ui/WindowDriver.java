@@ -235,6 +235,16 @@ public final class WindowDriver implements AutoCloseable {
         settle(before, 1);
     }
 
+    void doubleClick(Point point) {
+        long before = released.get();
+        robot.mouseMove(point.x, point.y);
+        for (int i = 0; i < 2; i++) {
+            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        }
+        settle(before, 2);
+    }
+
     void move(Point point) {
         robot.mouseMove(point.x - 1, point.y);
         robot.mouseMove(point.x, point.y);
@@ -251,6 +261,25 @@ public final class WindowDriver implements AutoCloseable {
         }
         robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
         settle(before, 1);
+    }
+
+    /** Turns the wheel by notches towards the user, over a point. */
+    void wheel(Point point, int notches) {
+        robot.mouseMove(point.x, point.y);
+        for (int i = 0; i < Math.abs(notches); i++) {
+            robot.mouseWheel(Integer.signum(notches));
+        }
+        settle();
+    }
+
+    /** Lets time pass. */
+    static void pause(int milliseconds) {
+        try {
+            Thread.sleep(milliseconds);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException(e);
+        }
     }
 
     /** Chooses an item of a menu. */

@@ -11,15 +11,15 @@ final class FoundHit {
 
     final Hit hit;
     final Ray ray;
-    final int frame;
-    private final MovingRow row;
     private final Event own;
+    private final Event inScene;
 
     FoundHit(MovingRow row, WorldSearch search, NearestHit nearest) {
-        this.row = row;
         ray = search.ray();
-        frame = search.frame();
         hit = nearest.hit(ray, Hit.blank());
+        Hit event = Hit.blank();
+        search.event(event);
+        inScene = row.inScene(search.startFrame(), new Event(event.x, event.y, event.z, event.time));
         own = nearest.primitive().restFrame().own(traced());
     }
 
@@ -38,7 +38,7 @@ final class FoundHit {
     }
 
     Event inScene() {
-        return row.inScene(frame, traced());
+        return inScene;
     }
 
     Vector3d normal() {

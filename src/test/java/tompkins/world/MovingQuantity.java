@@ -16,6 +16,18 @@ enum MovingQuantity {
             return share(row, row.difference(hit.lambda(), "lambda"), "lambda");
         }
     },
+    SCENE_PLACE {
+        @Override
+        double excess(GoldenRow row, FoundHit hit, boolean measures) {
+            return share(row, row.distance(hit.inScene().position(), "s"), "s");
+        }
+    },
+    SCENE_TIME {
+        @Override
+        double excess(GoldenRow row, FoundHit hit, boolean measures) {
+            return share(row, row.difference(hit.inScene().time(), "st"), "st");
+        }
+    },
     OWN_PLACE {
         @Override
         double excess(GoldenRow row, FoundHit hit, boolean measures) {

@@ -49,7 +49,8 @@ final class MovingRow {
                 law,
                 plain.view(),
                 plain.colours(),
-                plain.settings());
+                plain.settings(),
+                List.of());
         crossing = new FrameCrossing(studio.sceneFromCamera(), law, lens);
         world = new World(studio, crossing, point -> Event.ORIGIN, true);
         routes = world.routes(crossing);

@@ -1,12 +1,10 @@
 package tompkins.ui.model;
 
 import tompkins.camera.Camera;
-import tompkins.math.Vectors;
 import tompkins.property.Descriptions;
 import tompkins.property.NumberText;
-import tompkins.shutter.LensRay;
 import tompkins.shutter.Shutter;
-import tompkins.spacetime.SpaceTimeTransformation;
+import tompkins.studio.LensEvent;
 import tompkins.studio.Studio;
 
 /** Puts one shutter model in the place of another. */
@@ -22,15 +20,9 @@ public final class Shutters {
         Camera camera = studio.camera();
         Shutter shutter = (Shutter) Descriptions.standard(model);
         double opening = shutter.openingTime()
-                + timeInTheMiddle(studio, camera)
-                - timeInTheMiddle(studio, camera.withShutter(shutter));
+                + LensEvent.timeInMiddle(camera, studio.sceneFromCamera())
+                - LensEvent.timeInMiddle(camera.withShutter(shutter), studio.sceneFromCamera());
         Shutter opened = Double.isFinite(opening) ? shutter.openedAt(NumberText.rounded(opening, 9)) : shutter;
         return studio.withCamera(camera.withShutter(opened));
-    }
-
-    private static double timeInTheMiddle(Studio studio, Camera camera) {
-        SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
-        LensRay middle = camera.rays(1, 1, sceneFromCamera).chiefRay(Vectors.unit(camera.viewDirection()));
-        return camera.shutter().transmissionTime(middle, sceneFromCamera);
     }
 }

@@ -2,9 +2,12 @@ package tompkins.ui.picture;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.Shape;
+import java.awt.font.TextLayout;
+import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
@@ -46,7 +49,8 @@ final class Mark {
         g.drawRoundRect(x - 5, middle - 18, 10, 36, 10, 10);
     }
 
-    private static void paint(Graphics2D g, Shape shape) {
+    /** Lines along a shape. */
+    static void paint(Graphics2D g, Shape shape) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setColor(Color.BLACK);
         g.setStroke(new BasicStroke(3.5f));
@@ -54,5 +58,15 @@ final class Mark {
         g.setColor(Color.WHITE);
         g.setStroke(new BasicStroke(1.5f));
         g.draw(shape);
+    }
+
+    /** A text that begins at a point of its base line. */
+    static void paintText(Graphics2D g, Font font, String text, double x, double y) {
+        paint(
+                g,
+                new TextLayout(text, font, g.getFontRenderContext())
+                        .getOutline(AffineTransform.getTranslateInstance(x, y)));
+        g.setFont(font);
+        g.drawString(text, (float) x, (float) y);
     }
 }

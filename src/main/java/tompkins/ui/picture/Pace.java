@@ -11,7 +11,13 @@ public enum Pace {
      * Pictures follow each other by themselves: each is shown once, as good as twelve a second allow, and is good
      * enough with a sample in each pixel.
      */
-    FILM(Duration.ofMillis(80), Duration.ZERO, 1);
+    FILM(Duration.ofMillis(80), Duration.ZERO, 1),
+
+    /**
+     * Pictures follow each other while somebody steers: each is shown once, as good as thirty a second allow, and is
+     * good enough with a sample in each pixel.
+     */
+    RIDE(Duration.ofMillis(28), Duration.ZERO, 1);
 
     private final long patience;
     private final long frame;

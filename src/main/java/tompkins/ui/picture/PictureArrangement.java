@@ -44,6 +44,14 @@ record PictureArrangement(
         return bounds;
     }
 
+    /** Where the picture, or the one beside it, lies that is seen at a point of the canvas; null if none is. */
+    Rectangle boundsAt(Point point) {
+        boolean overOther = isOverOther(point);
+        Rectangle bounds = overOther ? otherBounds() : bounds();
+        Rectangle room = overOther ? otherRoom() : room();
+        return shown.now() == null || !room.intersection(bounds).contains(point) ? null : bounds;
+    }
+
     /** Whether there is room for two beside each other. */
     boolean isBeside() {
         return comparison == Comparison.BESIDE && !otherAlone;

@@ -8,14 +8,12 @@ import java.awt.Graphics2D;
 import java.awt.GraphicsConfiguration;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.event.MouseAdapter;
-import java.awt.event.MouseEvent;
-import java.awt.event.MouseWheelEvent;
 import java.awt.geom.Point2D;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.JPanel;
-import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import tompkins.studio.Studio;
 import tompkins.ui.widget.Texts;
@@ -36,11 +34,6 @@ public final class PictureCanvas extends JPanel {
         void clicked(Point2D place, Picture seen);
     }
 
-    private static final int GRIP = 6;
-
-    /** How far a press may move and be a click: a hand shakes. */
-    private static final int STILL = 5;
-
     /** Between two pictures beside each other. */
     private static final int GAP = 8;
 
@@ -50,7 +43,6 @@ public final class PictureCanvas extends JPanel {
     private String otherName = "";
     private boolean otherAlone;
     private double divider = 0.5;
-    private boolean draggingDivider;
     private final CanvasZoom zoom = new CanvasZoom(this);
     private Point2D pin;
     private boolean picking;
@@ -62,6 +54,8 @@ public final class PictureCanvas extends JPanel {
     private Point mouseAt;
 
     private final KeyPointer keyPointer;
+    private final transient CanvasMouse hand;
+    private final transient List<Overlay> overlays = new ArrayList<>();
 
     private Mouse mouse;
 
@@ -76,11 +70,8 @@ public final class PictureCanvas extends JPanel {
         getAccessibleContext().setAccessibleDescription(Texts.get("picture.tip"));
         // another screen may have other pixels
         addPropertyChangeListener("graphicsConfiguration", change -> tellSize());
-        MouseAdapter adapter = new CanvasMouse();
-        addMouseListener(adapter);
-        addMouseMotionListener(adapter);
-        addMouseWheelListener(adapter);
         keyPointer = new KeyPointer(this);
+        hand = new CanvasMouse(this);
     }
 
     @Override
@@ -260,6 +251,7 @@ public final class PictureCanvas extends JPanel {
         if (shown.nowImage() != null) {
             PicturePainter painter = painter();
             painter.paint(g);
+            paintOverlays(g);
             if (pin != null) {
                 painter.paintPin(g, pin);
             }
@@ -268,6 +260,57 @@ public final class PictureCanvas extends JPanel {
             }
         }
         g.dispose();
+    }
+
+    private void paintOverlays(Graphics2D g) {
+        Rectangle bounds = pictureBounds();
+        Rectangle visible =
+                bounds.intersection(PicturePainter.inUnits(arrangement().room(), scale()));
+        Graphics2D clipped = (Graphics2D) g.create();
+        clipped.clip(visible);
+        for (Overlay overlay : overlays) {
+            overlay.paint(clipped, shown.now(), bounds, visible);
+        }
+        clipped.dispose();
+    }
+
+    /** Paints something over the pictures that is no part of them. */
+    public void addOverlay(Overlay overlay) {
+        overlays.add(overlay);
+    }
+
+    /** Where the picture, or the one beside it, lies that is seen at a point of this component; null if none is. */
+    Rectangle boundsAt(Point point) {
+        Rectangle bounds = arrangement().boundsAt(inPixels(point));
+        return bounds == null ? null : PicturePainter.inUnits(bounds, scale());
+    }
+
+    /** Where the divider is on this component; a point far away if there is none, or a click is waited for. */
+    int dividerX() {
+        return splits() && !picking ? (int) Math.round(arrangement().dividerX() / scale()) : Integer.MIN_VALUE / 2;
+    }
+
+    /** Whether the next click picks a point. */
+    boolean isPicking() {
+        return picking;
+    }
+
+    /** Where the mouse is; null if that is elsewhere. */
+    Point mouseAt() {
+        return mouseAt;
+    }
+
+    /** The mouse points somewhere now, and the keys no more; nowhere if it is null. */
+    void pointMouse(Point point) {
+        if (point != null) {
+            keyPointer.forget();
+        }
+        mouseAt = point;
+    }
+
+    /** What the mouse does. */
+    CanvasMouse hand() {
+        return hand;
     }
 
     /** The place of the picture, or of the one beside it, at a point of this component; null if there is none. */
@@ -280,89 +323,5 @@ public final class PictureCanvas extends JPanel {
      */
     public Picture shownAt(Point point) {
         return arrangement().shownAt(inPixels(point));
-    }
-
-    private final class CanvasMouse extends MouseAdapter {
-
-        /** By how much the wheel was turned since the last step: a touchpad takes many small turns for one. */
-        private double turned;
-
-        /** Where the mouse was pressed; null where no click comes of it. */
-        private Point pressed;
-
-        private boolean nearDivider(MouseEvent event) {
-            return splits() && !picking && Math.abs(event.getX() - arrangement().dividerX() / scale()) <= GRIP;
-        }
-
-        /** The mouse points now, and the keys no more. */
-        private void point(MouseEvent event) {
-            keyPointer.forget();
-            mouseAt = event.getPoint();
-        }
-
-        @Override
-        public void mousePressed(MouseEvent event) {
-            requestFocusInWindow();
-            pressed = event.getPoint();
-            draggingDivider = nearDivider(event);
-        }
-
-        @Override
-        public void mouseDragged(MouseEvent event) {
-            Point before = mouseAt;
-            mouseAt = event.getPoint();
-            if (pressed != null && pressed.distance(mouseAt) > STILL) {
-                pressed = null;
-            }
-            if (SwingUtilities.isMiddleMouseButton(event) && before != null) {
-                zoom.pan(mouseAt.x - before.x, mouseAt.y - before.y);
-            } else if (draggingDivider) {
-                Rectangle bounds = pictureBounds();
-                setDivider((double) (event.getX() - bounds.x) / bounds.width);
-            } else {
-                mouseMoved(event);
-            }
-        }
-
-        @Override
-        public void mouseMoved(MouseEvent event) {
-            if (!picking) {
-                setCursor(Cursor.getPredefinedCursor(
-                        nearDivider(event) ? Cursor.E_RESIZE_CURSOR : Cursor.DEFAULT_CURSOR));
-            }
-            point(event);
-            tellPointed();
-        }
-
-        @Override
-        public void mouseExited(MouseEvent event) {
-            mouseAt = null;
-            tellPointed();
-        }
-
-        /** With Alt, the wheel enlarges; turned away from the hand, as elsewhere. */
-        @Override
-        public void mouseWheelMoved(MouseWheelEvent event) {
-            if (event.isAltDown()) {
-                point(event);
-                turned += event.getPreciseWheelRotation();
-                for (; turned <= -1; turned++) {
-                    zoom.enlarge();
-                }
-                for (; turned >= 1; turned--) {
-                    zoom.reduce();
-                }
-            }
-        }
-
-        @Override
-        public void mouseReleased(MouseEvent event) {
-            if (!draggingDivider && pressed != null && event.getButton() == MouseEvent.BUTTON1) {
-                point(event);
-                click();
-            }
-            pressed = null;
-            draggingDivider = false;
-        }
     }
 }

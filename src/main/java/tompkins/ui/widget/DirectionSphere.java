@@ -35,6 +35,9 @@ import tompkins.property.NumberText;
 @SuppressWarnings("serial") // never written to a stream
 public final class DirectionSphere extends JPanel {
 
+    /** In sizes of the type. */
+    private static final double SIZE = 8.5;
+
     private static final double STEP = Math.toRadians(5);
 
     /** The view: turned to the right and down a little, so that z does not hide behind the origin. */
@@ -120,7 +123,7 @@ public final class DirectionSphere extends JPanel {
 
     @Override
     public Dimension getPreferredSize() {
-        return new Dimension(Look.pixels(6.5), Look.pixels(6.5));
+        return new Dimension(Look.pixels(SIZE), Look.pixels(SIZE));
     }
 
     private double radius() {

@@ -1,6 +1,7 @@
 package tompkins.ui.widget;
 
 import java.math.BigDecimal;
+import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
@@ -8,6 +9,9 @@ import tompkins.spacetime.Event;
 
 /** Numbers as texts and back; always with a decimal point. */
 public final class Numbers {
+
+    /** Digits of a place that was worked out. */
+    private static final int PLACE_DIGITS = 9;
 
     private Numbers() {}
 
@@ -101,5 +105,13 @@ public final class Numbers {
             }
         }
         return NumberText.rounded(10 * power, 1);
+    }
+
+    /** A place without the last digits, which are rounding where they were worked out. */
+    public static Vector3d rounded(Vector3dc place) {
+        return new Vector3d(
+                NumberText.rounded(place.x(), PLACE_DIGITS),
+                NumberText.rounded(place.y(), PLACE_DIGITS),
+                NumberText.rounded(place.z(), PLACE_DIGITS));
     }
 }

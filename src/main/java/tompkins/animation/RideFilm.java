@@ -1,0 +1,89 @@
+package tompkins.animation;
+
+import java.util.ArrayList;
+import java.util.List;
+import tompkins.property.Require;
+import tompkins.studio.RideLeg;
+import tompkins.studio.RideMoment;
+import tompkins.studio.Studio;
+
+/** The film of the ride that begins with a studio. */
+public final class RideFilm implements Film {
+
+    /** The longest film, in seconds. */
+    public static final double LONGEST = 3600;
+
+    private final List<RideLeg> legs;
+    private final List<RideMoment> starts = new ArrayList<>();
+    private final RideMoment end;
+    private final double recorded;
+    private final double seconds;
+    private final int frameRate;
+
+    /**
+     * The film in the time in which the ride was recorded.
+     *
+     * @throws tompkins.property.InvalidPropertyException if the ride leads too far, gets too fast or takes too long
+     */
+    public RideFilm(Studio studio) {
+        this(studio, Animation.FRAME_RATE);
+    }
+
+    /** The film with a number of photographs in a second; otherwise as {@link #RideFilm(Studio)}. */
+    public RideFilm(Studio studio, int frameRate) {
+        this(studio, studio.ride().stream().mapToDouble(RideLeg::seconds).sum(), frameRate);
+    }
+
+    /** The film in a time of its own, in seconds; otherwise as {@link #RideFilm(Studio, int)}. */
+    public RideFilm(Studio studio, double seconds, int frameRate) {
+        this.frameRate = Require.within("frameRate", frameRate, 1, Animation.HIGHEST_FRAME_RATE);
+        legs = studio.ride();
+        recorded = legs.stream().mapToDouble(RideLeg::seconds).sum();
+        Require.within("ride", recorded, 0, LONGEST);
+        this.seconds = Require.within("seconds", seconds, 0, LONGEST);
+        RideMoment moment = RideMoment.start(studio);
+        for (RideLeg leg : legs) {
+            starts.add(moment);
+            moment = moment.after(leg, leg.properTime());
+        }
+        end = moment;
+    }
+
+    /** How long it takes. */
+    public double seconds() {
+        return seconds;
+    }
+
+    /** The moment of the ride at a time of the film, in seconds; the last one from its end on. */
+    public RideMoment moment(double time) {
+        double left = seconds == 0 ? 0 : time / seconds * recorded;
+        for (int i = 0; i < legs.size(); i++) {
+            RideLeg leg = legs.get(i);
+            if (left < leg.seconds()) {
+                return starts.get(i).after(leg, left / leg.seconds() * leg.properTime());
+            }
+            left -= leg.seconds();
+        }
+        return end;
+    }
+
+    @Override
+    public int frameRate() {
+        return frameRate;
+    }
+
+    @Override
+    public int frames() {
+        return Math.max(1, 1 + (int) Math.round(seconds * frameRate));
+    }
+
+    /** The moment of a photograph. */
+    public RideMoment moment(int frame) {
+        return frame == frames() - 1 ? end : moment((double) frame / frameRate);
+    }
+
+    @Override
+    public Studio studio(int frame) {
+        return moment(frame).studio();
+    }
+}

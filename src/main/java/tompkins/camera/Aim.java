@@ -1,0 +1,139 @@
+package tompkins.camera;
+
+import org.joml.Vector2dc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.math.Vectors;
+import tompkins.spacetime.IdentityTransformation;
+
+/**
+ * Where a camera looks, as two angles about its top direction, and how it is turned so that something is seen at a
+ * place of the picture. The top direction stays, so that a level horizon stays level.
+ *
+ * @param right angle about the top direction, towards the right, from where the camera looked at first; radians
+ * @param up angle above the plane across the top direction; radians
+ */
+public record Aim(double right, double up) {
+
+    /** Straight ahead. */
+    public static final Aim NONE = new Aim(0, 0);
+
+    /** No camera looks steeper than that: straight along its top direction, right and left have no meaning. */
+    public static final double STEEPEST = Math.toRadians(89.5);
+
+    /** The least and the largest field of view to which it is changed by hand, in degrees. */
+    private static final double NARROWEST = 1e-3;
+
+    private static final double WIDEST_LENS = 170;
+    private static final double WIDEST_PANORAMA = 360;
+
+    /** Where a camera looks, seen from its own axes: straight ahead, and so far up. */
+    private static Aim of(Camera camera) {
+        return new Aim(0, elevation(camera, Vectors.unit(camera.viewDirection())));
+    }
+
+    private static double elevation(Camera camera, Vector3dc unit) {
+        return Math.asin(Math.max(-1, Math.min(1, unit.dot(Vectors.unit(camera.topDirection())))));
+    }
+
+    /** The angles by which one camera has to be turned to look where another one does that has the same top. */
+    public static Aim between(Camera from, Camera to) {
+        Vector3d view = Vectors.unit(to.viewDirection());
+        Vector3dc right = from.rightDirection();
+        Vector3d level = right.cross(Vectors.unit(from.topDirection()), new Vector3d());
+        return new Aim(Math.atan2(view.dot(right), view.dot(level)), elevation(from, view) - of(from).up);
+    }
+
+    /** A camera, turned by these angles: to the right about its top direction, and up. */
+    public Camera turn(Camera camera) {
+        return turned(camera, right, of(camera).up + up);
+    }
+
+    /** A camera that looks so far to the right of its present direction, and so high. */
+    private static Camera turned(Camera camera, double right, double elevation) {
+        double steep = Math.max(-STEEPEST, Math.min(STEEPEST, elevation));
+        Vector3d top = Vectors.unit(camera.topDirection());
+        Vector3dc across = camera.rightDirection();
+        Vector3d level = across.cross(top, new Vector3d());
+        Vector3d view = level.mul(Math.cos(steep) * Math.cos(right))
+                .fma(Math.cos(steep) * Math.sin(right), across)
+                .fma(Math.sin(steep), top);
+        return camera.turned(view, camera.topDirection());
+    }
+
+    /**
+     * A camera, turned so that a direction is seen at a place of its picture, as far as that goes with a level horizon.
+     *
+     * @param direction unit vector in the camera frame
+     * @param place the place
+     */
+    public static Camera at(Camera camera, Vector3dc direction, PicturePlace place) {
+        Vector3dc seen = place.direction(camera);
+        Vector3dc across = camera.rightDirection();
+        double seenRight = seen.dot(across);
+        double seenUp = seen.dot(camera.upDirection());
+        double seenAhead = seen.dot(Vectors.unit(camera.viewDirection()));
+        Vector3d top = Vectors.unit(camera.topDirection());
+        // with the elevation e of the view: seenUp cos e + seenAhead sin e is the height of the direction
+        double reach = Math.hypot(seenUp, seenAhead);
+        double height = Math.max(-reach, Math.min(reach, direction.dot(top)));
+        double angle = Math.asin(reach == 0 ? 0 : height / reach);
+        double offset = Math.atan2(seenUp, seenAhead);
+        double elevation = nearer(angle - offset, Math.PI - angle - offset, of(camera).up);
+        double ahead = seenAhead * Math.cos(elevation) - seenUp * Math.sin(elevation);
+        Vector3d level = across.cross(top, new Vector3d());
+        double right = Math.atan2(direction.dot(across), direction.dot(level)) - Math.atan2(seenRight, ahead);
+        return turned(camera, right, elevation);
+    }
+
+    /** A camera whose middle looks along a direction of any length, as far as that goes with a level horizon. */
+    public static Camera along(Camera camera, Vector3dc direction) {
+        return at(camera, Vectors.unit(direction), PicturePlace.MIDDLE);
+    }
+
+    /** Of two angles, which may be turned once around, the one nearer to a third. */
+    private static double nearer(double first, double second, double wanted) {
+        double a = Math.IEEEremainder(first, 2 * Math.PI);
+        double b = Math.IEEEremainder(second, 2 * Math.PI);
+        return Math.abs(a - wanted) <= Math.abs(b - wanted) ? a : b;
+    }
+
+    /** A camera whose field of view is changed by a factor, as far as it goes, while a place shows what it showed. */
+    public static Camera zoomed(Camera camera, double factor, PicturePlace place) {
+        Vector3dc direction = place.direction(camera);
+        return at(zoomed(camera, factor), direction, place);
+    }
+
+    /** A camera whose field of view is changed by a factor, as far as it goes. */
+    public static Camera zoomed(Camera camera, double factor) {
+        double widest = Math.max(
+                camera.horizontalAngleDegrees(), camera instanceof ThinLensCamera ? WIDEST_LENS : WIDEST_PANORAMA);
+        double wanted = Math.max(NARROWEST, Math.min(widest, camera.horizontalAngleDegrees() * factor));
+        return camera.withHorizontalAngle(wanted);
+    }
+
+    /**
+     * A place of a picture.
+     *
+     * @param x pixels from the left edge
+     * @param y pixels from the upper edge
+     * @param width pixels in a row
+     * @param height number of rows
+     */
+    public record PicturePlace(double x, double y, int width, int height) {
+
+        /** The middle of the picture of a camera. */
+        public static final PicturePlace MIDDLE = new PicturePlace(0.5, 0.5, 1, 1);
+
+        /** The unit direction that a camera sees there. */
+        public Vector3d direction(Camera camera) {
+            return new Vector3d(
+                    camera.rays(width, height, new IdentityTransformation()).chiefDirection(x, y));
+        }
+
+        /** The place at which a camera sees a unit direction; null if it lies behind its lens. */
+        public static Vector2dc of(Camera camera, Vector3dc direction, int width, int height) {
+            return camera.rays(width, height, new IdentityTransformation()).place(direction);
+        }
+    }
+}

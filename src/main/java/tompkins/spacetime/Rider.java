@@ -1,0 +1,117 @@
+package tompkins.spacetime;
+
+import org.joml.Quaterniond;
+import org.joml.Quaterniondc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.math.Vectors;
+
+/**
+ * A moment of a world line: where and when a rider is in the scene frame, and how fast. Thrust leads from one moment to
+ * the next, exactly: with the proper acceleration a (what an accelerometer on board shows) and the time s on board, the
+ * rider moves in the frame in which it was at rest by {@code (cosh(a s) - 1)/a} in the time {@code sinh(a s)/a}, and
+ * its velocity there is then {@code tanh(a s)} (hyperbolic motion).
+ *
+ * <p>Directions on board are told in the axes of the camera frame, which is a pure boost of the scene frame. What does
+ * not turn on board (a gyroscope) turns against these axes when the thrust is not along the motion, for two boosts are
+ * a boost and a rotation (Thomas and Wigner): a step says by how much.
+ *
+ * @param event where and when, in the scene frame
+ * @param proper the proper velocity u = gamma beta in the scene frame
+ */
+public record Rider(Event event, Vector3dc proper) {
+
+    /** What is left of a speed after braking, by rounding, divided by the square of gamma. */
+    private static final double ROUNDING = 2e-15;
+
+    /** Keeps a copy, which nobody else can change. */
+    public Rider {
+        proper = new Vector3d(proper);
+    }
+
+    /** A rider at an event with a velocity. */
+    public Rider(Event event, Velocity velocity) {
+        this(event, velocity.proper());
+    }
+
+    /**
+     * A later moment.
+     *
+     * @param rider the rider then
+     * @param turn how axes that do not turn on board have turned against those of the camera frame, by components
+     */
+    public record Step(Rider rider, Quaterniondc turn) {}
+
+    /** The Lorentz factor. */
+    public double gamma() {
+        return Math.sqrt(1 + proper.lengthSquared());
+    }
+
+    /** The rapidity. */
+    public double rapidity() {
+        return velocity().rapidity();
+    }
+
+    /** The velocity in the scene frame. */
+    public Velocity velocity() {
+        return Velocity.ofProper(proper);
+    }
+
+    /**
+     * The moment after constant thrust.
+     *
+     * @param acceleration proper acceleration in the axes of the camera frame at the beginning; constant on board
+     * @param time how long, by a clock on board
+     */
+    public Step after(Vector3dc acceleration, double time) {
+        double strength = Vectors.length(acceleration);
+        if (strength * time == 0) {
+            return new Step(new Rider(later(new Event(0, 0, 0, time)), proper), new Quaterniond());
+        }
+        Vector3d along = Vectors.unit(acceleration);
+        double rapidity = strength * time;
+        double half = Math.sinh(rapidity / 2);
+        Vector3d way = along.mul(2 * half * half / strength, new Vector3d());
+        Event moved = later(new Event(way.x, way.y, way.z, Math.sinh(rapidity) / strength));
+        Vector3d gained = along.mul(Math.sinh(rapidity), new Vector3d());
+        double gainedGamma = Math.cosh(rapidity);
+        Vector3d sum = sum(proper, gamma(), gained, gainedGamma);
+        // against the motion a difference of large numbers is left
+        boolean stopped = sum.length() < ROUNDING * gainedGamma * gainedGamma;
+        return new Step(new Rider(moved, stopped ? new Vector3d() : sum), turn(proper, gamma(), gained, gainedGamma));
+    }
+
+    /** The thrust against the motion, which leads to rest in the time rapidity/strength on board; none at rest. */
+    public Vector3d brake(double strength) {
+        return proper.lengthSquared() == 0
+                ? new Vector3d()
+                : Vectors.unit(proper).mul(-strength);
+    }
+
+    /** An event in the rest frame, counted from the present one, in the scene frame. */
+    private Event later(Event own) {
+        Vector3d place = own.position();
+        double along = proper.dot(place);
+        double factor = along / (gamma() + 1) + own.time();
+        return new Event(
+                event.x() + (own.x() + proper.x() * factor),
+                event.y() + (own.y() + proper.y() * factor),
+                event.z() + (own.z() + proper.z() * factor),
+                event.time() + (gamma() * own.time() + along));
+    }
+
+    /** The proper velocity u1 + u2: u2 is told in the frame that moves with u1. */
+    private static Vector3d sum(Vector3dc u1, double gamma1, Vector3dc u2, double gamma2) {
+        return new Vector3d(u2).fma(u1.dot(u2) / (gamma1 + 1) + gamma2, u1);
+    }
+
+    /**
+     * The axes that come from two boosts, seen from those of the one boost that leads to the same velocity: the inverse
+     * of the rotation with the quaternion ((gamma1 + 1)(gamma2 + 1) + u1.u2, u1 x u2).
+     */
+    private static Quaterniond turn(Vector3dc u1, double gamma1, Vector3dc u2, double gamma2) {
+        Vector3d across = u1.cross(u2, new Vector3d());
+        double scalar = (gamma1 + 1) * (gamma2 + 1) + u1.dot(u2);
+        return new Quaterniond(-across.x, -across.y, -across.z, scalar).normalize();
+    }
+}

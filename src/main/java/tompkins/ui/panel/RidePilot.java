@@ -1,0 +1,277 @@
+package tompkins.ui.panel;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import javax.swing.Timer;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import tompkins.animation.RideFilm;
+import tompkins.property.InvalidPropertyException;
+import tompkins.studio.RideMoment;
+import tompkins.studio.RideRecorder;
+import tompkins.studio.Studio;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.Messages;
+import tompkins.ui.widget.Texts;
+
+/**
+ * Rides with the camera of a model: time runs, thrust changes the velocity, and what happens can be recorded and
+ * replayed. A whole ride is one step of the history. It ends when somebody else changes where the camera is.
+ */
+public final class RidePilot {
+
+    /** As often as pictures can be made of it. */
+    private static final int TICK_MILLISECONDS = 16;
+
+    /** After a longer pause of the program the ride goes on as if there had been none. */
+    private static final double LONGEST_STEP_SECONDS = 0.1;
+
+    /** The rapidity that thrust gives in a second on board, however slow light is there. */
+    private static final double RAPIDITY_PER_SECOND = 0.5;
+
+    private final StudioModel model;
+    private final Consumer<String> teller;
+    private final List<Runnable> listeners = new ArrayList<>();
+    private final Object gesture = new Object();
+    private final Timer timer = new Timer(TICK_MILLISECONDS, event -> tick());
+    private final Vector3d wish = new Vector3d();
+    private boolean braking;
+    private double unitsPerSecond = 1;
+    private RideMoment moment;
+    private RideRecorder recorder;
+    private Studio replayed;
+    private RideFilm film;
+    private double filmTime;
+    private long lastTick;
+
+    /** A pilot for the camera of a model, who says in a line what happens. */
+    public RidePilot(StudioModel model, Consumer<String> teller) {
+        this.model = model;
+        this.teller = teller;
+    }
+
+    /** Calls a listener when a ride begins or ends, or a recording does. */
+    public void addListener(Runnable listener) {
+        listeners.add(listener);
+    }
+
+    private void tell() {
+        listeners.forEach(Runnable::run);
+    }
+
+    /** Whether time runs. */
+    public boolean isRiding() {
+        return timer.isRunning();
+    }
+
+    /** Whether the ride is recorded. */
+    public boolean isRecording() {
+        return recorder != null;
+    }
+
+    /** Whether a recorded ride is shown. */
+    public boolean isReplaying() {
+        return film != null;
+    }
+
+    /** The gesture to which all changes of a ride belong. */
+    public Object gesture() {
+        return gesture;
+    }
+
+    /** The present moment of the ride, or of one that pauses; null if the camera has gone elsewhere since. */
+    public RideMoment moment() {
+        return moment != null && moment.studio() == model.studio() ? moment : null;
+    }
+
+    /** Where thrust is wished: each component from -1 to 1, to the right, up and forwards. */
+    public void setThrust(Vector3dc direction) {
+        wish.set(direction);
+        if (direction.lengthSquared() > 0) {
+            braking = false;
+        }
+    }
+
+    /** No thrust any more, and no braking. */
+    public void stopThrust() {
+        wish.zero();
+        braking = false;
+    }
+
+    /** Brakes until the camera is at rest in the scene. */
+    public void brake() {
+        wish.zero();
+        braking = true;
+    }
+
+    /** Whether it brakes. */
+    public boolean isBraking() {
+        return braking;
+    }
+
+    /** How far light goes in a second of the ride, in scene units; above 0. */
+    public void setUnitsPerSecond(double units) {
+        unitsPerSecond = units;
+    }
+
+    /** How far light goes in a second of the ride, in scene units. */
+    public double unitsPerSecond() {
+        return unitsPerSecond;
+    }
+
+    /** Begins or goes on with a ride, or pauses it; what is recorded then is kept in the scene. */
+    public void setRiding(boolean riding) {
+        if (riding == isRiding()) {
+            return;
+        }
+        if (riding) {
+            begin();
+        } else {
+            end();
+        }
+        tell();
+    }
+
+    private void begin() {
+        if (moment() == null) {
+            moment = RideMoment.start(model.studio());
+        }
+        stopThrust();
+        lastTick = System.nanoTime();
+        timer.start();
+    }
+
+    private void end() {
+        timer.stop();
+        film = null;
+        keepRecording();
+        model.endGesture(gesture);
+    }
+
+    /** Begins to record, and to ride; or ends both. */
+    public void setRecording(boolean recording) {
+        if (!recording) {
+            setRiding(false);
+            return;
+        }
+        film = null;
+        setRiding(true);
+        moment = RideMoment.start(model.studio());
+        recorder = new RideRecorder(model.studio());
+        tell();
+    }
+
+    /** The scene goes back to where the recorded ride begins, with the ride in it. */
+    private void keepRecording() {
+        if (recorder == null) {
+            return;
+        }
+        Studio recorded = recorder.studio();
+        double seconds = recorder.seconds();
+        recorder = null;
+        if (!recorded.ride().isEmpty()) {
+            model.adjust(recorded, gesture);
+            teller.accept(Texts.get("ride.recorded", String.format(Locale.ROOT, "%.1f", seconds)));
+        }
+    }
+
+    /** Shows the ride that begins with the present studio, or that was shown last if its end is on the screen. */
+    public void replay() {
+        setRiding(false);
+        Studio start = model.studio();
+        if (start.ride().isEmpty() && replayed != null && moment() != null) {
+            start = replayed;
+        }
+        if (start.ride().isEmpty()) {
+            teller.accept(Texts.get("ride.nothingRecorded"));
+            return;
+        }
+        Studio beginning = start;
+        attempt(() -> {
+            film = new RideFilm(beginning);
+            replayed = beginning;
+            filmTime = 0;
+            moment = film.moment(0.0);
+            model.adjust(moment.studio(), gesture);
+            lastTick = System.nanoTime();
+            timer.start();
+        });
+        tell();
+    }
+
+    private void tick() {
+        long now = System.nanoTime();
+        double seconds = Math.min(LONGEST_STEP_SECONDS, (now - lastTick) * 1e-9);
+        lastTick = now;
+        if (!follow(model.studio())) {
+            setRiding(false);
+            return;
+        }
+        attempt(() -> {
+            if (film != null) {
+                show(seconds);
+            } else {
+                ride(seconds);
+            }
+        });
+    }
+
+    /** Another look or another light is part of the ride, another place is not; false then. */
+    private boolean follow(Studio studio) {
+        if (studio == moment.studio()) {
+            return true;
+        }
+        if (film != null || !moment.isOf(studio)) {
+            return false;
+        }
+        moment = moment.with(studio);
+        return true;
+    }
+
+    private void show(double seconds) {
+        filmTime += seconds;
+        moment = film.moment(filmTime);
+        model.adjust(moment.studio(), gesture);
+        if (filmTime >= film.seconds()) {
+            setRiding(false);
+        }
+    }
+
+    private void ride(double seconds) {
+        double strength = RAPIDITY_PER_SECOND / unitsPerSecond;
+        double properTime = unitsPerSecond * seconds;
+        if (braking) {
+            double needed = moment.rider().rapidity() / strength;
+            double part = Math.min(needed, properTime);
+            step(moment.brake(strength), part);
+            step(new Vector3d(), properTime - part);
+        } else {
+            double length = wish.length();
+            step(wish.mul(length > 1 ? strength / length : strength, new Vector3d()), properTime);
+        }
+        model.adjust(moment.studio(), gesture);
+    }
+
+    private void step(Vector3dc thrust, double properTime) {
+        if (properTime <= 0) {
+            return;
+        }
+        RideMoment next = moment.after(thrust, properTime);
+        if (recorder != null) {
+            recorder.add(moment.studio(), thrust, properTime, properTime / unitsPerSecond, next.studio());
+        }
+        moment = next;
+    }
+
+    /** A camera that gets too fast, or too far away, ends the ride. */
+    private void attempt(Runnable action) {
+        try {
+            action.run();
+        } catch (InvalidPropertyException refused) {
+            setRiding(false);
+            teller.accept(Texts.get("ride.ended", Messages.of(refused)));
+        }
+    }
+}

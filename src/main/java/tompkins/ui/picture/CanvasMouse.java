@@ -1,0 +1,111 @@
+package tompkins.ui.picture;
+
+import java.awt.Cursor;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import javax.swing.SwingUtilities;
+
+/** What the mouse does on a canvas: it points, clicks, and drags the divider. */
+final class CanvasMouse extends MouseAdapter {
+
+    private static final int GRIP = 6;
+
+    /** How far a press may move and be a click: a hand shakes. */
+    private static final int LARGEST_CLICK = 5;
+
+    private final PictureCanvas canvas;
+    private Point pressed = new Point();
+    private boolean draggingDivider;
+    private boolean dragged;
+
+    /** By how much the wheel was turned since the last step: a touchpad takes many small turns for one. */
+    private double turned;
+
+    CanvasMouse(PictureCanvas canvas) {
+        this.canvas = canvas;
+        canvas.addMouseListener(this);
+        canvas.addMouseMotionListener(this);
+        canvas.addMouseWheelListener(this);
+    }
+
+    private boolean isNearDivider(Point point) {
+        return Math.abs(point.x - canvas.dividerX()) <= GRIP;
+    }
+
+    /** Whether a drag that begins at a point is not one of the divider, and no click is waited for. */
+    boolean isFreeAt(Point point) {
+        return !canvas.isPicking() && !isNearDivider(point);
+    }
+
+    /** Whether the mouse has moved so far since its button was pressed that this is no click. */
+    boolean isDragging() {
+        return dragged;
+    }
+
+    @Override
+    public void mousePressed(MouseEvent event) {
+        canvas.requestFocusInWindow();
+        draggingDivider = isNearDivider(event.getPoint());
+        pressed = event.getPoint();
+        dragged = false;
+    }
+
+    @Override
+    public void mouseDragged(MouseEvent event) {
+        Point before = canvas.mouseAt();
+        dragged |= event.getPoint().distance(pressed) > LARGEST_CLICK;
+        if (SwingUtilities.isMiddleMouseButton(event) && before != null) {
+            canvas.pointMouse(event.getPoint());
+            canvas.zoom().pan(event.getX() - before.x, event.getY() - before.y);
+        } else if (draggingDivider) {
+            canvas.pointMouse(event.getPoint());
+            Rectangle bounds = canvas.pictureBounds();
+            canvas.setDivider((double) (event.getX() - bounds.x) / bounds.width);
+        } else {
+            mouseMoved(event);
+        }
+    }
+
+    @Override
+    public void mouseMoved(MouseEvent event) {
+        if (!canvas.isPicking()) {
+            canvas.setCursor(Cursor.getPredefinedCursor(
+                    isNearDivider(event.getPoint()) ? Cursor.E_RESIZE_CURSOR : Cursor.DEFAULT_CURSOR));
+        }
+        canvas.pointMouse(event.getPoint());
+        canvas.tellPointed();
+    }
+
+    @Override
+    public void mouseExited(MouseEvent event) {
+        canvas.pointMouse(null);
+        canvas.tellPointed();
+    }
+
+    /** With Alt, the wheel enlarges; turned away from the hand, as elsewhere. */
+    @Override
+    public void mouseWheelMoved(MouseWheelEvent event) {
+        if (event.isAltDown()) {
+            canvas.pointMouse(event.getPoint());
+            turned += event.getPreciseWheelRotation();
+            for (; turned <= -1; turned++) {
+                canvas.zoom().enlarge();
+            }
+            for (; turned >= 1; turned--) {
+                canvas.zoom().reduce();
+            }
+        }
+    }
+
+    @Override
+    public void mouseReleased(MouseEvent event) {
+        if (!draggingDivider && !dragged && event.getButton() == MouseEvent.BUTTON1) {
+            canvas.pointMouse(event.getPoint());
+            canvas.click();
+        }
+        draggingDivider = false;
+    }
+}

@@ -1,0 +1,17 @@
+package tompkins.ui.picture;
+
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+
+/** Something that is painted over a picture on the screen, and never gets into one that is saved. */
+public interface Overlay {
+
+    /**
+     * Paints it.
+     *
+     * @param picture the picture on the screen
+     * @param bounds where that lies; beyond the canvas where it is enlarged
+     * @param visible the part of it that is seen
+     */
+    void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible);
+}

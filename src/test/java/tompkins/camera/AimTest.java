@@ -1,0 +1,127 @@
+package tompkins.camera;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import java.util.stream.Stream;
+import org.assertj.core.data.Offset;
+import org.joml.Vector2dc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.camera.Aim.PicturePlace;
+import tompkins.math.Vectors;
+import tompkins.property.Descriptions;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.Sphere;
+import tompkins.shutter.ArbitraryPlaneShutter;
+import tompkins.spacetime.IdentityTransformation;
+import tompkins.surface.ColouredSurface;
+
+class AimTest {
+
+    private static final Offset<Double> EXACT = within(1e-12);
+
+    static Stream<Camera> cameras() {
+        Camera tilted = ThinLensCamera.DEFAULT.turned(new Vector3d(0.3, -0.5, -1), new Vector3d(0.1, 1, 0.2));
+        return Stream.of(
+                ThinLensCamera.DEFAULT,
+                tilted,
+                tilted.withHorizontalAngle(110),
+                PanoramicCamera.DEFAULT,
+                PanoramicCamera.DEFAULT.turned(new Vector3d(1, 0.2, 0), new Vector3d(0, 1, 0)));
+    }
+
+    private static PicturePlace place(double x, double y) {
+        return new PicturePlace(x, y, 640, 480);
+    }
+
+    /** Turned by hand, a point stays under the mouse, and what is level stays level. */
+    @ParameterizedTest
+    @MethodSource("cameras")
+    void whatIsDraggedStaysUnderTheMouse(Camera camera) {
+        SplittableRandom random = new SplittableRandom(1);
+        for (int i = 0; i < 50; i++) {
+            PicturePlace from = place(random.nextDouble(200, 440), random.nextDouble(180, 300));
+            PicturePlace to = place(from.x() + random.nextDouble(-40, 40), from.y() + random.nextDouble(-20, 20));
+            Vector3d seen = from.direction(camera);
+            Camera now = Aim.at(camera, seen, to);
+            assertThat(to.direction(now).distance(seen)).isLessThan(1e-12);
+            assertThat(now.topDirection()).isEqualTo(camera.topDirection());
+            assertThat(now.position()).isEqualTo(camera.position());
+        }
+    }
+
+    @Test
+    void nobodyLooksBeyondStraightUp() {
+        Camera up = Aim.at(ThinLensCamera.DEFAULT, new Vector3d(0, 1, 0), place(320, 240));
+        assertThat(Math.asin(Vectors.unit(up.viewDirection()).y())).isCloseTo(Aim.STEEPEST, EXACT);
+        Camera still = Aim.at(up, PicturePlace.MIDDLE.direction(up), place(320, 400));
+        assertThat(Math.asin(Vectors.unit(still.viewDirection()).y())).isCloseTo(Aim.STEEPEST, EXACT);
+    }
+
+    @ParameterizedTest
+    @MethodSource("cameras")
+    void zoomsAboutAPlace(Camera camera) {
+        PicturePlace place = place(400, 200);
+        Vector3d seen = place.direction(camera);
+        Camera narrow = Aim.zoomed(camera, 0.5, place);
+        assertThat(narrow.horizontalAngleDegrees()).isCloseTo(camera.horizontalAngleDegrees() / 2, EXACT);
+        assertThat(place.direction(narrow).distance(seen)).isLessThan(1e-12);
+        assertThat(Aim.zoomed(camera, 1e9).horizontalAngleDegrees())
+                .isEqualTo(camera instanceof ThinLensCamera ? 170 : 360);
+    }
+
+    @ParameterizedTest
+    @MethodSource("cameras")
+    void anglesBetweenTwoViewsLeadFromOneToTheOther(Camera camera) {
+        Camera other = new Aim(-2.5, 0.3).turn(camera);
+        Aim between = Aim.between(camera, other);
+        assertThat(between.right()).isCloseTo(-2.5, EXACT);
+        assertThat(between.up()).isCloseTo(0.3, EXACT);
+        // a turn to the right of a level camera by a right angle looks along its right
+        Camera level = ThinLensCamera.DEFAULT;
+        assertThat(new Aim(Math.PI / 2, 0).turn(level).viewDirection().distance(level.rightDirection()))
+                .isLessThan(1e-15);
+        assertThat(new Aim(0, 0.4).turn(level).viewDirection().y()).isCloseTo(Math.sin(0.4), EXACT);
+    }
+
+    @ParameterizedTest
+    @MethodSource("cameras")
+    void placesAndDirectionsAgree(Camera camera) {
+        CameraRays rays = camera.rays(640, 480, new IdentityTransformation());
+        for (double[] each : new double[][] {{320, 240}, {1, 2}, {600, 33}, {17, 477}}) {
+            Vector2dc place = rays.place(rays.chiefDirection(each[0], each[1]));
+            assertThat(place.distance(each[0], each[1])).isLessThan(1e-9);
+        }
+        Vector3dc behind = new Vector3d().sub(Vectors.unit(camera.viewDirection()));
+        assertThat(rays.place(behind) == null).isEqualTo(camera instanceof ThinLensCamera);
+    }
+
+    /** A turned camera is focused at the same distance, and its shutter is where it was in the picture. */
+    @Test
+    void focusAndShutterTurnWithTheCamera() {
+        ThinLensCamera camera = Descriptions.with(
+                ThinLensCamera.DEFAULT.withShutter(
+                        new ArbitraryPlaneShutter(1, new Vector3d(0.2, 0.1, 3), new Vector3d(0.1, 0, 1))),
+                "position",
+                new Vector3d(1, 2, -4));
+        Camera turned = Aim.along(camera, new Vector3d(1, 0.3, 0.2));
+        assertThat(turned.focusDistance()).isCloseTo(14, EXACT);
+        for (PicturePlace place : new PicturePlace[] {place(100, 100), place(500, 300)}) {
+            assertThat(time(turned, place)).isCloseTo(time(camera, place), EXACT);
+        }
+        ThinLensCamera atSphere = Descriptions.with(
+                camera, "focus", new Sphere("focus", new Vector3d(1, 2, 3), 2, ColouredSurface.DEFAULT));
+        assertThat(Aim.along(atSphere, new Vector3d(-1, 0, 0)).focusDistance()).isCloseTo(5, within(1e-9));
+        assertThat(((ThinLensCamera) turned).focus()).isInstanceOf(Plane.class);
+    }
+
+    private static double time(Camera camera, PicturePlace place) {
+        CameraRays rays = camera.rays(640, 480, new IdentityTransformation());
+        return camera.shutter().transmissionTime(rays.chiefRay(place.direction(camera)), new IdentityTransformation());
+    }
+}

@@ -1,0 +1,215 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.event.KeyEvent;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import javax.swing.JButton;
+import javax.swing.JToggleButton;
+import org.joml.Vector2dc;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import tompkins.camera.Aim.PicturePlace;
+import tompkins.camera.Camera;
+import tompkins.io.StudioReader;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.studio.Studios;
+import tompkins.ui.picture.PictureCanvas;
+
+/** The camera is steered in the real window, with mouse and keys. */
+@Timeout(600)
+@NeedsDisplay
+class RideTest {
+
+    @TempDir
+    private Path folder;
+
+    @AutoClose
+    private WindowDriver driver;
+
+    private Studio start;
+
+    @BeforeEach
+    void open() {
+        start = Studios.lattice().withVelocity(Velocity.of(0, 0, 0.5));
+        driver = new WindowDriver(folder.resolve("settings"), start, null, List.of());
+        driver.completePicture();
+    }
+
+    private PictureCanvas canvas() {
+        return driver.window().view().canvas();
+    }
+
+    /** A point of the screen, as shares of the picture. */
+    private Point point(double x, double y) {
+        return WindowDriver.onEventThread(() -> {
+            Point corner = canvas().getLocationOnScreen();
+            Rectangle bounds = canvas().pictureBounds();
+            return new Point(
+                    (int) (corner.x + bounds.x + x * bounds.width), (int) (corner.y + bounds.y + y * bounds.height));
+        });
+    }
+
+    private Vector3d seenAt(Point point, Camera camera) {
+        return WindowDriver.onEventThread(() -> {
+            Point corner = canvas().getLocationOnScreen();
+            Rectangle bounds = canvas().pictureBounds();
+            return new PicturePlace(
+                            (point.x - corner.x + 0.5 - bounds.x) / bounds.width * 640,
+                            (point.y - corner.y + 0.5 - bounds.y) / bounds.height * 480,
+                            640,
+                            480)
+                    .direction(camera);
+        });
+    }
+
+    private double pixelsBetween(Vector3d direction, Vector3d other, Camera camera) {
+        Vector2dc one = PicturePlace.of(camera, direction, 640, 480);
+        return one.distance(PicturePlace.of(camera, other, 640, 480));
+    }
+
+    @Test
+    void dragsWheelAndKeysSteerTheView() {
+        Point from = point(0.7, 0.4);
+        Point to = point(0.4, 0.6);
+        Vector3d seen = seenAt(from, start.camera());
+        driver.drag(from, to, 12);
+        Camera dragged = driver.studio().camera();
+        assertThat(pixelsBetween(seen, seenAt(to, dragged), dragged)).isLessThan(0.01);
+        assertThat(driver.window().side().panel().component().isShowing()).isTrue();
+
+        Point pointer = point(0.3, 0.3);
+        Vector3d under = seenAt(pointer, dragged);
+        driver.wheel(pointer, -3);
+        Camera zoomed = driver.studio().camera();
+        assertThat(zoomed.horizontalAngleDegrees()).isCloseTo(20 / Math.pow(1.1, 3), within(1e-9));
+        assertThat(pixelsBetween(under, seenAt(pointer, zoomed), zoomed)).isLessThan(0.01);
+
+        driver.key(KeyEvent.VK_RIGHT, KeyEvent.VK_ALT);
+        Camera turned = driver.studio().camera();
+        assertThat(Math.toDegrees(turned.viewDirection().angle(zoomed.viewDirection())))
+                .isCloseTo(0.05 * zoomed.horizontalAngleDegrees(), within(0.02));
+
+        // one step for each gesture
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(driver.studio().camera()).isEqualTo(zoomed);
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(driver.studio().camera()).isEqualTo(dragged);
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(driver.studio()).isEqualTo(start);
+    }
+
+    @Test
+    void shiftDragMovesTheLensWithWhatIsUnderTheMouse() {
+        driver.hold(KeyEvent.VK_SHIFT);
+        driver.drag(point(0.5, 0.5), point(0.6, 0.5), 8);
+        driver.release(KeyEvent.VK_SHIFT);
+        Camera moved = driver.studio().camera();
+        assertThat(moved.position().x()).isLessThan(-0.01);
+        assertThat(moved.viewDirection()).isEqualTo(start.camera().viewDirection());
+        assertThat(driver.studio().velocity()).isEqualTo(start.velocity());
+        double before = moved.position().z();
+        driver.hold(KeyEvent.VK_CONTROL);
+        driver.wheel(point(0.5, 0.5), -2);
+        driver.release(KeyEvent.VK_CONTROL);
+        WindowDriver.await(
+                "the lens nearer",
+                () -> driver.window().model().studio().camera().position().z() > before + 0.01);
+    }
+
+    @Test
+    void doubleClickCentres() {
+        Point at = point(0.7, 0.3);
+        Vector3d seen = seenAt(at, start.camera());
+        driver.doubleClick(at);
+        WindowDriver.await(
+                "the view on it",
+                () -> driver.window().model().studio().camera().viewDirection().angle(seen) < 1e-6);
+    }
+
+    @Test
+    void rideIsPausedUndoneSavedAndOpenedAgain() throws Exception {
+        driver.key(KeyEvent.VK_F6);
+        WindowDriver.await("the ride", () -> driver.window().motion().pilot().isRiding());
+        driver.hold(KeyEvent.VK_W);
+        WindowDriver.pause(2000);
+        driver.release(KeyEvent.VK_W);
+        WindowDriver.await(
+                "a faster camera",
+                () -> driver.window().model().studio().velocity().speed() > 0.6);
+        driver.key(KeyEvent.VK_F6);
+        WindowDriver.await("the pause", () -> !driver.window().motion().pilot().isRiding());
+        Studio paused = driver.studio();
+        assertThat(paused.velocity().rapidity()).isBetween(0.549 + 0.3, 0.549 + 4);
+        assertThat(paused.velocity().direction()).isEqualTo(new Vector3d(0, 0, 1));
+        assertThat(driver.completePicture().studio()).isEqualTo(paused);
+
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(driver.studio()).isEqualTo(start);
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
+        assertThat(driver.studio()).isEqualTo(paused);
+
+        Path file = folder.resolve("paused.json");
+        driver.menu("menu.saveScene");
+        driver.choose(file);
+        WindowDriver.await("the file", () -> Files.exists(file));
+        WindowDriver.await("the saved scene", () -> !driver.window().model().isModified());
+        assertThat(StudioReader.read(file)).isEqualTo(paused);
+    }
+
+    @Test
+    void recordedRideIsKeptAndReplayed() {
+        driver.key(KeyEvent.VK_F6);
+        driver.key(KeyEvent.VK_F6);
+        driver.click(driver.find(JToggleButton.class, "Record"));
+        driver.hold(KeyEvent.VK_S);
+        WindowDriver.pause(700);
+        driver.release(KeyEvent.VK_S);
+        driver.key(KeyEvent.VK_F6);
+        WindowDriver.await(
+                "the recording", () -> !driver.window().model().studio().ride().isEmpty());
+        Studio recorded = driver.studio();
+        double change = recorded.ride().stream()
+                .mapToDouble(leg -> leg.acceleration().z() * leg.properTime())
+                .sum();
+        assertThat(change).isBetween(-2.0, -0.1);
+        double rapidity = recorded.velocity().rapidity();
+
+        driver.click(driver.find(JButton.class, "Replay"));
+        WindowDriver.await("the replay", () -> driver.window().motion().pilot().isReplaying());
+        WindowDriver.await("its end", () -> !driver.window().motion().pilot().isRiding());
+        Studio end = driver.studio();
+        double signed = end.velocity().rapidity()
+                * Math.signum(end.velocity().direction().z());
+        assertThat(signed).isCloseTo(rapidity + change, within(1e-9));
+        driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
+        assertThat(driver.studio()).isEqualTo(recorded);
+    }
+
+    @Test
+    void spaceEndsThrustAndBBrakesToRest() {
+        driver.key(KeyEvent.VK_F6);
+        driver.hold(KeyEvent.VK_W);
+        WindowDriver.pause(300);
+        driver.key(KeyEvent.VK_SPACE);
+        Velocity coasting = driver.studio().velocity();
+        assertThat(coasting.speed()).isGreaterThan(0.5);
+        driver.release(KeyEvent.VK_W);
+        driver.key(KeyEvent.VK_B);
+        WindowDriver.await(
+                "rest", () -> driver.window().model().studio().velocity().isRest());
+        driver.key(KeyEvent.VK_ESCAPE);
+        assertThat(driver.window().motion().pilot().isRiding()).isFalse();
+        driver.completePicture();
+    }
+}
