@@ -15,7 +15,7 @@ import tompkins.ui.widget.Texts;
 /** The keys and what the mouse does, group by group: each beside what it means. */
 final class KeyTable {
 
-    private final JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 0, wrap 2, gap 24 2"));
+    private final JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 0, wrap 2, gap 24 0"));
 
     /** A table that begins with some menu items, which all have keys. */
     KeyTable(List<JMenuItem> items) {
@@ -50,7 +50,7 @@ final class KeyTable {
     private void addHeading(String title) {
         JLabel heading = new JLabel(title);
         heading.putClientProperty(FlatClientProperties.STYLE, "font: bold");
-        panel.add(heading, panel.getComponentCount() == 0 ? "span 2" : "span 2, gaptop 9");
+        panel.add(heading, panel.getComponentCount() == 0 ? "span 2" : "span 2, gaptop 5");
     }
 
     JComponent component() {

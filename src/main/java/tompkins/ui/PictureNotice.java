@@ -1,10 +1,9 @@
 package tompkins.ui;
 
 import java.awt.Color;
-import java.awt.FlowLayout;
+import java.awt.Dimension;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
@@ -12,13 +11,15 @@ import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Note;
 
 /** Says on a spoilt picture what spoils it, and offers the remedy there. */
 final class PictureNotice {
 
     private final StudioModel model;
     private final JPanel panel = new NoticePanel();
-    private final JLabel problem = new JLabel();
+    private final Note problem = new Note("");
     private final JButton button = new JButton();
     private Studio noticed;
     private Remedy remedy;
@@ -26,14 +27,13 @@ final class PictureNotice {
     /** Nothing is said on the canvas yet. */
     PictureNotice(StudioModel model, PictureCanvas canvas) {
         this.model = model;
-        problem.setName("notice.problem");
         button.setName("notice.remedy");
         button.addActionListener(event -> apply());
-        panel.add(problem);
-        panel.add(button);
+        panel.add(problem.component(), "growx, wmin 0");
+        panel.add(button, "alignx center, wmin 0");
         panel.setVisible(false);
         canvas.setLayout(new MigLayout("novisualpadding, insets 10, fill", "[center]", "[top]"));
-        canvas.add(panel);
+        canvas.add(panel, "wmin 0");
     }
 
     /** Shows what there is to say of the picture on the screen; of one that is not complete nobody knows. */
@@ -62,8 +62,16 @@ final class PictureNotice {
     @SuppressWarnings("serial") // never written to a stream
     private static final class NoticePanel extends JPanel {
 
+        /** Its width where the canvas has room for it, in sizes of the type. */
+        private static final double WIDTH = 26;
+
         NoticePanel() {
-            super(new FlowLayout(FlowLayout.CENTER, 8, 4));
+            super(new MigLayout("novisualpadding, insets 6 8 6 8, wrap 1, gap 0 6", "[grow,fill]"));
+        }
+
+        @Override
+        public Dimension getPreferredSize() {
+            return new Dimension(Look.pixels(WIDTH), super.getPreferredSize().height);
         }
 
         @Override

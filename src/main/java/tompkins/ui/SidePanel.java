@@ -100,7 +100,8 @@ final class SidePanel {
     private static JScrollPane scroll(String name, JComponent content) {
         JScrollPane scroll = new JScrollPane(
                 content,
-                ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
+                // so that nothing moves sideways when there is more, or less, than fits
+                ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS,
                 ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         scroll.setName(name);
         scroll.setBorder(BorderFactory.createEmptyBorder());

@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Rectangle;
 import java.util.Arrays;
 import java.util.List;
 import javax.swing.JButton;
@@ -91,6 +92,16 @@ class RemedyTest {
                 .withColours(ColourLaw.SEARCHLIGHT);
         assertThat(complete(burnt).flaw()).isEqualTo(Picture.Flaw.BURNT);
         WindowDriver.await("the offer", () -> button().getParent().isVisible());
+        WindowDriver.onEventThread(() -> {
+            view.canvas().setSize(260, 195);
+            Components.layOut(view.canvas());
+            Rectangle notice = button().getParent().getBounds();
+            assertThat(new Rectangle(260, 195).contains(notice))
+                    .as("%s", notice)
+                    .isTrue();
+            assertThat(new Rectangle(notice.getSize()).contains(button().getBounds()))
+                    .isTrue();
+        });
         WindowDriver.onEventThread(() -> button().doClick());
         assertThat(model.studio().camera().exposureStops()).isLessThan(0);
         assertThat(awaitPicture().flaw()).isEqualTo(Picture.Flaw.NONE);

@@ -86,7 +86,7 @@ class SideRoomTest {
 
     private List<Rectangle> places() {
         JComponent panel = window.side().panel().component();
-        JTextField field = Components.find(panel, JTextField.class, "Exposure");
+        JTextField field = Components.find(panel, JTextField.class, "Opens at");
         Rectangle place = SwingUtilities.convertRectangle(field.getParent(), field.getBounds(), panel);
         return List.of(panel.getBounds(), place);
     }

@@ -15,7 +15,7 @@ public final class Column extends JPanel implements Scrollable {
 
     /** An empty column. */
     public Column() {
-        super(new MigLayout("novisualpadding, insets 6 6 4 6, fillx, wrap 1, hidemode 3, gap 0 2", "[grow,fill]"));
+        super(new MigLayout("novisualpadding, insets 6 6 4 6, fillx, wrap 1, hidemode 3, gap 0 0", "[grow,fill]"));
     }
 
     @Override

@@ -31,7 +31,7 @@ public final class Section {
         heading.putClientProperty(
                 FlatClientProperties.STYLE,
                 "font: bold; toolbar.selectedBackground: null; toolbar.hoverBackground: $Tompkins.hover;"
-                        + " margin: 1,2,1,2");
+                        + " margin: 0,2,0,2");
         heading.setName(title);
         heading.getAccessibleContext().setAccessibleDescription(Texts.get("section.tip"));
         heading.addItemListener(event -> {
