@@ -18,6 +18,7 @@ import tompkins.io.RayLifeWriter;
 import tompkins.io.StudioReader;
 import tompkins.property.NumberText;
 import tompkins.property.OneLine;
+import tompkins.property.Require;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.RenderSettings;
@@ -56,6 +57,13 @@ final class TraceCommand implements Callable<Integer>, SceneCommand {
     private String pupil;
 
     @Option(
+            names = "--moment",
+            defaultValue = "0.5",
+            paramLabel = "M",
+            description = "part of the exposure time that has passed, 0 to 1; default: its middle")
+    private double moment;
+
+    @Option(
             names = "--json",
             description =
                     "print JSON with 17 significant digits; null for a ray that never crosses the shutter, and for a number"
@@ -83,11 +91,12 @@ final class TraceCommand implements Callable<Integer>, SceneCommand {
             throw new MistakeException(
                     "--pupil must lie in the unit disc, such as --pupil=" + PUPIL_EXAMPLE + ", was " + pupil);
         }
+        double checkedMoment = MistakeException.inOption("--moment", () -> Require.within("moment", moment, 0.0, 1.0));
         RenderPlan plan = ScenePlan.of(studio, scene);
         List<RayLife> lives = new ArrayList<>();
         for (int[] place : places) {
             // null for a ray without events
-            lives.add(RayLife.of(plan, place[0] + 0.5, place[1] + 0.5, lens[0], lens[1]));
+            lives.add(RayLife.of(plan, place[0] + 0.5, place[1] + 0.5, lens[0], lens[1], checkedMoment));
         }
         PrintWriter out = spec.commandLine().getOut();
         if (json) {

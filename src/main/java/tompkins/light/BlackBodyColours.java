@@ -70,6 +70,51 @@ final class BlackBodyColours {
                 Math.max(0, channel(2, light, place)));
     }
 
+    /**
+     * The colour in the camera frame of light that a moving lamp has sent to a surface. The surface's bands have their
+     * edges in its own frame, so they are shifted once; the black body is shifted on the whole way.
+     *
+     * @param light the colour, as if lamp and surface had one frame
+     * @param temperatureFactor frequency in the camera frame divided by that in the frame of the lamp
+     * @param edgeFactor frequency in the camera frame divided by that in the frame of the surface
+     */
+    static Colour seen(Colour light, double temperatureFactor, double edgeFactor) {
+        double place = place(temperatureFactor);
+        if (!(place >= 0)) {
+            return Colour.BLACK;
+        }
+        int before = (int) Math.min(place, ENTRIES - 2.0);
+        double share = Math.min(1, place - before);
+        double beyond = Math.max(0, place - (ENTRIES - 1)) / STEPS_PER_UNIT;
+        Vector3d amounts = TwoShifts.SHARES.transform(new Vector3d(light.red(), light.green(), light.blue()));
+        double logEdge = Math.log(edgeFactor);
+        Vector3d sum = TwoShifts.colour(before, logEdge, amounts)
+                .lerp(TwoShifts.colour(before + 1, logEdge, amounts), share)
+                .mul(Math.exp(beyond));
+        return new Colour(Math.max(0, sum.x), Math.max(0, sum.y), Math.max(0, sum.z));
+    }
+
+    /** What only light of moving lamps needs: made when the first such light is asked for. */
+    private static final class TwoShifts {
+        private static final List<SpectralPoint> SPECTRUM = spectrum();
+        private static final Matrix3d AT_REST = bands(SPECTRUM, 1);
+        private static final Matrix3d BALANCE = balance(AT_REST);
+        private static final Matrix3d SHARES = shares(BALANCE, AT_REST);
+        private static final LampShiftTable TABLE = new LampShiftTable(SPECTRUM, STEPS_PER_UNIT, ENTRIES);
+
+        /** The colour for an entry of the temperature, of amounts of the long, the middle and the short waves. */
+        static Vector3d colour(int place, double logEdge, Vector3dc amounts) {
+            Vector3d first = new Vector3d();
+            Vector3d second = new Vector3d();
+            TABLE.bands(place, dopplerFactor(place), logEdge, first, second);
+            // all, as a matrix for amounts of 1, is the white that the other table holds
+            Vector3d all = new Vector3d(
+                    entry(place, 0, Colour.WHITE), entry(place, 1, Colour.WHITE), entry(place, 2, Colour.WHITE));
+            return BALANCE.transform(second.mul(amounts.x() - amounts.y()).add(first.mul(amounts.y() - amounts.z())))
+                    .fma(amounts.z(), all);
+        }
+    }
+
     /** The luminance in the camera frame of what is white in the scene. */
     static double brightness(double dopplerFactor) {
         double place = place(dopplerFactor);
@@ -104,26 +149,39 @@ final class BlackBodyColours {
     private static double[] table() {
         List<SpectralPoint> spectrum = spectrum();
         Matrix3d atRest = bands(spectrum, 1);
-        Vector3d white = atRest.transform(new Vector3d(1));
-        // the camera is balanced to the light in which the scene is white
-        Matrix3d balance = new Matrix3d().scaling(1 / white.x, 1 / white.y, 1 / white.z);
-        Matrix3d shares = balance.mul(atRest, new Matrix3d()).invert();
+        Matrix3d balance = balance(atRest);
+        Matrix3d shares = shares(balance, atRest);
         double[] table = new double[9 * ENTRIES];
         for (int place = 0; place < ENTRIES; place++) {
-            double dopplerFactor = Math.exp(LEAST + (double) place / STEPS_PER_UNIT);
-            Matrix3d change =
-                    balance.mul(bands(spectrum, dopplerFactor), new Matrix3d()).mul(shares);
+            Matrix3d change = balance.mul(bands(spectrum, dopplerFactor(place)), new Matrix3d())
+                    .mul(shares);
             // JOML stores columns, the table holds rows
             change.transpose().get(table, 9 * place);
         }
         return table;
     }
 
+    /** The Doppler factor of an entry of the table. */
+    private static double dopplerFactor(int place) {
+        return Math.exp(LEAST + (double) place / STEPS_PER_UNIT);
+    }
+
+    /** The camera is balanced to the light in which the scene is white. */
+    private static Matrix3d balance(Matrix3d atRest) {
+        Vector3d white = atRest.transform(new Vector3d(1));
+        return new Matrix3d().scaling(1 / white.x, 1 / white.y, 1 / white.z);
+    }
+
+    /** How much of each band, long waves first, a colour of the screen stands for. */
+    private static Matrix3d shares(Matrix3d balance, Matrix3d atRest) {
+        return balance.mul(atRest, new Matrix3d()).invert();
+    }
+
     /**
      * A wavelength, and what it adds to the channels of a screen for each unit of the Planck factor 1/(exp(h
      * c/(wavelength k T)) - 1).
      */
-    private record SpectralPoint(double wavelength, Vector3dc weight) {}
+    record SpectralPoint(double wavelength, Vector3dc weight) {}
 
     private static List<SpectralPoint> spectrum() {
         return ColourMatching.table().stream()
@@ -139,17 +197,32 @@ final class BlackBodyColours {
         Vector3d longWaves = new Vector3d();
         Vector3d middle = new Vector3d();
         Vector3d shortWaves = new Vector3d();
-        double exponent = SECOND_RADIATION_CONSTANT / (dopplerFactor * WHITE_TEMPERATURE);
         for (SpectralPoint point : spectrum) {
-            double planck = 1 / Math.expm1(exponent / point.wavelength());
+            double planck = planck(dopplerFactor, point.wavelength());
             double inScene = dopplerFactor * point.wavelength();
-            double aboveFirst = above(FIRST_EDGE, inScene);
-            double aboveSecond = above(SECOND_EDGE, inScene);
+            double aboveFirst = aboveFirst(inScene);
+            double aboveSecond = aboveSecond(inScene);
             longWaves.fma(aboveSecond * planck, point.weight());
             middle.fma((aboveFirst - aboveSecond) * planck, point.weight());
             shortWaves.fma((1 - aboveFirst) * planck, point.weight());
         }
         return new Matrix3d(longWaves, middle, shortWaves);
+    }
+
+    /** The Planck factor of a black body with a temperature that is told as a multiple of that of white light. */
+    static double planck(double temperatureFactor, double wavelength) {
+        double exponent = SECOND_RADIATION_CONSTANT / (temperatureFactor * WHITE_TEMPERATURE);
+        return 1 / Math.expm1(exponent / wavelength);
+    }
+
+    /** The share of a wavelength that belongs to the middle or the long waves. */
+    static double aboveFirst(double wavelength) {
+        return above(FIRST_EDGE, wavelength);
+    }
+
+    /** The share of a wavelength that belongs to the long waves. */
+    static double aboveSecond(double wavelength) {
+        return above(SECOND_EDGE, wavelength);
     }
 
     private static double above(double edge, double wavelength) {

@@ -49,6 +49,13 @@ public enum ColourLaw {
         }
 
         @Override
+        public Colour seen(Colour light, double lampFactor, double dopplerFactor) {
+            return lampFactor == 1
+                    ? seen(light, dopplerFactor)
+                    : BlackBodyColours.seen(light, lampFactor * dopplerFactor, dopplerFactor);
+        }
+
+        @Override
         public double brightness(double dopplerFactor) {
             return BlackBodyColours.brightness(dopplerFactor);
         }

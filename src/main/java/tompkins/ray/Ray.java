@@ -252,6 +252,11 @@ public final class Ray {
         return width + spread * distance;
     }
 
+    /** Lets this start at a place and a time on nothing. */
+    public void setStart(Hit place) {
+        startOn(place);
+    }
+
     private void startOn(Hit hit) {
         x = hit.x;
         y = hit.y;

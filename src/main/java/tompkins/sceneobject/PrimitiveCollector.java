@@ -135,7 +135,9 @@ public final class PrimitiveCollector {
         double ownZero = rest.zero().plus(frame.origin()).time();
         Velocity turned = placement.velocity(velocity);
         if (law == TransformationLaw.NONE || turned.isRest()) {
-            rest = new RestFrame(rest.motion(), rest.zero(), clockOffset);
+            Vector3dc shift = placement.vector(place);
+            rest = new RestFrame(
+                    rest.motion(), rest.zero().plus(new Event(shift.x(), shift.y(), shift.z(), 0)), clockOffset);
             content.accept(placement.after(new Placement(1, new Matrix3d(), place)));
         } else {
             Vector3d at = placement.place(place);

@@ -2,9 +2,13 @@ package tompkins.trace;
 
 import java.util.stream.DoubleStream;
 import org.joml.Vector3d;
+import tompkins.spacetime.Event;
+import tompkins.spacetime.FrameMotion;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.studio.View;
 
 /**
- * How far what is seen moves across the picture while the shutter is open. A point stays where it is in the scene; the
+ * How far what is seen moves across the picture while the shutter is open. A point goes on as its object does; the
  * place in the picture at which it is seen follows from three neighbouring rays: one beside, one below and one a little
  * later. The line delays of a rolling shutter are in these rays, and so are windows before the lens.
  */
@@ -50,18 +54,20 @@ final class MotionBlur {
             return 0;
         }
         // the first thing in the scene: mirrors and glass bend what comes after it
-        Vector3d point = new Vector3d(life.mainHits().stream()
+        RayLife.Encounter first = life.mainHits().stream()
                 .filter(hit -> hit.frame() == Frame.SCENE)
                 .findFirst()
-                .orElse(seen)
-                .event()
-                .position());
-        Vector3d here = miss(life, point);
+                .orElse(seen);
+        Vector3d velocity = velocity(first.rest().motion());
+        Event point = first.event();
+        Vector3d here = miss(life, point, velocity);
         int across = column == 0 ? 1 : -1;
         int down = row == 0 ? 1 : -1;
-        Vector3d perColumn = miss(at(x + across, y, 0.5), point).sub(here).mul(across);
-        Vector3d perRow = miss(at(x, y + down, 0.5), point).sub(here).mul(down);
-        Vector3d perExposure = miss(at(x, y, 0.5 + LATER), point).sub(here).div(LATER);
+        Vector3d perColumn =
+                miss(at(x + across, y, 0.5), point, velocity).sub(here).mul(across);
+        Vector3d perRow = miss(at(x, y + down, 0.5), point, velocity).sub(here).mul(down);
+        Vector3d perExposure =
+                miss(at(x, y, 0.5 + LATER), point, velocity).sub(here).div(LATER);
         // columns and rows that undo what the exposure does, by least squares
         double columns = perColumn.lengthSquared();
         double rows = perRow.lengthSquared();
@@ -78,12 +84,32 @@ final class MotionBlur {
         return RayLife.of(plan, x, y, 0, 0, moment);
     }
 
-    /** How far a ray passes by a point, at right angles to the ray; NaN if it does not come to the scene. */
-    private static Vector3d miss(RayLife life, Vector3d point) {
+    /**
+     * The velocity in the scene of what rests in a frame; NaN where the light of the picture is not that of relativity.
+     */
+    private Vector3d velocity(FrameMotion motion) {
+        if (motion == null) {
+            return new Vector3d();
+        }
+        boolean ordinaryLight = plan.studio().transformation() == TransformationLaw.LORENTZ
+                && plan.studio().view() != View.MEASURED;
+        return ordinaryLight ? new Vector3d(motion.proper()).div(motion.gamma()) : new Vector3d(Double.NaN);
+    }
+
+    /**
+     * How far a ray, followed backwards with the speed of light, passes by a point that was at an event and has a
+     * velocity; NaN if the ray does not come to the scene.
+     */
+    private static Vector3d miss(RayLife life, Event event, Vector3d velocity) {
         if (life == null || life.sceneStart() == null) {
             return new Vector3d(Double.NaN);
         }
-        Vector3d towards = point.sub(life.sceneStart().position(), new Vector3d());
-        return towards.sub(new Vector3d(life.sceneDirection()).mul(towards.dot(life.sceneDirection())));
+        Event start = life.sceneStart();
+        Vector3d towards = new Vector3d(velocity)
+                .mul(start.time() - event.time())
+                .add(event.position())
+                .sub(start.position());
+        Vector3d approach = new Vector3d(life.sceneDirection()).add(velocity);
+        return towards.sub(new Vector3d(approach).mul(towards.dot(approach) / approach.lengthSquared()));
     }
 }

@@ -96,7 +96,8 @@ final class PlanSentences {
 
     private String motion() {
         if (studio.velocity().isRest()) {
-            return "The camera is at rest: no change of frame, and every opening time gives the same picture.";
+            return "The camera is at rest: no change of frame"
+                    + (plan.isStill() ? ", and every opening time gives the same picture." : ".");
         }
         SpeedScale scale = studio.transformation().speedScale();
         String speed = scale.key() + " " + scale.reading(studio.velocity());

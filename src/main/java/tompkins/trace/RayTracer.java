@@ -55,6 +55,11 @@ final class RayTracer implements Tracer, Lighting {
     /** The number of the frame whose hit is answered now; 0 is that of this tracer. */
     private int frame;
 
+    /** The event of that hit, in the frame in which its ray has begun, if something moves. */
+    private Hit event = Hit.blank();
+
+    private int eventFrame;
+
     /** What becomes of the light of that hit on its way to the camera, where light is shifted as it leaves a hit. */
     private Colour way = Colour.WHITE;
 
@@ -107,6 +112,11 @@ final class RayTracer implements Tracer, Lighting {
     public Colour colour(Ray branch) {
         int before = frame;
         Colour wayBefore = way;
+        Hit eventBefore = event;
+        int eventFrameBefore = eventFrame;
+        if (movingWorld != null) {
+            event = Hit.blank();
+        }
         if (observer != null) {
             observer.branches();
         }
@@ -116,6 +126,8 @@ final class RayTracer implements Tracer, Lighting {
         }
         frame = before;
         way = wayBefore;
+        event = eventBefore;
+        eventFrame = eventFrameBefore;
         return colour;
     }
 
@@ -223,7 +235,8 @@ final class RayTracer implements Tracer, Lighting {
         Ray ray = start;
         boolean hits = startHits;
         Colour light = Colour.BLACK;
-        Colour share = way;
+        // the light of a branch is weakened by whoever has asked for it, unless it is shifted where it begins
+        Colour share = shifts() ? way : Colour.WHITE;
         if (hits && place == Frame.SCENE) {
             counts.sceneHits++;
         }
@@ -232,6 +245,8 @@ final class RayTracer implements Tracer, Lighting {
             if (movingWorld != null) {
                 ray = movingWorld.search().ray();
                 frame = movingWorld.search().frame();
+                movingWorld.search().event(event);
+                eventFrame = movingWorld.search().startFrame();
                 way = share;
             }
             Hit hit = nearest.hit(ray, memory);
@@ -280,7 +295,7 @@ final class RayTracer implements Tracer, Lighting {
     @Override
     public boolean find(int source, Hit hit, Sightline sight) {
         if (movingWorld != null) {
-            return movingWorld.lampWays().find(source, frame, hit, sight);
+            return movingWorld.lampWays().find(source, frame, hit, eventFrame, event, sight);
         }
         Vector3dc lamp = lights.get(source).position();
         sight.set(lamp.x() - hit.x, lamp.y() - hit.y, lamp.z() - hit.z);
@@ -290,7 +305,7 @@ final class RayTracer implements Tracer, Lighting {
     @Override
     public boolean isClear(int source, Hit from, Sightline sight) {
         if (movingWorld != null) {
-            return movingWorld.lampWays().isClear(source, frame, from, sight);
+            return movingWorld.lampWays().isClear(source, frame, from, eventFrame, event, sight);
         }
         counts.shadowRays++;
         double distance = Math.sqrt(sight.x * sight.x + sight.y * sight.y + sight.z * sight.z);

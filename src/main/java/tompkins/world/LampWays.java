@@ -56,9 +56,11 @@ public final class LampWays {
      * Finds the way from a hit to a lamp.
      *
      * @param frame the frame of the hit
+     * @param event the event of the hit in the frame in which the ray has come, where a fast object rounds it less
+     * @param eventFrame that frame
      * @return false if no light of the lamp gets to the event
      */
-    public boolean find(int source, int frame, Hit hit, Sightline sight) {
+    public boolean find(int source, int frame, Hit hit, int eventFrame, Hit event, Sightline sight) {
         LightSource lamp = world.lights().get(source);
         int lampFrame = lampFrames[source];
         Vector3dc at = lamp.position();
@@ -69,7 +71,7 @@ public final class LampWays {
             sight.set(at.x() - hit.x, at.y() - hit.y, at.z() - hit.z);
             return true;
         }
-        routes.transform(frame, lampFrame, eventRay.setShadow(hit, 0, 0, 1), eventRay);
+        routes.transform(eventFrame, lampFrame, eventRay.setShadow(event, 0, 0, 1), eventRay);
         double x = at.x() - eventRay.x;
         double y = at.y() - eventRay.y;
         double z = at.z() - eventRay.z;
@@ -128,8 +130,8 @@ public final class LampWays {
         return true;
     }
 
-    /** Whether nothing throws a shadow on a hit along a way that was found for it. */
-    public boolean isClear(int source, int frame, Hit hit, Sightline sight) {
+    /** Whether nothing throws a shadow on a hit along a way that was found for it; asked as that. */
+    public boolean isClear(int source, int frame, Hit hit, int eventFrame, Hit event, Sightline sight) {
         counts.shadowRays++;
         double length = Math.sqrt(sight.x * sight.x + sight.y * sight.y + sight.z * sight.z);
         shadow.setShadow(hit, sight.x / length, sight.y / length, sight.z / length, sight.slowness);
@@ -148,7 +150,9 @@ public final class LampWays {
             if (Double.isNaN(inFrame.dx)) {
                 continue;
             }
-            place.setPlace(inFrame.x, inFrame.y, inFrame.z, inFrame.time);
+            Ray start = routes.transform(eventFrame, i, eventRay.setShadow(event, 0, 0, 1), eventRay);
+            place.setPlace(start.x, start.y, start.z, start.time);
+            inFrame.setStart(place);
             if (isDark(source, i, place, inFrame, length * inFrame.stretch)) {
                 return false;
             }

@@ -1,6 +1,7 @@
 package tompkins.world;
 
 import tompkins.primitive.Primitive;
+import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 import tompkins.search.EntryNodes;
@@ -27,6 +28,8 @@ public final class WorldSearch {
     private double share;
     private int frame;
     private Ray ray;
+    private Ray start;
+    private int from;
 
     /** A search with the memory of its thread. */
     public WorldSearch(World world, FrameRoutes routes, NearestHit nearest) {
@@ -129,12 +132,14 @@ public final class WorldSearch {
         return sceneRays;
     }
 
-    private void begin(Ray start, int from) {
+    private void begin(Ray newStart, int newFrom) {
+        start = newStart;
+        from = newFrom;
         found = null;
         distance = Primitive.NO_HIT;
         share = Primitive.NO_HIT;
-        frame = from;
-        ray = start;
+        frame = newFrom;
+        ray = newStart;
     }
 
     private double limit(Ray inFrame) {
@@ -175,5 +180,20 @@ public final class WorldSearch {
     /** The ray that was searched for last, in that frame. */
     public Ray ray() {
         return ray;
+    }
+
+    /** The frame in which the search that was made last has begun. */
+    public int startFrame() {
+        return from;
+    }
+
+    /** Sets the memory to the event of the hit that was found last, in that frame. */
+    public void event(Hit memory) {
+        double length = share * start.stretch;
+        memory.setPlace(
+                start.x + length * start.dx,
+                start.y + length * start.dy,
+                start.z + length * start.dz,
+                start.timeAt(length));
     }
 }

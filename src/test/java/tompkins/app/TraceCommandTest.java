@@ -170,6 +170,28 @@ class TraceCommandTest {
         assertThat(numbers(json, "ahead", "share").get(0)).isCloseTo(0.96, within(1e-15));
     }
 
+    /** The moments of an exposure of 4 lie 4 apart; without one named it is the middle. */
+    @Test
+    void momentsAreChosen() {
+        assertThat(cameraTime()).isEqualTo(cameraTime("--moment", "0.5"));
+        assertThat(cameraTime("--moment", "1") - cameraTime("--moment", "0")).isCloseTo(4, within(1e-12));
+        ProgramRun later = ProgramRun.of("trace", "scenes/fig1b.json", "--pixel", "1,1", "--moment", "1.5");
+        assertThat(later.code()).isEqualTo(2);
+        assertThat(later.err().strip()).isEqualTo("--moment must be from 0 to 1, was 1.5");
+    }
+
+    private static double cameraTime(String... words) {
+        List<Object> all = new ArrayList<>(List.of("trace", "scenes/fig1b.json", "--pixel", "1,1", "--exposure", "4"));
+        all.addAll(List.of(words));
+        return ProgramRun.of(all.toArray())
+                .out()
+                .lines()
+                .filter(line -> line.strip().startsWith("time"))
+                .mapToDouble(line -> Double.parseDouble(line.replaceAll("[^-0-9.e]*time", "")))
+                .findFirst()
+                .orElseThrow();
+    }
+
     @Test
     void refusesPixelsOutsideThePictureAndPointsOutsideTheLens() {
         ProgramRun outside = ProgramRun.of("trace", "scenes/fig1b.json", "--pixel", "640,0");

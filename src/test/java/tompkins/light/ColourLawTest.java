@@ -42,6 +42,64 @@ class ColourLawTest {
         }
     }
 
+    /**
+     * Summed over the wavelength in steps of 0.1 nm, with the CIE 1931 functions by cubic interpolation: the planck
+     * factor for 6504 K times both factors, the edges of the bands at 494 and 590 nm divided by the second one.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "0.3, 0.6, 0.2, 1, 1.2, 0.55241, 0.58003, 1.37765",
+        "0.3, 0.6, 0.2, 1.5, 1, 0.95293, 2.46303, 1.13326",
+        "0.3, 0.6, 0.2, 0.7, 1.2, 0.15346, 0.13523, 0.23091",
+        "1, 0, 0, 1.25, 0.8, 0.01527, 0.01840, 0.01820",
+        "0.1, 0.2, 0.9, 2, 0.6, 1.54619, 1.69770, 1.97555",
+        "0.9, 0.4, 0.1, 0.5, 1.6, 0.36706, 0.31744, 0.25117",
+        "0, 1, 0, 3, 1.1, 0, 12.87713, 20.77852",
+        "0.2, 0.5, 1, 0.8, 0.9, 0.09160, 0.15881, 0.14228"
+    })
+    void lightOfAMovingLampHasTwoShifts(
+            double red, double green, double blue, double lamp, double camera, double r, double g, double b) {
+        Colour seen = ColourLaw.DOPPLER.seen(new Colour(red, green, blue), lamp, camera);
+
+        assertSame(seen, new Colour(r, g, b), 2e-5 + 2e-4 * Math.max(r, Math.max(g, b)));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0.5, 2", "2, 0.5", "3, 1.4", "0.1, 0.9", "400, 50", "1e-5, 1", "30, 1e-3"})
+    void whiteLightOnWhiteHasTheShiftOfTheWholeWay(double lamp, double camera) {
+        Colour whole = ColourLaw.DOPPLER.seen(Colour.WHITE, lamp * camera);
+
+        assertSame(
+                ColourLaw.DOPPLER.seen(Colour.WHITE, lamp, camera), whole, 1e-12 * Math.max(whole.red(), whole.blue()));
+    }
+
+    @Test
+    void secondShiftDoesNotUndoTheFirst() {
+        Colour once = ColourLaw.DOPPLER.seen(Colour.WHITE, 0.5);
+
+        assertThat(ColourLaw.DOPPLER.seen(once, 2).red()).isNotCloseTo(1, within(0.05));
+        assertSame(ColourLaw.DOPPLER.seen(Colour.WHITE, 0.5, 2), Colour.WHITE, 1e-12);
+    }
+
+    @Test
+    void lampAtRestChangesNoBit() {
+        Colour light = new Colour(0.3, 0.6, 0.2);
+        for (double factor : new double[] {0.01, 0.7, 1, 1.3, 30}) {
+            Colour seen = ColourLaw.DOPPLER.seen(light, factor);
+            assertThat(ColourLaw.DOPPLER.seen(light, 1, factor)).isEqualTo(seen);
+            assertSame(
+                    ColourLaw.DOPPLER.seen(light, 1 + 1e-12, factor), seen, 1e-5 * Math.max(seen.red(), seen.blue()));
+        }
+    }
+
+    @Test
+    void lightOfALampGrowsByTheFourthPowerOfBoth() {
+        assertSame(
+                ColourLaw.SEARCHLIGHT.seen(new Colour(0.1, 0.2, 3), 3, 0.5),
+                new Colour(8.1 / 16, 16.2 / 16, 243.0 / 16),
+                1e-12);
+    }
+
     @Test
     void unchangedLightStays() {
         Colour light = new Colour(0.1, 0.2, 3);

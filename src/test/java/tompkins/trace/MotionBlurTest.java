@@ -10,6 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.AperturePlaneShutter;
@@ -62,6 +63,22 @@ class MotionBlurTest {
         assertThat(blur.inTheWorstCorner()).isCloseTo(corner, within(0.02 * corner));
         assertThat(RenderPlan.of(wall(speed, exposure, RollingShutter.DEFAULT)).sentences())
                 .anyMatch(sentence -> sentence.startsWith("The shutter stays open for "));
+    }
+
+    /** A wall that passes the camera blurs as one that the camera passes, also if two motions make its velocity. */
+    @Test
+    void movingThingsBlurAsForAMovingCamera() {
+        double half = 0.5;
+        double speed = 2 * half / (1 + half * half);
+        Studio rest = wall(0, 0.2, RollingShutter.DEFAULT);
+        Velocity velocity = Velocity.of(-half, 0, 0);
+        SceneObject inner = new Moving("inner", velocity, new Vector3d(), 0, rest.scene());
+        SceneObject outer = new Moving("outer", velocity, new Vector3d(0.3, 0, 0), 0, List.of(inner));
+        MotionBlur blur = new MotionBlur(RenderPlan.of(rest.withScene(List.of(outer))));
+        double middle = length(speed, 0.2, WIDTH / 2, HEIGHT / 2);
+        double corner = length(speed, 0.2, WIDTH - 1, HEIGHT - 1);
+        assertThat(blur.inTheMiddle()).isCloseTo(middle, within(0.01 * middle));
+        assertThat(blur.inTheWorstCorner()).isCloseTo(corner, within(0.02 * corner));
     }
 
     /** A shutter that rolls after what moves sees it longer: 1/(1 - speed in pictures per sweep) times as far. */
