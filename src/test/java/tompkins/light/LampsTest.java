@@ -123,9 +123,9 @@ class LampsTest {
     void lampsAndEvenLightAddUp() {
         standBefore();
 
-        Colour all = reflected(lamp(0), new AmbientLight(new Colour(1, 10, 100)), lamp(0));
+        Colour all = reflected(lamp(0), new AmbientLight(new Colour(3, 10, 100)), lamp(0));
 
-        assertClose(all, 2 * (0.4 * 0.8 + 4.9) + 0.2, 2 * (0.9 * 0.8 + 1.21) + 3, 2 * (2.5 * 0.8 + 1.69) + 50);
+        assertClose(all, 2 * (0.4 * 0.8 + 4.9) + 0.6, 2 * (0.9 * 0.8 + 1.21) + 3, 2 * (2.5 * 0.8 + 1.69) + 50);
     }
 
     @Test
@@ -156,9 +156,9 @@ class LampsTest {
         standBefore();
         shift = 10;
 
-        Colour seen = reflected(lamp(0), new AmbientLight(new Colour(1, 10, 100)));
+        Colour seen = reflected(lamp(0), new AmbientLight(new Colour(3, 10, 100)));
 
-        assertClose(seen, 5 * (0.4 * 0.8 + 4.9) + 2, 5 * (0.9 * 0.8 + 1.21) + 30, 5 * (2.5 * 0.8 + 1.69) + 500);
+        assertClose(seen, 5 * (0.4 * 0.8 + 4.9) + 6, 5 * (0.9 * 0.8 + 1.21) + 30, 5 * (2.5 * 0.8 + 1.69) + 500);
         Illumination lamps = new Illumination(List.of(), lighting);
         assertClose(lamps.emitted(Ray.blank(), LIGHT), 20, 30, 50);
         shift = 1;
