@@ -107,9 +107,7 @@ public final class SceneFileReference {
     static String heading(Class<?> type) {
         String name = Descriptions.name(type);
         String words = ValueKind.words(type.getSimpleName());
-        return name.equals(type.getSimpleName())
-                ? name
-                : Character.toUpperCase(words.charAt(0)) + words.substring(1);
+        return name.equals(type.getSimpleName()) ? name : Character.toUpperCase(words.charAt(0)) + words.substring(1);
     }
 
     private static void appendFamily(StringBuilder text, Class<?> family) {
