@@ -12,8 +12,9 @@ import tompkins.studio.Studio;
  * @param to value at the end, or in the middle if the animation runs there and back
  * @param seconds how long it takes, from {@link #SHORTEST} to {@link #LONGEST}
  * @param course how it runs
+ * @param frameRate pictures a second in a file, from 1 to {@link #HIGHEST_FRAME_RATE}
  */
-public record Animation(StudioNumber number, double from, double to, double seconds, Course course) {
+public record Animation(StudioNumber number, double from, double to, double seconds, Course course, int frameRate) {
 
     /** The fewest seconds that an animation takes. */
     public static final double SHORTEST = 0.1;
@@ -27,12 +28,26 @@ public record Animation(StudioNumber number, double from, double to, double seco
     /** The most digits that a double has. */
     private static final int MOST_DIGITS = 17;
 
-    /** Frames a second in files. */
+    /** The usual number of pictures a second in a file. */
     public static final int FRAME_RATE = 25;
 
-    /** Checks the seconds. */
+    /** The most pictures a second: so many a usual screen shows. */
+    public static final int HIGHEST_FRAME_RATE = 60;
+
+    /** Checks the seconds and the frame rate. */
     public Animation {
         Require.within("seconds", seconds, SHORTEST, LONGEST);
+        Require.within("frameRate", frameRate, 1, HIGHEST_FRAME_RATE);
+    }
+
+    /** An animation with the usual number of pictures a second. */
+    public Animation(StudioNumber number, double from, double to, double seconds, Course course) {
+        this(number, from, to, seconds, course, FRAME_RATE);
+    }
+
+    /** The same animation with another number of pictures a second. */
+    public Animation withFrameRate(int picturesASecond) {
+        return new Animation(number, from, to, seconds, course, picturesASecond);
     }
 
     /** How an animation runs. */
@@ -85,7 +100,7 @@ public record Animation(StudioNumber number, double from, double to, double seco
 
     /** Number of frames in a file. */
     public int frames() {
-        return Math.max(2, (int) Math.round(seconds * FRAME_RATE));
+        return Math.max(2, (int) Math.round(seconds * frameRate));
     }
 
     /** The time of a frame: the last frame of a loop comes before its first, and does not repeat it. */

@@ -38,7 +38,7 @@ import tompkins.ui.Captions;
         versionProvider = ProgramVersion.class,
         description =
                 "Takes photographs while a number of the scene, such as the speed of the camera, runs from one value"
-                        + " to another, and saves them as an animation with 25 pictures a second.")
+                        + " to another, and saves them as an animation.")
 final class AnimateCommand implements Callable<Integer>, SceneCommand {
 
     @Parameters(paramLabel = "SCENE", description = "scene file, or saved photograph")
@@ -79,6 +79,13 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
             description = "seconds that it plays, from 0.1 to 600; default: ${DEFAULT-VALUE}")
     private double seconds;
 
+    @Option(
+            names = "--fps",
+            defaultValue = "" + Animation.FRAME_RATE,
+            paramLabel = "N",
+            description = "pictures a second, from 1 to 60; default: ${DEFAULT-VALUE}")
+    private int frameRate;
+
     @Option(names = "--back", description = "go back to the first value in the same time, so that it can run in a loop")
     private boolean back;
 
@@ -114,7 +121,7 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
         PrintWriter err = spec.commandLine().getErr();
         ProgressLine progress = new ProgressLine(err);
         Path place;
-        try (AnimationWriter writer = open()) {
+        try (AnimationWriter writer = open(animation)) {
             Function<Studio, String> caption = Captions.ofPictures(studio, animation.number(), captioned);
             warnings.addAll(AnimationRecorder.record(studio, animation, writer, caption, progress)
                     .sentences());
@@ -139,8 +146,10 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
         StudioNumber animated = MistakeException.inOption("--number", () -> StudioNumber.at(number, studio));
         double duration = MistakeException.inOption(
                 "--duration", () -> Require.within("duration", seconds, Animation.SHORTEST, Animation.LONGEST));
-        return new Animation(
-                animated, from, to, duration, back ? Animation.Course.THERE_AND_BACK : Animation.Course.FORWARDS);
+        int rate = MistakeException.inOption(
+                "--fps", () -> Require.within("fps", frameRate, 1, Animation.HIGHEST_FRAME_RATE));
+        Animation.Course course = back ? Animation.Course.THERE_AND_BACK : Animation.Course.FORWARDS;
+        return new Animation(animated, from, to, duration, course, rate);
     }
 
     /**
@@ -173,11 +182,12 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
         }
     }
 
-    private AnimationWriter open() {
+    private AnimationWriter open(Animation animation) {
         try {
             AnimationFormat format =
                     OutputOption.namesFolder(spec) ? AnimationFormat.NUMBERED_PNG : AnimationFormat.of(output);
-            return force ? format.open(output, Animation.FRAME_RATE) : format.openNew(output, Animation.FRAME_RATE);
+            int rate = animation.frameRate();
+            return force ? format.open(output, rate) : format.openNew(output, rate);
         } catch (FileException wrongPlace) {
             // no disk has failed yet: the user named the place
             throw new MistakeException(wrongPlace.getMessage());

@@ -6,14 +6,18 @@ import org.joml.Vector3d;
 
 /**
  * Cuts faces into triangles. Seen from its first corner most faces are a fan, which takes a time that grows with their
- * corners. The others are laid flat, along their mean normal, and their ears are clipped by a library.
+ * corners. The others are laid flat, along their mean normal, and their ears are clipped by a library; large ones are
+ * swept, which takes less time but needs a face that does not touch or cross itself.
  */
 final class FaceTriangulation {
 
     /** The share of the area of a face that may be wrong; rounding alone gives less. */
     private static final double TOLERANCE = 1e-12;
 
-    /** Faces of more corners are cut only once. */
+    /** Faces of more corners are swept first: clipping ears may take a time that grows with their square. */
+    private static final int MOST_FOR_EARS = 1000;
+
+    /** Of more corners no other is tried as the first one. */
     private static final int MOST_TO_TRY = 64;
 
     /** The share of the area that may be missed: far more than by rounding, far less than where something is wrong. */
@@ -147,12 +151,36 @@ final class FaceTriangulation {
      */
     private static int[] cut(double[] flat) {
         int size = flat.length / 2;
+        if (size > MOST_FOR_EARS) {
+            int[] swept = swept(flat);
+            if (covers(swept, flat)) {
+                return swept;
+            }
+        }
         int[] first = ears(flat, 0);
         int[] cut = first;
         for (int start = 1; start < size && size <= MOST_TO_TRY && !covers(cut, flat); start++) {
             cut = ears(flat, start);
         }
         return covers(cut, flat) ? cut : first;
+    }
+
+    private static int[] swept(double[] flat) {
+        int size = flat.length / 2;
+        double[] distinct = new double[flat.length];
+        int[] corners = new int[size];
+        int count = 0;
+        for (int i = 0; i < size; i++) {
+            int before = i == 0 ? size - 1 : i - 1;
+            if (flat[2 * i] != flat[2 * before] || flat[2 * i + 1] != flat[2 * before + 1]) {
+                distinct[2 * count] = flat[2 * i];
+                distinct[2 * count + 1] = flat[2 * i + 1];
+                corners[count++] = i;
+            }
+        }
+        return Arrays.stream(SweepTriangulation.triangles(Arrays.copyOf(distinct, 2 * count)))
+                .map(corner -> corners[corner])
+                .toArray();
     }
 
     private static int[] ears(double[] flat, int start) {

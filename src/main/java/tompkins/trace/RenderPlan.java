@@ -48,6 +48,10 @@ public final class RenderPlan {
 
     private final ObjectTree cameraFrame;
     private final double lensSlowness;
+
+    /** Null if the lens is in vacuum, or in a medium that moves with it. */
+    private final MovingMedium sceneMedium;
+
     private final List<LightSource> cameraLights;
 
     private RenderPlan(Studio studio, RenderPlan previous, boolean plain) {
@@ -65,6 +69,9 @@ public final class RenderPlan {
         cameraFrame = new ObjectTree(collector.primitives(), plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE);
         lensSlowness =
                 LensMedium.slowness(cameraFrame.primitives(), studio.camera().position());
+        sceneMedium = lensSlowness == 1
+                ? MovingMedium.around(lensEvent(), world, studio.transformation(), crossing, routes)
+                : null;
         cameraLights = World.atRest(studio.lights());
         // last, for it follows a ray by this plan
         shift = studio.shiftsColours() ? new LightShift(studio.colours(), middleDopplerFactor()) : null;
@@ -241,6 +248,7 @@ public final class RenderPlan {
                 sampler(),
                 cameraRays,
                 lensSlowness,
+                sceneMedium,
                 studio.view() == View.MEASURED,
                 cameraTracer,
                 entry,

@@ -25,6 +25,7 @@ public final class SampleTracer {
     private final PixelSampler sampler;
     private final CameraRays cameraRays;
     private final double lensSlowness;
+    private final MovingMedium sceneMedium;
     private final boolean measures;
     private final RayTracer cameraTracer;
     private final SceneEntry sceneEntry;
@@ -49,7 +50,8 @@ public final class SampleTracer {
     /**
      * A tracer.
      *
-     * @param lensSlowness slowness of light at the lens
+     * @param lensSlowness slowness of light in a medium that moves with the lens
+     * @param sceneMedium a medium of the scene in which the lens is; may be null
      * @param measures whether to measure where things are, instead of following light
      * @param cameraTracer the tracer of the camera frame, or null if no objects move with the camera
      * @param observer watches the rays; may be null
@@ -58,6 +60,7 @@ public final class SampleTracer {
             PixelSampler sampler,
             CameraRays cameraRays,
             double lensSlowness,
+            MovingMedium sceneMedium,
             boolean measures,
             RayTracer cameraTracer,
             SceneEntry sceneEntry,
@@ -66,6 +69,7 @@ public final class SampleTracer {
         this.sampler = sampler;
         this.cameraRays = cameraRays;
         this.lensSlowness = lensSlowness;
+        this.sceneMedium = sceneMedium;
         this.measures = measures;
         this.cameraTracer = cameraTracer;
         this.sceneEntry = sceneEntry;
@@ -114,6 +118,8 @@ public final class SampleTracer {
             rays.measure();
         } else if (lensSlowness != 1) {
             rays.startIn(lensSlowness);
+        } else if (sceneMedium != null) {
+            sceneMedium.fill(rays);
         }
         if (narrowing != 1) {
             rays.narrow(narrowing);

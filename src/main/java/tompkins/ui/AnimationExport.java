@@ -6,6 +6,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
@@ -38,17 +39,16 @@ final class AnimationExport {
         List<FormatFilter<AnimationFormat>> formats = Stream.of(AnimationFormat.values())
                 .map(format -> new FormatFilter<>(format, Texts.get("format." + format), format.endings()))
                 .toList();
+        AnimationOptions options = new AnimationOptions(studio, animation);
+        JFileChooser chooser = dialogs.chooser();
+        chooser.setAccessory(options.component());
         SaveDialog.ask(
                 frame,
-                dialogs.chooser(),
-                Texts.get(
-                        "play.exportTitle",
-                        animation.frames(),
-                        studio.settings().width(),
-                        studio.settings().height()),
-                "animation",
+                chooser,
+                Texts.get("play.exportTitle"),
+                dialogs.fileName(),
                 formats,
-                (file, format, replace) -> save(studio, animation, file, format, replace));
+                (file, format, replace) -> save(options.studio(), options.animation(), file, format, replace));
     }
 
     /** Saves an animation, with progress and cancel. */
@@ -58,8 +58,12 @@ final class AnimationExport {
         BackgroundTask.start(
                 frame,
                 Texts.get("file.saving", file),
-                progress ->
-                        exported.set(write(studio, animation, () -> open(file, format, replace), captioned, progress)),
+                progress -> exported.set(write(
+                        studio,
+                        animation,
+                        () -> open(file, format, animation.frameRate(), replace),
+                        captioned,
+                        progress)),
                 () -> dialogs.exported(
                         exported.get().place(), exported.get().warnings().sentences()),
                 () -> dialogs.sayNotSaved(file));
@@ -68,8 +72,9 @@ final class AnimationExport {
     /** What was saved: where it lies, and what the user should know about it. */
     record Exported(Path place, FrameWarnings warnings) {}
 
-    private static AnimationWriter open(Path file, AnimationFormat format, boolean replace) throws FileException {
-        return replace ? format.open(file, Animation.FRAME_RATE) : format.openNew(file, Animation.FRAME_RATE);
+    private static AnimationWriter open(Path file, AnimationFormat format, int rate, boolean replace)
+            throws FileException {
+        return replace ? format.open(file, rate) : format.openNew(file, rate);
     }
 
     /** Takes all pictures and writes them; leaves nothing behind if the task is cancelled or fails. */

@@ -5,14 +5,18 @@ import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JFrame;
 import tompkins.animation.Animation;
+import tompkins.image.BufferedImages;
+import tompkins.image.LinearImage;
 import tompkins.image.PictureLabel;
+import tompkins.image.ToneCurve;
+import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.ImageSelection;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Picture;
-import tompkins.ui.picture.ScreenPicture;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
 
@@ -41,21 +45,25 @@ final class ClipboardActions {
         this.status = status;
     }
 
-    /** Puts the picture on the screen on the clipboard, in its own size, with its caption if it has one. */
+    /** Puts the photograph on the clipboard, in its own size, with its caption if it has one. */
     void copyPicture() {
-        Picture picture = view.canvas().shown().now();
-        if (picture != null) {
-            String caption = captions.areShown() ? captions.of(picture.studio()) : null;
-            BackgroundTask.find(
-                    frame,
-                    Texts.get("file.copying"),
-                    () -> levels(picture, caption),
-                    image -> toClipboard(new ImageSelection(image), Texts.get("file.pictureCopied")));
-        }
+        Studio studio = model.studio();
+        Picture onScreen = view.canvas().shown().now();
+        String caption = captions.areShown() ? captions.of(studio) : null;
+        AtomicReference<BufferedImage> copy = new AtomicReference<>();
+        BackgroundTask.start(
+                frame,
+                Texts.get("file.copying"),
+                task -> copy.set(levels(
+                        PhotographExport.photograph(studio, onScreen, task),
+                        studio.settings().toneCurve(),
+                        caption)),
+                () -> toClipboard(new ImageSelection(copy.get()), Texts.get("file.pictureCopied")),
+                () -> status.report(Texts.get("file.notCopied")));
     }
 
-    private static BufferedImage levels(Picture picture, String caption) {
-        BufferedImage levels = ScreenPicture.levels(picture);
+    private static BufferedImage levels(LinearImage image, ToneCurve curve, String caption) {
+        BufferedImage levels = BufferedImages.toBufferedImage(image, curve);
         if (caption != null) {
             PictureLabel.paint(levels, caption);
         }

@@ -17,6 +17,7 @@ import javax.swing.event.MenuListener;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
 import tompkins.ui.panel.NumberProperty;
+import tompkins.ui.picture.CanvasZoom;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
@@ -36,6 +37,8 @@ final class Menus {
 
         void togglePanel();
 
+        void toggleFullScreen();
+
         void stop();
 
         void close();
@@ -47,14 +50,6 @@ final class Menus {
         void togglePlayPanel();
 
         void copyAnimation();
-
-        void showDocument(String page);
-
-        void showKeys();
-
-        void showAbout();
-
-        void showCitation();
     }
 
     private final JMenuBar bar = new JMenuBar();
@@ -65,6 +60,8 @@ final class Menus {
     private final History history;
     private final Settings settings;
     private final Captions captions;
+    private final CanvasZoom zoom;
+    private final HelpCommands help;
     private final Commands commands;
 
     Menus(
@@ -74,6 +71,8 @@ final class Menus {
             History history,
             Settings settings,
             Captions captions,
+            CanvasZoom zoom,
+            HelpCommands help,
             Commands commands) {
         this.opener = opener;
         this.saver = saver;
@@ -81,6 +80,8 @@ final class Menus {
         this.history = history;
         this.settings = settings;
         this.captions = captions;
+        this.zoom = zoom;
+        this.help = help;
         this.commands = commands;
         bar.add(fileMenu());
         bar.add(examples);
@@ -108,12 +109,15 @@ final class Menus {
     void bindKeys(JRootPane window) {
         itemsWithKeys()
                 .forEach(item -> Keys.bindUnlessMenuIsOpen(window, item.getAccelerator(), () -> item.doClick(0)));
-        bindOtherRedo(window);
+        bindOtherKeys(window);
     }
 
-    /** Redo has two keys, and a menu item only one. */
-    void bindOtherRedo(JRootPane window) {
+    /** Some items have several keys, of which a menu shows one. */
+    void bindOtherKeys(JRootPane window) {
         Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl Y"), history::redo);
+        Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl EQUALS"), zoom::enlarge);
+        Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl ADD"), zoom::enlarge);
+        Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl SUBTRACT"), zoom::reduce);
     }
 
     private static JMenu menu(String key) {
@@ -236,21 +240,26 @@ final class Menus {
         menu.addSeparator();
         JCheckBoxMenuItem caption = new JCheckBoxMenuItem();
         caption.setSelected(captions.areShown());
+        add(menu, "menu.zoomIn", "ctrl PLUS", zoom::enlarge);
+        add(menu, "menu.zoomOut", "ctrl MINUS", zoom::reduce);
+        add(menu, "menu.zoomToFit", "ctrl 0", zoom::fit);
+        menu.addSeparator();
         add(menu, caption, "menu.caption", "F7", () -> captions.setShown(caption.isSelected()));
-        add(menu, "menu.panel", "F11", commands::togglePanel);
+        add(menu, "menu.fullScreen", "F11", commands::toggleFullScreen);
+        add(menu, "menu.panel", "F12", commands::togglePanel);
         add(menu, "menu.stop", "ESCAPE", commands::stop);
         return menu;
     }
 
     private JMenu helpMenu() {
         JMenu menu = menu("menu.help");
-        add(menu, "menu.tour", null, () -> commands.showDocument("tour.md"));
-        add(menu, "menu.manual", null, () -> commands.showDocument("window.md"));
-        add(menu, "menu.sceneFiles", null, () -> commands.showDocument("scene-files.md"));
+        add(menu, "menu.tour", null, () -> help.showDocument("tour.md"));
+        add(menu, "menu.manual", null, () -> help.showDocument("window.md"));
+        add(menu, "menu.sceneFiles", null, () -> help.showDocument("scene-files.md"));
         menu.addSeparator();
-        add(menu, "menu.keys", "F1", commands::showKeys);
-        add(menu, "menu.cite", null, commands::showCitation);
-        add(menu, "menu.about", null, commands::showAbout);
+        add(menu, "menu.keys", "F1", () -> help.showKeys(itemsWithKeys()));
+        add(menu, "menu.cite", null, clipboard::offerCitation);
+        add(menu, "menu.about", null, help::showAbout);
         return menu;
     }
 

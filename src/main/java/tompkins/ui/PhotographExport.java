@@ -14,6 +14,7 @@ import tompkins.image.ToneCurve;
 import tompkins.io.SelfDescription;
 import tompkins.io.StudioWriter;
 import tompkins.render.PhotographTaker;
+import tompkins.render.Progress;
 import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.FormatFilter;
@@ -63,19 +64,13 @@ final class PhotographExport {
     private void save(Studio studio, Path file, PictureFormat format, boolean replace) {
         AtomicReference<Path> saved = new AtomicReference<>();
         Picture onScreen = view.canvas().shown().now();
-        boolean ready =
-                onScreen != null && onScreen.complete() && onScreen.studio().equals(studio);
         BackgroundTask.start(
                 frame,
                 Texts.get("file.saving", file),
                 task -> {
                     PhotographInfo info = SelfDescription.of(studio);
-                    try (PhotographTaker taker = new PhotographTaker()) {
-                        LinearImage image = ready
-                                ? onScreen.image()
-                                : taker.take(studio, task, 0, 1).image();
-                        saved.set(write(file, image, format, studio.settings().toneCurve(), info, replace));
-                    }
+                    LinearImage image = photograph(studio, onScreen, task);
+                    saved.set(write(file, image, format, studio.settings().toneCurve(), info, replace));
                 },
                 () -> {
                     Path place = saved.get();
@@ -87,6 +82,19 @@ final class PhotographExport {
                     }
                 },
                 () -> dialogs.sayNotSaved(file));
+    }
+
+    /** The photograph of a studio in its own size: the picture on the screen if that is it, or taken anew. */
+    static LinearImage photograph(Studio studio, Picture onScreen, Progress progress) throws InterruptedException {
+        if (onScreen != null
+                && onScreen.complete()
+                && onScreen.isOfOwnSize()
+                && onScreen.studio().equals(studio)) {
+            return onScreen.image();
+        }
+        try (PhotographTaker taker = new PhotographTaker()) {
+            return taker.take(studio, progress, 0, 1).image();
+        }
     }
 
     /** Saves a picture; where it lies. */

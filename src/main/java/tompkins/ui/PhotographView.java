@@ -1,10 +1,12 @@
 package tompkins.ui;
 
+import java.awt.Dimension;
 import java.awt.geom.Point2D;
 import java.util.Objects;
 import java.util.function.BooleanSupplier;
-import java.util.function.DoubleConsumer;
+import java.util.function.DoublePredicate;
 import javax.swing.SwingUtilities;
+import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.model.StudioModel;
@@ -16,6 +18,7 @@ import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.picture.RenderController;
+import tompkins.ui.picture.Room;
 import tompkins.ui.picture.ScreenPicture;
 import tompkins.ui.picture.ScreenPictures;
 import tompkins.ui.widget.Messages;
@@ -61,8 +64,13 @@ final class PhotographView implements AutoCloseable {
     private final PixelProbe pinned = new PixelProbe(this::fail);
     private final PixelProbe picked = new PixelProbe(this::fail);
     private Studio rendered;
+
+    /** The room for each picture; null while nobody knows it. */
+    private Room room;
+
     private Compared compared = Compared.NOTHING;
     private Studio otherStudio;
+    private Dimension otherSize;
     private Picture keptPicture;
     private Point2D pin;
     private boolean pinnedInOther;
@@ -76,7 +84,7 @@ final class PhotographView implements AutoCloseable {
         this.listener = listener;
         this.animated = animated;
         screen = new ScreenPictures(this::show, this::fail);
-        canvas = new PictureCanvas(screen::setCanvas);
+        canvas = new PictureCanvas(this::fit);
         canvas.setMouse(new ProbeMouse());
         controller = new RenderController(
                 screen::setNow, error -> SwingUtilities.invokeLater(() -> listener.noPicture(Messages.of(error))));
@@ -107,8 +115,29 @@ final class PhotographView implements AutoCloseable {
     /** Makes the picture of the current studio. */
     void render() {
         rendered = model.studio();
-        controller.show(rendered, pace());
+        controller.show(rendered, sizeOf(rendered), pace());
         renderOther();
+    }
+
+    /** Pictures are taken in the size in which they are shown; in their own as long as nobody knows that. */
+    private Dimension sizeOf(Studio studio) {
+        RenderSettings own = studio.settings();
+        return room == null ? new Dimension(own.width(), own.height()) : room.sizeOf(own);
+    }
+
+    /** The size in which the picture of the current studio is taken. */
+    Dimension size() {
+        return sizeOf(model.studio());
+    }
+
+    private void fit(Room newRoom) {
+        Dimension before = size();
+        room = newRoom;
+        screen.setRoom(room);
+        // before the first picture there is nothing to take again
+        if (rendered != null && !size().equals(before)) {
+            render();
+        }
     }
 
     private Pace pace() {
@@ -146,13 +175,22 @@ final class PhotographView implements AutoCloseable {
 
     private void renderOther() {
         Studio studio = compared.studio(model.studio());
+        if (compared.other() == ComparePanel.Other.KEPT_PICTURE && keptPicture != null) {
+            studio = keptPicture.studio();
+        }
         if (studio == null) {
             otherStudio = null;
             otherController.stop();
-            screen.setOther(compared.other() == ComparePanel.Other.KEPT_PICTURE ? keptPicture : null);
-        } else if (!studio.equals(otherStudio)) {
+            screen.setOther(null);
+        } else if (!studio.equals(otherStudio) || !sizeOf(studio).equals(otherSize)) {
             otherStudio = studio;
-            otherController.show(studio, pace());
+            otherSize = sizeOf(studio);
+            if (keptPicture != null && studio == keptPicture.studio() && keptPicture.isOfSize(otherSize)) {
+                otherController.stop();
+                screen.setOther(keptPicture);
+            } else {
+                otherController.show(studio, otherSize, pace());
+            }
         }
     }
 
@@ -200,7 +238,7 @@ final class PhotographView implements AutoCloseable {
         pinnedPlan = picture.plan();
         String name = nameOf(picture);
         pinnedName = name;
-        pinned.ask(pinnedPlan, placeIn(picture, pin), reading -> listener.pinned(pin == null ? null : reading, name));
+        pinned.ask(picture, placeIn(picture, pin), reading -> listener.pinned(pin == null ? null : reading, name));
     }
 
     /** What a picture is called where two are seen; null where the studio's is seen alone. */
@@ -213,19 +251,19 @@ final class PhotographView implements AutoCloseable {
 
     /** The same place in another picture: a kept one may have another size. */
     private Point2D placeIn(Picture picture, Point2D place) {
-        double scale =
-                (double) picture.image().width() / canvas.shown().now().image().width();
+        double scale = (double) picture.studio().settings().width()
+                / canvas.shown().now().studio().settings().width();
         return new Point2D.Double(scale * place.getX(), scale * place.getY());
     }
 
     /**
-     * Lets the next click on the picture give the distance of what is there; NaN if there is nothing.
+     * Lets clicks on the picture give the distance of what is there, until one is taken.
      *
-     * @param clicked called at the click: the distance may be long in coming, or never come
-     * @param taker takes the distance
+     * @param taker takes a distance, or none: of nothing it is NaN
+     * @param ended called when a distance was taken, or the picking was cancelled
      */
-    void startPicking(Runnable clicked, DoubleConsumer taker) {
-        picking = new Picking(clicked, taker);
+    void startPicking(DoublePredicate taker, Runnable ended) {
+        picking = new Picking(taker, ended);
         canvas.setPicking(true);
         listener.picking(true);
     }
@@ -237,17 +275,17 @@ final class PhotographView implements AutoCloseable {
         listener.picking(false);
     }
 
-    /** As a click that picks nothing; false if nothing was to be picked. */
-    boolean cancelPicking() {
+    /** Ends the picking; false if nothing was to be picked. */
+    boolean endPicking() {
         Picking ending = picking;
         stopPicking();
         if (ending != null) {
-            ending.clicked.run();
+            ending.ended.run();
         }
         return ending != null;
     }
 
-    private record Picking(Runnable clicked, DoubleConsumer taker) {}
+    private record Picking(DoublePredicate taker, Runnable ended) {}
 
     private final class ProbeMouse implements PictureCanvas.Mouse {
 
@@ -257,7 +295,7 @@ final class PhotographView implements AutoCloseable {
         public void over(Point2D place, Picture seen) {
             isOver = seen != null;
             if (isOver) {
-                hover.ask(seen.plan(), placeIn(seen, place), this::read);
+                hover.ask(seen, placeIn(seen, place), this::read);
             } else {
                 listener.read(null);
             }
@@ -273,11 +311,14 @@ final class PhotographView implements AutoCloseable {
         @Override
         public void clicked(Point2D place, Picture seen) {
             if (picking != null) {
-                Picking ending = picking;
-                RenderPlan plan = canvas.shown().now().plan();
-                stopPicking();
-                ending.clicked.run();
-                picked.ask(plan, place, reading -> ending.taker.accept(PixelProbe.depth(plan, reading)));
+                Picking asking = picking;
+                Picture picture = canvas.shown().now();
+                picked.ask(picture, place, reading -> {
+                    // it may have been cancelled meanwhile
+                    if (picking == asking && asking.taker.test(PixelProbe.depth(picture.plan(), reading))) {
+                        endPicking();
+                    }
+                });
             } else {
                 setPin(place, seen != canvas.shown().now());
             }

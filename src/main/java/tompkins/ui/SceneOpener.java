@@ -142,6 +142,7 @@ final class SceneOpener {
             dialogs.forgetFolder();
         }
         view.setPin(null);
+        view.canvas().zoom().fit();
         model.open(studio, file);
         saver.hold(file, studio);
         EntryField.in(frame).forEach(EntryField::revert);

@@ -1,10 +1,12 @@
 package tompkins.ui;
 
+import java.awt.Dimension;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
 import tompkins.property.NumberText;
@@ -33,10 +35,20 @@ final class SidePanel {
 
     private static final double WIDTH = 25;
 
+    /** Where the place of the pinned ray begins, as a share of the height. */
+    private static final double RAY_BEGINS = 0.45;
+
     private final JPanel panel = new Column();
-    private final JScrollPane scroll;
+    private final JScrollPane scroll = scroll("panel", panel);
+    private final Column rayPanel = new Column();
+
+    /** The pinned ray has a place of its own, so that the speed stays in sight. */
+    private final JScrollPane rayScroll = scroll("ray", rayPanel);
+
+    private final JSplitPane split = new JSplitPane(JSplitPane.VERTICAL_SPLIT, scroll, rayScroll);
     private final ShutterPanel shutter;
     private final LensPanel lens;
+    private final Note title = Note.ofLines(1);
     private final PlanFold plan = new PlanFold();
     private final RaySection ray;
     private Picture shown;
@@ -53,34 +65,53 @@ final class SidePanel {
         ComparePanel compare = new ComparePanel(model, view::compare, view.canvas()::setOtherAlone, view::keepPicture);
         ray = new RaySection(model, () -> view.setPin(null), editor);
         Note remarks = new Note(model.studio().remarks());
-        model.addListener(() -> show(remarks, model.studio().remarks()));
+        title.component().setName("remarks.title");
+        model.addListener(() -> show(model, remarks));
+        show(model, remarks);
         remarks.component().setName("remarks");
+        panel.add(title.component(), "wmin 0, gapleft 6");
         panel.add(remarks.component(), "wmin 0, gapleft 6");
         add("section.velocity", new VelocityPanel(model).component(), true);
         add("section.shutter", shutter.component(), true);
-        add("section.lens", lens.component(), true);
+        add("section.lens", lens.component(), false);
         add("section.compare", compare.component(), false);
         add("section.transformation", LawPanel.ofTransformation(model).component(), false);
         add("section.colours", LawPanel.ofColours(model).component(), false);
         add("section.window", new WindowPanel(model).component(), false);
         add("section.quality", new QualityPanel(model).component(), false);
         add("section.plan", plan.component(), false);
-        panel.add(ray.component());
-        scroll = new JScrollPane(
-                panel,
+        rayPanel.add(ray.component());
+        rayScroll.setVisible(false);
+        split.setBorder(BorderFactory.createEmptyBorder());
+        split.setResizeWeight(RAY_BEGINS);
+    }
+
+    private static JScrollPane scroll(String name, JComponent content) {
+        JScrollPane scroll = new JScrollPane(
+                content,
                 ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
                 ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
-        scroll.setName("panel");
+        scroll.setName(name);
         scroll.setBorder(BorderFactory.createEmptyBorder());
+        // beside the other one it takes what room there is
+        scroll.setMinimumSize(new Dimension(0, 0));
         scroll.getVerticalScrollBar().setUnitIncrement(20);
+        return scroll;
     }
 
     /** What there is to see in another scene must not be out of view. */
-    private void show(Note remarks, String text) {
+    private void show(StudioModel model, Note remarks) {
+        String text = model.studio().remarks();
+        title.setText(titled(model, model.studio().shortTitle()));
         if (!remarks.text().equals(text)) {
             remarks.setText(text);
             SwingUtilities.invokeLater(() -> scroll.getVerticalScrollBar().setValue(0));
         }
+    }
+
+    /** A title of the scene, which says so if it is that of an example which has been changed since. */
+    static String titled(StudioModel model, String title) {
+        return model.isChangedExample() ? Texts.get("title.changed", title) : title;
     }
 
     private void add(String title, JComponent content, boolean open) {
@@ -89,18 +120,20 @@ final class SidePanel {
 
     private void pick(StudioModel model, PhotographView view, Consumer<String> teller, boolean picking) {
         if (picking) {
-            view.startPicking(lens::endPicking, distance -> focus(model, teller, distance));
+            view.startPicking(distance -> focus(model, teller, distance), lens::endPicking);
         } else {
             view.stopPicking();
         }
     }
 
-    private static void focus(StudioModel model, Consumer<String> teller, double distance) {
+    /** Focuses at a distance; a click beside all objects gives none, and the next one may be better. */
+    private static boolean focus(StudioModel model, Consumer<String> teller, double distance) {
         if (distance > 0) {
             model.set(model.studio().withCamera(model.studio().camera().focusedAt(NumberText.rounded(distance, 6))));
         } else {
             teller.accept(Texts.get("lens.pickedNothing"));
         }
+        return distance > 0;
     }
 
     /** The width of a narrow panel, which it has at least. */
@@ -115,7 +148,7 @@ final class SidePanel {
     }
 
     JComponent component() {
-        return scroll;
+        return split;
     }
 
     /** Shows what there is to say about the picture on the screen. */
@@ -132,5 +165,13 @@ final class SidePanel {
     /** Shows the life of the pinned ray, or nothing if it is null; of the picture with a name, or of the studio's. */
     void show(PixelProbe.Reading pinned, String picture) {
         ray.show(pinned, picture);
+        boolean isPinned = pinned != null;
+        if (rayScroll.isVisible() != isPinned) {
+            rayScroll.setVisible(isPinned);
+            if (isPinned) {
+                split.setDividerLocation(RAY_BEGINS);
+            }
+            split.revalidate();
+        }
     }
 }

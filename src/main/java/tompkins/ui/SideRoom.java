@@ -80,10 +80,20 @@ final class SideRoom {
         }
     }
 
+    /** Whether the panel is shown, or would be if there were room. */
+    boolean isWanted() {
+        return room.isVisible() || folded;
+    }
+
     /** Shows the panel, or hides it. */
-    void toggle() {
+    void setShown(boolean shown) {
         setFolded(false);
-        room.setVisible(!room.isVisible());
+        room.setVisible(shown);
+    }
+
+    /** Shows the panel if it is hidden, and hides it if it is shown. */
+    void toggle() {
+        setShown(!room.isVisible());
     }
 
     /**

@@ -14,7 +14,6 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
-import tompkins.io.SelfDescription;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.ui.file.BackgroundTask;
@@ -27,7 +26,6 @@ import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.FocusFollower;
 import tompkins.ui.widget.Look;
-import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Screens;
 import tompkins.ui.widget.Texts;
 
@@ -56,11 +54,11 @@ public final class TompkinsWindow {
     private final Menus menus;
     private final LateParts late;
     private final EditorDialog editor;
+    private final FullScreen fullScreen;
     private final JPanel middle = new JPanel(new BorderLayout());
 
-    // made when they are first wanted
+    // made when it is first wanted
     private PlayPanel play;
-    private HelpWindow help;
 
     private TompkinsWindow(Studio studio, Path file, CommandLineWriter commandLine) {
         settings.look().install();
@@ -84,11 +82,15 @@ public final class TompkinsWindow {
                 new History(model, frame, this::pause, this::sayOtherScene),
                 settings,
                 captions,
+                view.canvas().zoom(),
+                new HelpCommands(frame, opener),
                 new WindowCommands());
         frame.setJMenuBar(menus.bar());
         editor = new EditorDialog(frame, model, dialogs, menus::bindKeys);
         late = new LateParts(this::furnish, menus::setExamples, frame::setIconImages);
-        menus.bindOtherRedo(frame.getRootPane());
+        // also while the menus are hidden
+        menus.bindKeys(frame.getRootPane());
+        fullScreen = new FullScreen(frame, side, List.of(menus.bar(), status.component()));
         frame.getRootPane().setTransferHandler(opener.drop());
         PeekKey.bind(frame, view.canvas());
         FocusFollower.install(frame);
@@ -228,7 +230,8 @@ public final class TompkinsWindow {
 
     private void showTitle() {
         String file = model.file() == null ? "" : " \u2013 " + model.file().getFileName();
-        frame.setTitle((model.isModified() ? "\u2022 " : "") + model.studio().title() + file + " \u2013 Tompkins");
+        String title = SidePanel.titled(model, model.studio().title());
+        frame.setTitle((model.isModified() ? "\u2022 " : "") + title + file + " \u2013 Tompkins");
     }
 
     private final class Closer extends WindowAdapter {
@@ -320,10 +323,15 @@ public final class TompkinsWindow {
         }
 
         @Override
+        public void toggleFullScreen() {
+            fullScreen.toggle();
+        }
+
+        @Override
         public void stop() {
             if (isPlaying()) {
                 pause();
-            } else if (!view.cancelPicking()) {
+            } else if (!view.endPicking() && !fullScreen.leave()) {
                 view.stop();
             }
         }
@@ -361,32 +369,6 @@ public final class TompkinsWindow {
             takeEntries();
             playPanel().setShown(true);
             playPanel().wanted().ifPresent(clipboard::copyCommandLine);
-        }
-
-        @Override
-        public void showDocument(String page) {
-            if (help == null) {
-                help = new HelpWindow(frame, opener::open);
-            }
-            help.show(HelpPage.of(page));
-        }
-
-        @Override
-        public void showKeys() {
-            Messages.tell(frame, Texts.get("menu.keys"), new KeyTable(menus.itemsWithKeys()).component());
-        }
-
-        @Override
-        public void showAbout() {
-            Messages.tell(
-                    frame,
-                    Texts.get("menu.about"),
-                    Texts.get("help.about", SelfDescription.program(), System.getProperty("java.version")));
-        }
-
-        @Override
-        public void showCitation() {
-            clipboard.offerCitation();
         }
     }
 }

@@ -30,7 +30,7 @@ final class WindowSize {
         frame.addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent event) {
-                if (maximised() == 0) {
+                if (maximised() == 0 && !coversScreen()) {
                     normal = frame.getSize();
                 }
             }
@@ -43,6 +43,11 @@ final class WindowSize {
                 frame.setExtendedState(settings.number(MAXIMISED, 0) & Frame.MAXIMIZED_BOTH);
             }
         });
+    }
+
+    /** Whether it is shown without its frame, over all of a screen. */
+    private boolean coversScreen() {
+        return frame.getGraphicsConfiguration().getDevice().getFullScreenWindow() == frame;
     }
 
     /** The directions in which the window is maximised, as a {@link Frame} counts them; 0 for none. */

@@ -104,6 +104,11 @@ public final class FrameCrossing {
         return step == null ? sceneFromCamera.transform(ray) : step.transform(ray, Ray.blank());
     }
 
+    /** An event of the camera frame in the scene frame, in coordinates relative to {@link #origin()}. */
+    public Event cross(Event event) {
+        return step().transform(event);
+    }
+
     /** Takes each ray of a block into the scene frame, as {@link #cross(Ray)}. */
     public void cross(RayPacket rays) {
         if (step == null) {

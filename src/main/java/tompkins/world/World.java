@@ -8,6 +8,7 @@ import org.joml.Vector3d;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
 import tompkins.primitive.Placement;
+import tompkins.primitive.Primitive;
 import tompkins.sceneobject.FrameObjects;
 import tompkins.sceneobject.ImagePoints;
 import tompkins.sceneobject.PrimitiveCollector;
@@ -16,6 +17,7 @@ import tompkins.search.LampShadows;
 import tompkins.search.ObjectTree;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
+import tompkins.surface.Refractive;
 
 /**
  * The scene, ready to be met by rays: for each velocity in it an inertial frame with the primitives that rest there in
@@ -40,6 +42,7 @@ public final class World {
     private final boolean followsCamera;
     private final List<FrameObjects> frames;
     private final List<ObjectTree> objects;
+    private final List<List<Primitive>> refractive;
 
     // for each lamp its frame and what it sees; lights that have no place belong to the scene frame
     private final List<LightSource> lights = new ArrayList<>();
@@ -77,6 +80,11 @@ public final class World {
         int smallestTree = plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE;
         objects = frames.stream()
                 .map(frame -> new ObjectTree(frame.primitives(), smallestTree))
+                .toList();
+        refractive = objects.stream()
+                .map(tree -> tree.primitives().stream()
+                        .filter(primitive -> primitive.surface() instanceof Refractive)
+                        .toList())
                 .toList();
         prepareShadows(plain);
     }
@@ -156,6 +164,11 @@ public final class World {
     /** The primitives that rest in a frame. */
     public ObjectTree objects(int frame) {
         return objects.get(frame);
+    }
+
+    /** The boundaries of media that rest in a frame. */
+    public List<Primitive> refractive(int frame) {
+        return refractive.get(frame);
     }
 
     /** Whether there are primitives in any frame. */

@@ -108,7 +108,8 @@ class RenderCommandTest {
     @Test
     void aMeshThatIsTooLargeToTravelInsideIsNamedInANote() throws IOException {
         for (int size : new int[] {1 << 10, 2 << 20}) {
-            Files.writeString(folder.resolve("mesh.obj"), "v 0 0 5\nv 1 0 5\nv 0 1 5\nf 1 2 3\n# " + "x".repeat(size));
+            Files.writeString(
+                    folder.resolve("mesh.obj"), "v 0 0 -5\nv 1 0 -5\nv 0 1 -5\nf 1 2 3\n# " + "x".repeat(size));
             Path scene = Files.writeString(folder.resolve("mesh.json"), """
                     { "settings": { "width": 8, "height": 6 }, "scene": [
                       { "type": "TriangleMesh", "mesh": "mesh.obj" }, { "type": "TriangleMesh", "mesh": "mesh.obj" }] }

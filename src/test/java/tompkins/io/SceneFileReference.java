@@ -103,6 +103,13 @@ public final class SceneFileReference {
         return found;
     }
 
+    /** The name of a type in scene files; in words where two families use one name. */
+    static String heading(Class<?> type) {
+        String name = Descriptions.name(type);
+        String words = ValueKind.words(type.getSimpleName());
+        return name.equals(type.getSimpleName()) ? name : Character.toUpperCase(words.charAt(0)) + words.substring(1);
+    }
+
     private static void appendFamily(StringBuilder text, Class<?> family) {
         text.append("\n## ").append(ValueKind.title(family)).append("\n\n");
         Optional<Class<?>> usual = DescriptionTypes.usualMember(family);
@@ -110,7 +117,7 @@ public final class SceneFileReference {
                 .orElse("The key `\"type\"` must be there."));
         text.append(" There are:\n\n");
         for (Class<?> type : Descriptions.members(family)) {
-            String name = type.getSimpleName();
+            String name = heading(type);
             text.append("- [")
                     .append(name)
                     .append("](#")
@@ -118,7 +125,7 @@ public final class SceneFileReference {
                     .append(")\n");
         }
         for (Class<?> type : Descriptions.members(family)) {
-            text.append("\n### ").append(type.getSimpleName()).append("\n\n");
+            text.append("\n### ").append(heading(type)).append("\n\n");
             text.append(meaning(type)).append(".\n");
             appendKeys(text, type);
             text.append("\n```json\n").append(JsonLayout.text(example(type))).append("\n```\n");
@@ -162,7 +169,7 @@ public final class SceneFileReference {
     /** A type with the values of its default; names and what has a usual type are left out. */
     private static Map<String, Object> example(Class<?> type) {
         Map<String, Object> members = new LinkedHashMap<>();
-        members.put(DescriptionReader.TYPE, type.getSimpleName());
+        members.put(DescriptionReader.TYPE, Descriptions.name(type));
         Object standard = Descriptions.standard(type);
         for (RecordComponent component : type.getRecordComponents()) {
             Class<?> kind = component.getType();

@@ -73,8 +73,8 @@ class SceneFileReferenceTest {
                 .<Class<?>>map(type -> type)
                 .toList();
         assertThat(types).hasSizeGreaterThan(30).allSatisfy(type -> {
-            String section =
-                    text.split("\n### " + type.getSimpleName() + "\n", -1)[1].split("\n##", -1)[0];
+            String section = text.split("\n### " + SceneFileReference.heading(type) + "\n", -1)[1]
+                    .split("\n##", -1)[0];
             Stream.of(type.getRecordComponents())
                     .forEach(component -> assertThat(section).contains("\n| `" + component.getName() + "` |"));
         });

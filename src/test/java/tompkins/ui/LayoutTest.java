@@ -8,9 +8,11 @@ import java.awt.FontMetrics;
 import java.awt.Insets;
 import java.awt.Rectangle;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
@@ -117,20 +119,27 @@ class LayoutTest {
         SidePanel side = sidePanel();
         Components.find((Container) side.component(), JComboBox.class, Texts.get("compare.name"))
                 .setSelectedItem(ComparePanel.Other.OTHER_SHUTTER);
-        JViewport viewport = ((JScrollPane) side.component()).getViewport();
+        JViewport viewport = panelOf(side).getViewport();
         Container column = (Container) viewport.getView();
         Components.all(column)
                 .filter(JToggleButton.class::isInstance)
                 .map(JToggleButton.class::cast)
                 .filter(button -> button.getIcon() != null)
                 .forEach(heading -> heading.setSelected(true));
+        Set<Integer> heights = new HashSet<>();
         for (Class<?> shutter : Descriptions.members(Shutter.class)) {
             model.set(Shutters.replaced(model.studio(), shutter));
             Components.layOut(column, side.width() - BAR);
             assertThat(problems(column)).as(shutter.getSimpleName()).isEmpty();
+            heights.add(column.getPreferredSize().height);
         }
+        assertThat(heights).as("shutters have one height").hasSize(1);
         JComboBox<?> models = Components.find(column, JComboBox.class, Texts.get("shutter.name"));
         checkList(models);
+    }
+
+    private static JScrollPane panelOf(SidePanel side) {
+        return Components.find((Container) side.component(), JScrollPane.class, "panel");
     }
 
     /** The list under a combo box is as wide as that. */
@@ -146,8 +155,7 @@ class LayoutTest {
     void theSpeedIsNotCut() {
         WindowDriver.onEventThread(() -> {
             use(Look.LIGHT, 1, Locale.ENGLISH);
-            Container column = (Container)
-                    ((JScrollPane) sidePanel().component()).getViewport().getView();
+            Container column = (Container) panelOf(sidePanel()).getViewport().getView();
             JTextField speed = Components.find(column, JTextField.class, "Speed");
             for (double beta : new double[] {0.90000000000000013, 0.52181175, 0.00012345678, 1 - 1.2345e-7}) {
                 model.set(model.studio().withVelocity(Velocity.of(SpeedScale.BETA, beta, new Vector3d(0, 0, 1))));
@@ -157,6 +165,46 @@ class LayoutTest {
                         .isLessThanOrEqualTo(innerWidth(speed));
                 assertThat(speed.getText()).hasSizeGreaterThan(2);
             }
+        });
+    }
+
+    /** What is wrong, or worth a word, is said in room that is kept for it. */
+    @Test
+    void thePanelKeepsItsHeightWhateverItSays() {
+        WindowDriver.onEventThread(() -> {
+            use(Look.LIGHT, 1, Locale.ENGLISH);
+            model.set(Studios.lattice());
+            Container column = (Container) panelOf(sidePanel()).getViewport().getView();
+            Components.all(column)
+                    .filter(JToggleButton.class::isInstance)
+                    .map(JToggleButton.class::cast)
+                    .filter(button -> button.getIcon() != null)
+                    .forEach(heading -> heading.setSelected(true));
+            int height = height(column);
+            for (String field : List.of("Speed", "Opens at", "Aperture", "Exposure", "Samples", "Target error")) {
+                Components.enter(column, field, "-Infinity");
+                assertThat(height(column)).as(field).isEqualTo(height);
+            }
+            model.set(model.studio().withVelocity(Velocity.of(SpeedScale.GAMMA, 1e7, new Vector3d(0, 0, 1))));
+            assertThat(height(column)).as("a warning").isEqualTo(height);
+        });
+    }
+
+    private static int height(Container column) {
+        Components.layOut(column, Look.pixels(24));
+        Components.layOut(column, Look.pixels(24));
+        return column.getPreferredSize().height;
+    }
+
+    /** A new user finds all parts of the panel without scrolling. */
+    @Test
+    void allFoldsAreSeenInAWindowOfTheUsualSize() {
+        WindowDriver.onEventThread(() -> {
+            use(Look.LIGHT, 1, Locale.ENGLISH);
+            model.set(Studios.lattice());
+            Container column = (Container) panelOf(sidePanel()).getViewport().getView();
+            // menus, the line at the bottom and the frame take 7 sizes of the type, remarks of three lines another 4
+            assertThat(height(column)).isLessThan(Look.pixels(56 - 7 - 4));
         });
     }
 

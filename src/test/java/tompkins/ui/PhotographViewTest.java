@@ -35,6 +35,7 @@ import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.picture.ScreenPicture;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.Texts;
 
 /** The photograph and what it is compared with, without a display. */
 @Timeout(120)
@@ -128,24 +129,40 @@ class PhotographViewTest {
     }
 
     @Test
-    void theClickReleasesTheButtonForPickingEvenIfItsPixelCannotBeRead() {
+    void aClickBesideAllObjectsLeavesThePickingOn() {
+        List<String> told = new ArrayList<>();
         Container panel =
-                (Container) WindowDriver.onEventThread(() -> new SidePanel(model, view, message -> {}, part -> {}))
+                (Container) WindowDriver.onEventThread(() -> new SidePanel(model, view, told::add, part -> {}))
                         .component();
         WindowDriver.onEventThread(() -> {
+            model.set(Studios.sphere());
             view.canvas().setSize(64, 48);
             view.render();
         });
-        WindowDriver.await("a picture", () -> view.canvas().shown().now() != null);
+        awaitNow("a picture of the sphere");
+        double before = model.studio().camera().focusDistance();
         JToggleButton pick = Components.find(panel, JToggleButton.class, "Pick a point to focus on");
-        // who is closed answers no questions
-        view.close();
         WindowDriver.onEventThread(() -> {
             pick.doClick();
+            mouse(view.canvas(), MouseEvent.MOUSE_PRESSED, 1, 1);
+            mouse(view.canvas(), MouseEvent.MOUSE_RELEASED, 1, 1);
+        });
+        WindowDriver.await("the answer", () -> told.equals(List.of(Texts.get("lens.pickedNothing"))));
+        assertThat(pick.isSelected()).isTrue();
+        assertThat(model.studio().camera().focusDistance()).isEqualTo(before);
+        WindowDriver.onEventThread(() -> {
             mouse(view.canvas(), MouseEvent.MOUSE_PRESSED);
             mouse(view.canvas(), MouseEvent.MOUSE_RELEASED);
         });
-        assertThat(pick.isSelected()).isFalse();
+        WindowDriver.await("the end of the picking", () -> !pick.isSelected());
+        assertThat(model.studio().camera().focusDistance()).isNotEqualTo(before);
+    }
+
+    private void awaitNow(String what) {
+        WindowDriver.await(
+                what,
+                () -> view.canvas().shown().now() != null
+                        && view.canvas().shown().now().studio().equals(model.studio()));
     }
 
     @Test
@@ -189,7 +206,11 @@ class PhotographViewTest {
     }
 
     private static void mouse(PictureCanvas canvas, int event) {
-        canvas.dispatchEvent(new MouseEvent(canvas, event, 0, 0, 32, 24, 1, false, MouseEvent.BUTTON1));
+        mouse(canvas, event, 32, 24);
+    }
+
+    private static void mouse(PictureCanvas canvas, int event, int x, int y) {
+        canvas.dispatchEvent(new MouseEvent(canvas, event, 0, 0, x, y, 1, false, MouseEvent.BUTTON1));
     }
 
     /** While something plays, the pinned ray is followed again in every picture. */
@@ -204,7 +225,7 @@ class PhotographViewTest {
         for (int i = 1; i <= 30; i++) {
             int round = i;
             WindowDriver.onEventThread(() -> {
-                view.startPicking(() -> {}, picked::add);
+                view.startPicking(picked::add, () -> {});
                 mouse(view.canvas(), MouseEvent.MOUSE_PRESSED);
                 mouse(view.canvas(), MouseEvent.MOUSE_RELEASED);
                 view.setPin(new Point2D.Double(10.5, 10.5));

@@ -42,6 +42,7 @@ class StatusBarTest {
 
     private static Picture picture(Studio studio, String... warnings) {
         return new Picture(
+                studio,
                 RenderPlan.of(studio),
                 new LinearImage(1, 1, new float[3]),
                 true,
@@ -67,7 +68,8 @@ class StatusBarTest {
         Picture known = picture(Studio.DEFAULT);
         status.show(known);
         assertThat(picture.getText()).contains("error 0");
-        status.show(new Picture(known.plan(), known.image(), true, Duration.ZERO, 1, Double.NaN, List.of()));
+        status.show(new Picture(
+                known.studio(), known.plan(), known.image(), true, Duration.ZERO, 1, Double.NaN, List.of()));
         assertThat(picture.getText())
                 .contains("1 sample per pixel")
                 .doesNotContain("error")

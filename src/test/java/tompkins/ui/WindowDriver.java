@@ -3,6 +3,7 @@ package tompkins.ui;
 import java.awt.AWTEvent;
 import java.awt.AWTException;
 import java.awt.Component;
+import java.awt.Container;
 import java.awt.Dialog;
 import java.awt.Dimension;
 import java.awt.KeyboardFocusManager;
@@ -28,6 +29,7 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JFileChooser;
 import javax.swing.JMenuItem;
+import javax.swing.JToggleButton;
 import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
 import tompkins.studio.Studio;
@@ -152,8 +154,18 @@ public final class WindowDriver implements AutoCloseable {
                 "the complete picture",
                 () -> picture() != null
                         && picture().complete()
+                        && picture().isOfSize(window.view().size())
                         && picture().studio().equals(window.model().studio()));
         return picture();
+    }
+
+    /** The current studio with a picture of the size that it has on the screen. */
+    Studio studioOnScreen() {
+        return onEventThread(() -> {
+            Dimension size = window.view().size();
+            Studio studio = window.model().studio();
+            return studio.withSettings(studio.settings().withSize(size.width, size.height));
+        });
     }
 
     <C extends Component> C find(Class<C> type, String name) {
@@ -175,8 +187,21 @@ public final class WindowDriver implements AutoCloseable {
         }
     }
 
-    /** Makes a component visible in its scroll pane, and gives its centre on the screen. */
+    /** Opens the fold of the panel that hides a component. */
+    private static void unfold(JComponent component) {
+        for (Container part = component; part != null; part = part.getParent()) {
+            if (!part.isVisible()
+                    && part.getParent().getComponent(0) instanceof JToggleButton heading
+                    && !heading.isSelected()) {
+                heading.doClick();
+            }
+        }
+    }
+
+    /** Makes a component visible in its fold and its scroll pane, and gives its centre on the screen. */
     Point centre(JComponent component) {
+        onEventThread(() -> unfold(component));
+        settle();
         anchor(component);
         onEventThread(() -> {
             if (component.getParent() instanceof JComponent parent && !(parent instanceof JViewport)) {

@@ -29,7 +29,6 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.JTextPane;
 import javax.swing.JToggleButton;
-import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler;
 import org.joml.Vector3d;
@@ -399,36 +398,31 @@ class WindowQuestionsTest {
         driver.click(driver.find(PictureCanvas.class, "picture"));
         WindowDriver.await("the answer", () -> what.getText().equals(Texts.get("lens.pickedNothing")));
         assertThat(driver.studio()).isEqualTo(before);
+        assertThat(pick.isSelected()).as("the next click may be better").isTrue();
     }
 
     @Test
-    void thePinnedRayIsScrolledIntoView() {
-        driver.click(driver.find(PictureCanvas.class, "picture"));
-        JTextPane story = driver.find(JTextPane.class, "ray.story");
-        WindowDriver.await("the story of the ray", () -> {
-            JViewport viewport = (JViewport) SwingUtilities.getAncestorOfClass(JViewport.class, story);
-            Rectangle place = SwingUtilities.convertRectangle(story, new Rectangle(story.getSize()), viewport);
-            return story.isShowing() && place.height > 0 && new Rectangle(viewport.getSize()).contains(place);
-        });
-    }
-
-    @Test
-    void furtherClicksLeaveThePanelWhereItIs() {
+    void thePinnedRayHasAPlaceOfItsOwn() {
+        JTextField speed = driver.find(JTextField.class, "Speed");
+        Point before = WindowDriver.onEventThread(speed::getLocationOnScreen);
         driver.click(driver.find(PictureCanvas.class, "picture"));
         JTextPane story = driver.find(JTextPane.class, "ray.story");
         JScrollPane panel = driver.find(JScrollPane.class, "panel");
-        WindowDriver.await(
-                "the story of the ray", () -> panel.getVerticalScrollBar().getValue() > 0);
-        String first = story.getText();
-        WindowDriver.onEventThread(() -> panel.getVerticalScrollBar().setValue(0));
+        WindowDriver.await("the story of the ray", story::isShowing);
+        assertThat(WindowDriver.onEventThread(speed::getLocationOnScreen)).isEqualTo(before);
+        assertThat(isInView(panel, speed)).isTrue();
+        String first = WindowDriver.onEventThread(() -> story.getText());
+        WindowDriver.onEventThread(() -> panel.getVerticalScrollBar().setValue(20));
 
         Point middle = driver.centre(driver.find(PictureCanvas.class, "picture"));
         driver.click(new Point(middle.x + 60, middle.y));
-
         WindowDriver.await("another story", () -> !story.getText().equals(first));
-        // a scroll would have been asked for by now
         assertThat(WindowDriver.onEventThread(() -> panel.getVerticalScrollBar().getValue()))
-                .isZero();
+                .isEqualTo(20);
+
+        driver.click(driver.find(JButton.class, "Unpin"));
+        WindowDriver.await("the end of the ray", () -> !story.isShowing());
+        assertThat(isInView(panel, speed)).isTrue();
     }
 
     @Test

@@ -97,14 +97,16 @@ public final class FileContentEditor implements ValueEditor {
 
     private static String pictureText(Object value) {
         PixelPicture picture = (PixelPicture) value;
-        String name = picture.name().isEmpty() ? Texts.get("pixels.none") : picture.name();
-        return Texts.get("pixels.button", name, picture.width(), picture.height());
+        return picture.name().isEmpty()
+                ? Texts.get("pixels.choose")
+                : Texts.get("pixels.button", picture.name(), picture.width(), picture.height());
     }
 
     private static String meshText(Object value) {
         MeshData mesh = (MeshData) value;
-        String name = mesh.name().isEmpty() ? Texts.get("mesh.none") : mesh.name();
-        return Texts.get("mesh.button", name, mesh.triangles());
+        return mesh.name().isEmpty()
+                ? Texts.get("mesh.choose")
+                : Texts.get("mesh.button", mesh.name(), mesh.triangles());
     }
 
     @Override

@@ -31,15 +31,23 @@ public final class RecordForm {
      * @param commit takes the changed record, or throws
      */
     public RecordForm(Class<?> type, Predicate<RecordComponent> which, Consumer<Object> commit) {
+        this(type, which, null, commit);
+    }
+
+    /** The same, with one note for the messages of all fields, which has its place elsewhere. */
+    public RecordForm(Class<?> type, Predicate<RecordComponent> which, Note messages, Consumer<Object> commit) {
         for (RecordComponent component : Descriptions.components(type)) {
             if (which.test(component)) {
-                add(component, commit);
+                Note note = messages == null ? new Note("") : messages;
+                add(component, note, commit);
+                if (messages == null) {
+                    panel.add(note.component(), "span, growx, wmin 0");
+                }
             }
         }
     }
 
-    private void add(RecordComponent component, Consumer<Object> commit) {
-        Note note = new Note("");
+    private void add(RecordComponent component, Note note, Consumer<Object> commit) {
         ValueEditor editor = ValueEditors.of(
                 component, note, part -> commit.accept(Descriptions.with(value, component.getName(), part)));
         editors.put(component, editor);
@@ -48,7 +56,6 @@ public final class RecordForm {
         label.setLabelFor(editor.component());
         panel.add(label, editor.isTall() ? "aligny top, gaptop 3" : "");
         panel.add(editor.component(), "growx, wmin 0");
-        panel.add(note.component(), "span, growx, wmin 0");
     }
 
     /** The form itself, to be put into a panel. */

@@ -12,6 +12,7 @@ import java.util.stream.Collectors;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import javax.swing.filechooser.FileFilter;
+import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
 
@@ -56,6 +57,10 @@ public final class SaveDialog {
         chooser.setFileFilter(formats.get(0));
         chooser.setSelectedFile(new File(chooser.getCurrentDirectory(), name));
         while (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION) {
+            if (!EntryField.takeAll(chooser)) {
+                // what else is asked for has a wrong value, which is marked
+                continue;
+            }
             Optional<Path> chosen = ChosenFile.path(frame, chooser.getSelectedFile());
             if (chosen.isEmpty()) {
                 continue;

@@ -76,6 +76,20 @@ public final class StudioModel {
         return !current.studio().equals(current.opened());
     }
 
+    /**
+     * Whether the studio is an example that was changed, so that its title and its remarks speak of another picture:
+     * something else than size and quality of the picture differs, and they do not.
+     */
+    public boolean isChangedExample() {
+        Studio now = studio();
+        Studio before = opened();
+        return file() == null
+                && !before.topic().equals(Studio.DEFAULT.topic())
+                && now.title().equals(before.title())
+                && now.remarks().equals(before.remarks())
+                && !now.withSettings(before.settings()).equals(before);
+    }
+
     /** Takes another studio, as a step that can be undone. */
     public void set(Studio studio) {
         change(current.with(studio), null);

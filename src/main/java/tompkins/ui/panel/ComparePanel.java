@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import javax.swing.ButtonGroup;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
@@ -44,12 +45,12 @@ public final class ComparePanel {
     }
 
     private final JPanel panel = Rows.column();
-    private final JComboBox<Other> others = new JComboBox<>(Other.values());
+    private final JComboBox<Other> others = new JComboBox<>();
     private final JComboBox<Class<?>> shutters = new JComboBox<>();
     private final Map<Comparison, JRadioButton> views = new EnumMap<>(Comparison.class);
     private final JButton peek = new JButton(Texts.get("compare.peek"));
     private final JButton keep = new JButton(Texts.get("compare.keep"));
-    private final Note hint = new Note("");
+    private final Note hint = Note.ofLines(2);
     private final StudioModel model;
     private final Consumer<Compared> changed;
     private String keptName;
@@ -67,6 +68,8 @@ public final class ComparePanel {
             StudioModel model, Consumer<Compared> changed, Consumer<Boolean> peeking, Supplier<String> keeping) {
         this.model = model;
         this.changed = changed;
+        // the kept picture comes with the first that is kept
+        Stream.of(Other.values()).filter(other -> other != Other.KEPT_PICTURE).forEach(others::addItem);
         Naming.items(others, Wording::label);
         Naming.name(others, "compare.name");
         Descriptions.members(Shutter.class).forEach(shutters::addItem);
@@ -76,10 +79,7 @@ public final class ComparePanel {
         peek.getModel()
                 .addChangeListener(event -> peeking.accept(peek.getModel().isPressed()));
         Naming.name(keep, "compare.keep");
-        keep.addActionListener(event -> {
-            keptName = keeping.get();
-            others.setSelectedItem(Other.KEPT_PICTURE);
-        });
+        keep.addActionListener(event -> keep(keeping.get()));
         others.addActionListener(event -> updating.unless(this::choose));
         shutters.addActionListener(event -> updating.unless(this::tell));
         JPanel buttons = Rows.of("wrap 1, gap 4", "[grow,fill]");
@@ -109,6 +109,14 @@ public final class ComparePanel {
         return row;
     }
 
+    private void keep(String name) {
+        if (keptName == null) {
+            others.addItem(Other.KEPT_PICTURE);
+        }
+        keptName = name;
+        others.setSelectedItem(Other.KEPT_PICTURE);
+    }
+
     private void choose() {
         if (other() == Other.OTHER_SHUTTER
                 && shutters.getSelectedItem()
@@ -131,11 +139,10 @@ public final class ComparePanel {
 
     private void update() {
         shutters.setVisible(other() == Other.OTHER_SHUTTER);
-        boolean missing = other() == Other.KEPT_PICTURE && keptName == null;
-        boolean compares = other() != Other.NOTHING && !missing;
+        boolean compares = other() != Other.NOTHING;
         views.values().forEach(button -> button.setEnabled(compares));
         peek.setEnabled(compares);
-        hint.setText(compares ? hint() : missing ? Texts.get("compare.keepFirst") : "");
+        hint.setText(compares ? hint() : "");
     }
 
     private String hint() {
@@ -166,7 +173,7 @@ public final class ComparePanel {
     private String otherName() {
         return switch (other()) {
             case OTHER_SHUTTER -> Wording.label((Class<?>) shutters.getSelectedItem());
-            case KEPT_PICTURE -> keptName == null ? Wording.label(other()) : keptName;
+            case KEPT_PICTURE -> keptName;
             default -> Wording.label(other());
         };
     }

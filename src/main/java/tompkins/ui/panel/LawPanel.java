@@ -49,7 +49,8 @@ public final class LawPanel {
     /** What the motion does to the colours of the studio in a model. */
     public static LawPanel ofColours(StudioModel model) {
         LawPanel colours = new LawPanel(model, ColourLaw.values(), Studio::colours, Studio::withColours);
-        Note note = new Note(missingEffectOnColours(model.studio()));
+        Note note = Note.ofLines(2);
+        note.setText(missingEffectOnColours(model.studio()));
         model.addListener(() -> note.setText(missingEffectOnColours(model.studio())));
         colours.panel.add(note.component(), "wmin 0");
         return colours;

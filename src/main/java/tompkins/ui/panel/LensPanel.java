@@ -13,6 +13,7 @@ import tompkins.render.Quality;
 import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Picture;
+import tompkins.ui.widget.MessageRoom;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberKind;
@@ -31,6 +32,7 @@ public final class LensPanel {
     private final NumberRow aperture;
     private final NumberRow focus;
     private final NumberRow samples;
+    private final Note refused = new Note("");
     private final Note samplesNote = new Note("");
     private final JToggleButton pick = new JToggleButton(Texts.get("lens.pick"));
 
@@ -49,6 +51,7 @@ public final class LensPanel {
                 NumberKind.DOUBLE,
                 Texts.get("lens.focusTip"),
                 distances(),
+                refused,
                 value -> model.studio().withCamera(model.studio().camera().focusedAt(value)));
         NumberRow field = row(
                 "horizontalAngleDegrees",
@@ -66,6 +69,7 @@ public final class LensPanel {
                 NumberKind.INT,
                 Texts.get("lens.samplesTip"),
                 new Range(1, 256, 4),
+                refused,
                 value -> model.studio().withSettings(model.studio().settings().withSamples((int) Math.rint(value))));
         Naming.name(pick, Texts.get("lens.pick"), Texts.get("lens.pickTip"));
         pick.addActionListener(event -> picking.accept(pick.isSelected()));
@@ -75,13 +79,13 @@ public final class LensPanel {
         field.addTo(panel);
         exposure.addTo(panel);
         samples.addTo(panel);
-        panel.add(samplesNote.component(), "span, growx, wmin 0");
+        panel.add(new MessageRoom(2, refused, samplesNote).component(), "span, growx, wmin 0");
         model.addListener(() -> update(field, exposure));
         update(field, exposure);
     }
 
     private NumberRow row(String property, Range range, String tip, DoubleFunction<Studio> change) {
-        return new NumberRow(model, property, NumberKind.DOUBLE, tip, range, change);
+        return new NumberRow(model, property, NumberKind.DOUBLE, tip, range, refused, change);
     }
 
     private Studio camera(String property, double value) {
@@ -112,7 +116,7 @@ public final class LensPanel {
                 picture.isTooSharp() ? Texts.get("lens.oneSample") : wished ? Texts.get("lens.otherSamples") : "");
     }
 
-    /** The picture was clicked: nothing is to be picked any more. */
+    /** Nothing is to be picked any more. */
     public void endPicking() {
         pick.setSelected(false);
     }

@@ -16,19 +16,19 @@ import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.ValueSlider;
 import tompkins.ui.widget.Wording;
 
-/** One number of the studio: its name, a slider, a field, and room for a message. */
+/** One number of the studio: its name, a slider and a field. */
 final class NumberRow {
 
     private final JLabel label;
     private final ValueSlider slider;
     private final NumberField field;
-    private final Note note = new Note("");
 
     /**
      * A row.
      *
      * @param property the name of the property
      * @param kind which numbers the field takes
+     * @param note where messages go
      * @param change makes the studio that has the number, or throws
      */
     NumberRow(
@@ -37,6 +37,7 @@ final class NumberRow {
             NumberKind kind,
             String tip,
             Range range,
+            Note note,
             DoubleFunction<Studio> change) {
         String title = Wording.label(property);
         label = new JLabel(title);
@@ -57,7 +58,6 @@ final class NumberRow {
         panel.add(label);
         panel.add(slider.slider(), "growx, wmin 40");
         panel.add(field.field());
-        panel.add(note.component(), "span, growx, wmin 0");
     }
 
     /** Puts a drawing before the name. */

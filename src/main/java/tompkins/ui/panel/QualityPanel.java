@@ -35,6 +35,7 @@ import tompkins.study.PictureStudy;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.MessageRoom;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
@@ -89,8 +90,7 @@ public final class QualityPanel {
         });
         panel.add(label, "span 2");
         panel.add(error.field());
-        panel.add(refused.component(), "span, growx, wmin 0");
-        panel.add(asked.component(), "span, growx, wmin 0");
+        panel.add(new MessageRoom(2, refused, asked).component(), "span, growx, wmin 0");
         panel.add(measure, "span 3, growx");
         model.addListener(this::update);
         update();

@@ -1,6 +1,5 @@
 package tompkins.ui.panel;
 
-import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.IdentityHashMap;
@@ -14,7 +13,6 @@ import javax.swing.JComponent;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
-import javax.swing.SwingUtilities;
 import tompkins.primitive.Described;
 import tompkins.studio.StudioPath;
 import tompkins.trace.Frame;
@@ -82,18 +80,12 @@ public final class RaySection {
     }
 
     /**
-     * Shows a ray, or nothing if it is null. The first one is scrolled into view; later ones leave the panel where it
-     * is, for somebody may be using another part of it while clicking.
+     * Shows a ray, or nothing if it is null.
      *
      * @param picture what the picture is called that the ray belongs to, or null if it is the studio's
      */
     public void show(PixelProbe.Reading reading, String picture) {
-        boolean isFirst = reading != null && !section.component().isVisible();
         section.component().setVisible(reading != null);
-        if (isFirst) {
-            // later, when it has its place
-            SwingUtilities.invokeLater(this::scrollIntoView);
-        }
         // an unpinned ray lets go of its scene
         hits = reading == null || reading.life() == null
                 ? List.of()
@@ -149,10 +141,5 @@ public final class RaySection {
             menu.add(item);
         });
         menu.show(edit, 0, edit.getHeight());
-    }
-
-    private void scrollIntoView() {
-        JComponent component = section.component();
-        component.scrollRectToVisible(new Rectangle(component.getSize()));
     }
 }

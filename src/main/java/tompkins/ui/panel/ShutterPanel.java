@@ -3,6 +3,8 @@ package tompkins.ui.panel;
 import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Component;
+import java.util.HashMap;
+import java.util.Map;
 import javax.swing.BorderFactory;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -20,8 +22,10 @@ import tompkins.studio.Studio;
 import tompkins.ui.editor.RecordForm;
 import tompkins.ui.model.Shutters;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.CardPanel;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Look;
+import tompkins.ui.widget.MessageRoom;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberKind;
@@ -39,17 +43,20 @@ public final class ShutterPanel {
     private final JPanel panel = Rows.column();
     private final JComboBox<Class<?>> models = new JComboBox<>();
     private final Updating updating = new Updating();
-    private final Note meaning = new Note("");
+
+    /** What each model means, in the same place: as high as the highest, so that nothing below it moves. */
+    private final CardPanel meanings = new CardPanel();
+
     private final Note place = new Note("");
     private final Note note = new Note("");
     private final NumberRow time;
     private final JPanel timeRow = Rows.panel();
     private final ShutterTimingPanel timing;
-    private final JPanel parameters = Rows.column();
+    private final CardPanel parameters = new CardPanel();
+    private final Map<Class<?>, RecordForm> forms = new HashMap<>();
     private Class<?> shownModel;
     private Shutter replaced;
     private Shutter replacement;
-    private RecordForm form;
 
     /** A panel for the shutter of the studio in a model, which follows its changes. */
     public ShutterPanel(StudioModel model) {
@@ -66,16 +73,17 @@ public final class ShutterPanel {
                 NumberKind.DOUBLE,
                 Texts.get("shutter.timeTip"),
                 size.times(model.studio()),
+                note,
                 value -> withShutter(shutter().openedAt(requireFinite(value))));
         time.addTo(timeRow);
         timing = new ShutterTimingPanel(model, size);
         panel.add(models, "wmin 0");
-        panel.add(meaning.component(), "wmin 0");
-        panel.add(note.component(), "wmin 0");
-        panel.add(timeRow, "wmin 0");
+        Descriptions.members(Shutter.class).forEach(this::addModel);
+        panel.add(meanings.component(), "wmin 0");
+        panel.add(timeRow, "wmin 0, hidemode 0");
         panel.add(timing.component(), "wmin 0");
-        panel.add(parameters, "wmin 0");
-        panel.add(place.component(), "wmin 0");
+        panel.add(parameters.component(), "wmin 0");
+        panel.add(new MessageRoom(3, note, place).component(), "wmin 0");
         model.addListener(this::update);
         update();
     }
@@ -119,8 +127,8 @@ public final class ShutterPanel {
         if (shutter.getClass() != shownModel) {
             shownModel = shutter.getClass();
             updating.during(() -> models.setSelectedItem(shownModel));
-            meaning.setText(Wording.meaning(shownModel));
-            replaceForm();
+            meanings.show(shownModel);
+            parameters.show(shownModel);
         }
         boolean hasTime = shutter.hasOpeningTime();
         timeRow.setVisible(hasTime);
@@ -131,18 +139,18 @@ public final class ShutterPanel {
             time.show(shutter.openingTime());
         }
         timing.update();
-        form.show(shutter);
+        forms.get(shownModel).show(shutter);
     }
 
-    private void replaceForm() {
-        parameters.removeAll();
-        form = new RecordForm(
-                shownModel,
+    private void addModel(Class<?> type) {
+        meanings.add(type, new Note(Wording.meaning(type)).component());
+        RecordForm form = new RecordForm(
+                type,
                 component -> !component.getName().equals("openingTime"),
+                note,
                 changed -> model.set(withShutter((Shutter) changed)));
-        parameters.add(form.component(), "wmin 0");
-        parameters.setVisible(!form.isEmpty());
-        parameters.revalidate();
+        forms.put(type, form);
+        parameters.add(type, form.component());
     }
 
     /** Shows where the centre of the aperture is in the scene frame when the picture is taken. */

@@ -12,6 +12,7 @@ import tompkins.shutter.SweepDirection;
 import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.EntryField;
+import tompkins.ui.widget.MessageRoom;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.NumberKind;
@@ -36,6 +37,7 @@ final class ShutterTimingPanel {
     private final JComboBox<SweepDirection> directions = new JComboBox<>(SweepDirection.values());
     private final Updating updating = new Updating();
     private final Note hidden = new Note("");
+    private final Note refused = new Note("");
 
     ShutterTimingPanel(StudioModel model, SceneSize size) {
         this.model = model;
@@ -46,6 +48,7 @@ final class ShutterTimingPanel {
                 NumberKind.DOUBLE,
                 Texts.get("shutter.exposureTip"),
                 size.spans(model.studio(), 0),
+                refused,
                 value -> with(camera().withExposureTime(value)));
         exposure.setIcon(TimingIcon.exposure());
         sweep = new NumberRow(
@@ -54,6 +57,7 @@ final class ShutterTimingPanel {
                 NumberKind.DOUBLE,
                 Texts.get("shutter.sweepTip"),
                 size.spans(model.studio(), 0),
+                refused,
                 value -> with(
                         camera().withRollingShutter(new RollingShutter(rolling().direction(), value))));
         Naming.items(directions, Wording::label);
@@ -69,7 +73,7 @@ final class ShutterTimingPanel {
         controls.add(rolls);
         controls.add(directions, "span 2, growx, wmin 0");
         panel.add(controls, "wmin 0");
-        panel.add(hidden.component(), "wmin 0");
+        panel.add(new MessageRoom(2, refused, hidden).component(), "wmin 0");
     }
 
     private static ListCellRenderer<SweepDirection> withIcons(ListCellRenderer<? super SweepDirection> words) {

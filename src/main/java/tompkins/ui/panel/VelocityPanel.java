@@ -20,6 +20,7 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.DirectionSphere;
 import tompkins.ui.widget.EntryField;
+import tompkins.ui.widget.MessageRoom;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Range;
@@ -61,11 +62,9 @@ public final class VelocityPanel {
         speedRow.add(speed.field(), "growx");
         panel.add(speedRow);
         panel.add(scaleSwitch());
-        panel.add(note.component(), "wmin 0");
         panel.add(directionRow());
         panel.add(buttons());
-        panel.add(numbers.component(), "wmin 0");
-        panel.add(warning.component(), "wmin 0");
+        panel.add(new MessageRoom(3, note, warning, numbers).component(), "wmin 0");
         model.addListener(this::update);
         update();
     }

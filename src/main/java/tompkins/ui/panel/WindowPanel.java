@@ -39,7 +39,7 @@ public final class WindowPanel {
     private final JPanel panel = Rows.column();
     private final JComboBox<Kind> kinds = new JComboBox<>(Kind.values());
     private final JButton match = new JButton(Texts.get("window.match"));
-    private final Note note = new Note("");
+    private final Note note = Note.ofLines(2);
     private final JPanel details = Rows.column();
     private final Updating updating = new Updating();
     private Class<?> shownType;
@@ -90,8 +90,7 @@ public final class WindowPanel {
         Optional<Surface> window = FrontWindow.of(model.studio());
         boolean matches = FrontWindow.matches(model.studio());
         updating.during(() -> kinds.setSelectedItem(Kind.of(window)));
-        match.setVisible(window.isPresent());
-        match.setEnabled(!matches);
+        match.setEnabled(window.isPresent() && !matches);
         note.setText(matches ? Texts.get("window.follows") : "");
         details.setVisible(window.isPresent());
         window.ifPresentOrElse(this::showDetails, () -> EntryField.in(details).forEach(EntryField::revert));

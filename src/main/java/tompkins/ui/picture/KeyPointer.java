@@ -1,8 +1,6 @@
 package tompkins.ui.picture;
 
-import java.awt.Graphics2D;
 import java.awt.Point;
-import java.awt.Rectangle;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
@@ -24,7 +22,7 @@ final class KeyPointer {
 
     private final PictureCanvas canvas;
 
-    /** Column and row of the pixel in the ring, or null if there is none. */
+    /** Column and row of the pixel of the photograph in the ring, or null if there is none. */
     private Point pixel;
 
     /** A pointer that appears when the Tab key reaches the picture, or with the first arrow. */
@@ -73,14 +71,15 @@ final class KeyPointer {
         }
         Point from = pixel != null && picture.holds(pixel)
                 ? pixel
-                : new Point(picture.image().width() / 2, picture.image().height() / 2);
+                : new Point(picture.ownWidth() / 2, picture.ownHeight() / 2);
         Point next = new Point(from.x + right, from.y + down);
         pixel = picture.holds(next) ? next : from;
+        canvas.zoom().show(place());
         canvas.tellPointed();
         canvas.repaint();
     }
 
-    /** The middle of the pixel in the ring, as a place of the picture; null if there is none. */
+    /** The middle of the pixel in the ring, as a place of the photograph; null if there is none. */
     Point2D place() {
         Picture picture = canvas.shown().now();
         return pixel != null && picture != null && picture.holds(pixel)
@@ -99,16 +98,6 @@ final class KeyPointer {
         if (pixel != null) {
             pixel = null;
             canvas.repaint();
-        }
-    }
-
-    /** Paints the ring, if there is one. */
-    void paint(Graphics2D g) {
-        Point2D place = place();
-        if (place != null) {
-            Rectangle bounds = canvas.pictureBounds();
-            double scale = (double) bounds.width / canvas.shown().now().image().width();
-            Mark.paintRing(g, bounds.x + place.getX() * scale, bounds.y + place.getY() * scale);
         }
     }
 }

@@ -1,5 +1,6 @@
 package tompkins.ui.picture;
 
+import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.awt.geom.Point2D;
 import java.time.Duration;
@@ -11,9 +12,11 @@ import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
 /**
- * A picture on its way to the screen.
+ * A picture on its way to the screen. It may be larger or smaller than its photograph, whose size is the studio's own:
+ * places are told in pixels of the photograph.
  *
- * @param plan what it was made from
+ * @param studio the studio that is photographed
+ * @param plan what it was made from, in the size of the picture
  * @param image its light
  * @param complete whether all samples were taken
  * @param time since the change that it answers
@@ -22,6 +25,7 @@ import tompkins.trace.RenderPlan;
  * @param warnings what went wrong; known when it is complete
  */
 public record Picture(
+        Studio studio,
         RenderPlan plan,
         LinearImage image,
         boolean complete,
@@ -29,11 +33,6 @@ public record Picture(
         double samples,
         double error,
         List<String> warnings) {
-
-    /** The studio that was photographed. */
-    public Studio studio() {
-        return plan.studio();
-    }
 
     /** Which samples it gets. */
     public Quality quality() {
@@ -55,8 +54,41 @@ public record Picture(
         return sentences;
     }
 
-    /** Whether a place, in pixels, lies on the picture. */
+    /** The width of the photograph in its own size, in pixels. */
+    int ownWidth() {
+        return studio.settings().width();
+    }
+
+    /** The height of the photograph in its own size, in pixels. */
+    int ownHeight() {
+        return studio.settings().height();
+    }
+
+    /** Whether it has the pixels of the photograph. */
+    public boolean isOfOwnSize() {
+        return image.width() == ownWidth() && image.height() == ownHeight();
+    }
+
+    /** Whether it has a size, in pixels. */
+    public boolean isOfSize(Dimension size) {
+        return image.width() == size.width && image.height() == size.height;
+    }
+
+    /** Whether a place of the photograph lies on it. */
     public boolean holds(Point2D place) {
-        return new Rectangle(image.width(), image.height()).contains(place);
+        return new Rectangle(ownWidth(), ownHeight()).contains(place);
+    }
+
+    /** A place of the photograph in pixels of the picture. */
+    public Point2D inPixels(Point2D place) {
+        return new Point2D.Double(
+                place.getX() * image.width() / ownWidth(), place.getY() * image.height() / ownHeight());
+    }
+
+    /** The middle of a pixel of the picture, or of the nearest that it has, as a place of the photograph. */
+    Point2D middle(int column, int row) {
+        return new Point2D.Double(
+                (Math.min(column, image.width() - 1) + 0.5) * ownWidth() / image.width(),
+                (Math.min(row, image.height() - 1) + 0.5) * ownHeight() / image.height());
     }
 }

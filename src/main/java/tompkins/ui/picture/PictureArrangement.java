@@ -6,34 +6,41 @@ import java.awt.Rectangle;
 import java.awt.geom.Point2D;
 
 /**
- * Where on the canvas which picture is seen.
+ * Where on the canvas which picture is seen, in pixels of the screen.
  *
  * @param shown the pictures
  * @param comparison how the two are shown
  * @param otherAlone whether the other one is shown alone, if there is one
  * @param divider where the two are split, from 0 at the left edge of the picture to 1
+ * @param zoom how the picture is enlarged; null if it fits into its room
  * @param canvas the size of the canvas
+ * @param gap how far two pictures beside each other are apart
  */
 record PictureArrangement(
-        ScreenPicture shown, Comparison comparison, boolean otherAlone, double divider, Dimension canvas) {
+        ScreenPicture shown,
+        Comparison comparison,
+        boolean otherAlone,
+        double divider,
+        Zoom zoom,
+        Dimension canvas,
+        int gap) {
 
-    /** Between two pictures beside each other. */
-    private static final int GAP = 8;
-
-    /** Where the picture lies on the canvas. */
+    /** Where the picture lies on the canvas; beyond its room where it is enlarged. */
     Rectangle bounds() {
         Picture picture = shown.now();
-        return picture == null
-                ? new Rectangle(0, 0, room(), canvas.height)
-                : Fit.place(picture.image().width(), picture.image().height(), room(), canvas.height);
+        Dimension room = room().getSize();
+        if (picture == null) {
+            return new Rectangle(room);
+        }
+        return zoom == null
+                ? Fit.place(picture.ownWidth(), picture.ownHeight(), room.width, room.height)
+                : zoom.place(picture.ownWidth(), picture.ownHeight(), room);
     }
 
     /** Where the other picture lies, of the same size. */
     Rectangle otherBounds() {
         Rectangle bounds = bounds();
-        if (isBeside()) {
-            bounds.x += canvas.width - room();
-        }
+        bounds.x += otherRoom().x;
         return bounds;
     }
 
@@ -42,9 +49,17 @@ record PictureArrangement(
         return comparison == Comparison.BESIDE && !otherAlone;
     }
 
-    /** The width that there is for each picture. */
-    int room() {
-        return isBeside() ? Math.max(1, (canvas.width - GAP) / 2) : canvas.width;
+    /** The part of the canvas that the picture may cover. */
+    Rectangle room() {
+        int width = isBeside() ? Math.max(1, (canvas.width - gap) / 2) : canvas.width;
+        return new Rectangle(0, 0, width, canvas.height);
+    }
+
+    /** The part of the canvas that the other picture may cover. */
+    Rectangle otherRoom() {
+        Rectangle room = room();
+        room.x = canvas.width - room.width;
+        return room;
     }
 
     /** Whether two pictures are seen. */
@@ -74,23 +89,33 @@ record PictureArrangement(
     }
 
     private boolean isOverOther(Point point) {
-        return isBeside() && shown.otherImage() != null && otherBounds().contains(point);
+        return isBeside()
+                && shown.otherImage() != null
+                && otherRoom().intersection(otherBounds()).contains(point);
     }
 
     /**
-     * The middle of the pixel of the picture, or of the one beside it, at a point of the canvas; null if there is none.
+     * The place of the photograph that is seen at a point of the canvas: the middle of the pixel of the picture, or of
+     * the one beside it; null if there is none.
      */
     Point2D pictureAt(Point point) {
-        Rectangle bounds = isOverOther(point) ? otherBounds() : bounds();
-        if (shown.now() == null || !bounds.contains(point)) {
+        boolean overOther = isOverOther(point);
+        Rectangle bounds = overOther ? otherBounds() : bounds();
+        Picture now = shown.now();
+        if (now == null || !overOther && !room().intersection(bounds).contains(point)) {
             return null;
         }
-        double scale = (double) shown.now().image().width() / bounds.width;
-        int right = shown.now().image().width() - 1;
-        int bottom = shown.now().image().height() - 1;
-        int column = Math.min(right, (int) ((point.x + 0.5 - bounds.x) * scale));
-        int row = Math.min(bottom, (int) ((point.y + 0.5 - bounds.y) * scale));
-        return new Point2D.Double(column + 0.5, row + 0.5);
+        return now.middle((int) ((point.x + 0.5 - bounds.x) * now.image().width() / bounds.width), (int)
+                ((point.y + 0.5 - bounds.y) * now.image().height() / bounds.height));
+    }
+
+    /** Where on the canvas a place of the photograph is seen. */
+    Point pointOf(Point2D place) {
+        Rectangle bounds = bounds();
+        Picture now = shown.now();
+        return new Point(
+                bounds.x + (int) Math.floor(place.getX() * bounds.width / now.ownWidth()),
+                bounds.y + (int) Math.floor(place.getY() * bounds.height / now.ownHeight()));
     }
 
     /** The picture that is seen at a point of the canvas, beyond the divider the other one; null if there is none. */
@@ -102,10 +127,9 @@ record PictureArrangement(
         return isOverOther(point) ? shown.other() : seenAt(place);
     }
 
-    /** The picture that is seen at a place of the present one. */
+    /** The picture that is seen at a place of the photograph. */
     Picture seenAt(Point2D place) {
-        boolean beyond =
-                splits() && place.getX() > divider * shown.now().image().width();
+        boolean beyond = splits() && place.getX() > divider * shown.now().ownWidth();
         return beyond || showsOtherAlone() ? shown.other() : shown.now();
     }
 }

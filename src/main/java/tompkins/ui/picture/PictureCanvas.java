@@ -8,18 +8,15 @@ import java.awt.Graphics2D;
 import java.awt.GraphicsConfiguration;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.RenderingHints;
-import java.awt.Shape;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
 import java.awt.geom.Point2D;
-import java.awt.image.BufferedImage;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
-import tompkins.image.PictureLabel;
-import tompkins.image.PictureLabel.Corner;
 import tompkins.studio.Studio;
 import tompkins.ui.widget.Texts;
 
@@ -29,7 +26,7 @@ import tompkins.ui.widget.Texts;
 @SuppressWarnings("serial") // never written to a stream
 public final class PictureCanvas extends JPanel {
 
-    /** Told what the mouse does on the picture; places in pixels of the picture. */
+    /** Told what the mouse does on the picture; places in pixels of the photograph. */
     public interface Mouse {
 
         /** The mouse is over a place of the picture that is seen there; both are null if it has left the pictures. */
@@ -44,13 +41,17 @@ public final class PictureCanvas extends JPanel {
     /** How far a press may move and be a click: a hand shakes. */
     private static final int STILL = 5;
 
-    private final Consumer<Dimension> resized;
+    /** Between two pictures beside each other. */
+    private static final int GAP = 8;
+
+    private final Consumer<Room> resized;
     private ScreenPicture shown = ScreenPicture.EMPTY;
     private Comparison comparison = Comparison.NONE;
     private String otherName = "";
     private boolean otherAlone;
     private double divider = 0.5;
     private boolean draggingDivider;
+    private final CanvasZoom zoom = new CanvasZoom(this);
     private Point2D pin;
     private boolean picking;
 
@@ -64,8 +65,8 @@ public final class PictureCanvas extends JPanel {
 
     private Mouse mouse;
 
-    /** A canvas that tells of its size in pixels of the screen. */
-    public PictureCanvas(Consumer<Dimension> resized) {
+    /** A canvas that tells of the room that it has for each picture. */
+    public PictureCanvas(Consumer<Room> resized) {
         this.resized = resized;
         setName("picture");
         setFocusable(true);
@@ -78,6 +79,7 @@ public final class PictureCanvas extends JPanel {
         MouseAdapter adapter = new CanvasMouse();
         addMouseListener(adapter);
         addMouseMotionListener(adapter);
+        addMouseWheelListener(adapter);
         keyPointer = new KeyPointer(this);
     }
 
@@ -104,7 +106,7 @@ public final class PictureCanvas extends JPanel {
     }
 
     /** The place of the picture that the keys or else the mouse points at; null if there is none. */
-    private Point2D pointedPlace() {
+    Point2D pointedPlace() {
         Point2D keys = keyPointer.place();
         return keys != null || mouseAt == null ? keys : pictureAt(mouseAt);
     }
@@ -156,7 +158,7 @@ public final class PictureCanvas extends JPanel {
         repaint();
     }
 
-    /** Where the divider is, from 0 at the left edge to 1. */
+    /** Moves the divider, from 0 at the left edge to 1. */
     void setDivider(double place) {
         divider = Math.max(0, Math.min(1, place));
         tellAgain();
@@ -188,24 +190,57 @@ public final class PictureCanvas extends JPanel {
 
     /** Where the picture lies in this component. */
     public Rectangle pictureBounds() {
-        return arrangement().bounds();
+        return PicturePainter.inUnits(arrangement().bounds(), scale());
     }
 
-    private PictureArrangement arrangement() {
-        return new PictureArrangement(shown, comparison, otherAlone, divider, getSize());
+    PictureArrangement arrangement() {
+        return arrangement(otherAlone);
+    }
+
+    private PictureArrangement arrangement(boolean alone) {
+        double scale = scale();
+        Dimension size = new Dimension(inPixels(getWidth(), scale), inPixels(getHeight(), scale));
+        return new PictureArrangement(shown, comparison, alone, divider, zoom.now(), size, inPixels(GAP, scale));
+    }
+
+    private PicturePainter painter() {
+        Font font =
+                getFont() == null ? UIManager.getFont("Label.font") : getFont().deriveFont(Font.BOLD);
+        return new PicturePainter(arrangement(), otherName, captions, font, scale());
+    }
+
+    /** Pixels of the screen for each unit of the canvas. */
+    double scale() {
+        GraphicsConfiguration screen = getGraphicsConfiguration();
+        return screen == null ? 1 : screen.getDefaultTransform().getScaleX();
+    }
+
+    private static int inPixels(double length, double scale) {
+        return Math.max(1, (int) Math.round(length * scale));
+    }
+
+    private Point inPixels(Point point) {
+        double scale = scale();
+        return new Point((int) ((point.x + 0.5) * scale), (int) ((point.y + 0.5) * scale));
+    }
+
+    /** How the picture is enlarged, and what enlarges it. */
+    public CanvasZoom zoom() {
+        return zoom;
+    }
+
+    /** It is enlarged in another way. */
+    void zoomed() {
+        tellSize();
+        tellAgain();
+        repaint();
     }
 
     private void tellSize() {
-        if (getWidth() == 0 || getHeight() == 0) {
-            return;
+        if (getWidth() > 0 && getHeight() > 0) {
+            // a picture that is shown alone for a moment keeps its pixels
+            resized.accept(new Room(arrangement(false).room().getSize(), zoom.now() != null));
         }
-        GraphicsConfiguration screen = getGraphicsConfiguration();
-        double scale = screen == null ? 1 : screen.getDefaultTransform().getScaleX();
-        resized.accept(new Dimension(inPixels(arrangement().room(), scale), inPixels(getHeight(), scale)));
-    }
-
-    private static int inPixels(int length, double scale) {
-        return Math.max(1, (int) Math.round(length * scale));
     }
 
     /** Whether two pictures are seen. */
@@ -222,109 +257,41 @@ public final class PictureCanvas extends JPanel {
         Graphics2D g = (Graphics2D) graphics.create();
         g.setColor(UIManager.getColor("Tompkins.canvas"));
         g.fillRect(0, 0, getWidth(), getHeight());
-        g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
         if (shown.nowImage() != null) {
-            paintPictures(g);
+            PicturePainter painter = painter();
+            painter.paint(g);
+            if (pin != null) {
+                painter.paintPin(g, pin);
+            }
+            if (keyPointer.place() != null) {
+                painter.paintRing(g, keyPointer.place());
+            }
         }
         g.dispose();
     }
 
-    private void paintPictures(Graphics2D g) {
-        PictureArrangement seen = arrangement();
-        Rectangle bounds = seen.bounds();
-        if (seen.showsDifference()) {
-            paint(g, shown.difference(), bounds);
-            label(g, Texts.get("compare.differenceLabel", otherName), bounds, Corner.TOP_LEFT);
-            caption(g, shown.now(), bounds, Corner.BOTTOM_LEFT);
-        } else if (seen.showsOtherAlone()) {
-            paint(g, shown.otherImage(), bounds);
-            label(g, otherName, bounds, Corner.TOP_LEFT);
-            caption(g, shown.other(), bounds, Corner.BOTTOM_LEFT);
-        } else if (seen.splits()) {
-            paintSplit(g, bounds, seen.dividerX());
-        } else {
-            paint(g, shown.nowImage(), bounds);
-            caption(g, shown.now(), bounds, Corner.BOTTOM_LEFT);
-        }
-        if (comparison != Comparison.NONE && shown.other() != null && shown.otherImage() == null) {
-            label(g, Texts.get("compare.otherShape", otherName), bounds, Corner.TOP_LEFT);
-        }
-        if (seen.isBeside() && shown.otherImage() != null) {
-            paintBeside(g, bounds, seen.otherBounds());
-        }
-        if (pin != null) {
-            paintPin(g, bounds);
-        }
-        keyPointer.paint(g);
-    }
-
-    private void paintBeside(Graphics2D g, Rectangle bounds, Rectangle there) {
-        paint(g, shown.otherImage(), there);
-        label(g, otherName, there, Corner.TOP_LEFT);
-        caption(g, shown.other(), there, Corner.BOTTOM_LEFT);
-        label(g, Texts.get("compare.now"), bounds, Corner.TOP_LEFT);
-        if (pin != null) {
-            paintPin(g, there);
-        }
-    }
-
-    private static void paint(Graphics2D g, BufferedImage image, Rectangle bounds) {
-        g.drawImage(image, bounds.x, bounds.y, bounds.width, bounds.height, null);
-    }
-
-    private void paintSplit(Graphics2D g, Rectangle bounds, int x) {
-        Shape clip = g.getClip();
-        Rectangle left = new Rectangle(bounds.x, bounds.y, x - bounds.x, bounds.height);
-        Rectangle right = new Rectangle(x, bounds.y, bounds.x + bounds.width - x, bounds.height);
-        g.clip(right);
-        paint(g, shown.otherImage(), bounds);
-        label(g, otherName, right, Corner.TOP_RIGHT);
-        caption(g, shown.other(), right, Corner.BOTTOM_RIGHT);
-        g.setClip(clip);
-        g.clip(left);
-        paint(g, shown.nowImage(), bounds);
-        label(g, Texts.get("compare.now"), left, Corner.TOP_LEFT);
-        caption(g, shown.now(), left, Corner.BOTTOM_LEFT);
-        g.setClip(clip);
-        Mark.paintDivider(g, x, bounds.y, bounds.height);
-    }
-
-    private void caption(Graphics2D g, Picture picture, Rectangle bounds, Corner corner) {
-        if (captions != null) {
-            label(g, captions.apply(picture.studio()), bounds, corner);
-        }
-    }
-
-    private void label(Graphics2D g, String text, Rectangle bounds, Corner corner) {
-        Font font =
-                getFont() == null ? UIManager.getFont("Label.font") : getFont().deriveFont(Font.BOLD);
-        PictureLabel.paint(g, font, text, bounds, corner);
-    }
-
-    private void paintPin(Graphics2D g, Rectangle bounds) {
-        double scale = (double) bounds.width / shown.now().image().width();
-        Mark.paintPin(g, bounds.x + pin.getX() * scale, bounds.y + pin.getY() * scale);
-    }
-
     /** The place of the picture, or of the one beside it, at a point of this component; null if there is none. */
     public Point2D pictureAt(Point point) {
-        return arrangement().pictureAt(point);
+        return arrangement().pictureAt(inPixels(point));
     }
 
     /**
      * The picture that is seen at a point of this component, beyond the divider the other one; null if there is none.
      */
     public Picture shownAt(Point point) {
-        return arrangement().shownAt(point);
+        return arrangement().shownAt(inPixels(point));
     }
 
     private final class CanvasMouse extends MouseAdapter {
+
+        /** By how much the wheel was turned since the last step: a touchpad takes many small turns for one. */
+        private double turned;
 
         /** Where the mouse was pressed; null where no click comes of it. */
         private Point pressed;
 
         private boolean nearDivider(MouseEvent event) {
-            return splits() && !picking && Math.abs(event.getX() - arrangement().dividerX()) <= GRIP;
+            return splits() && !picking && Math.abs(event.getX() - arrangement().dividerX() / scale()) <= GRIP;
         }
 
         /** The mouse points now, and the keys no more. */
@@ -342,11 +309,14 @@ public final class PictureCanvas extends JPanel {
 
         @Override
         public void mouseDragged(MouseEvent event) {
+            Point before = mouseAt;
             mouseAt = event.getPoint();
             if (pressed != null && pressed.distance(mouseAt) > STILL) {
                 pressed = null;
             }
-            if (draggingDivider) {
+            if (SwingUtilities.isMiddleMouseButton(event) && before != null) {
+                zoom.pan(mouseAt.x - before.x, mouseAt.y - before.y);
+            } else if (draggingDivider) {
                 Rectangle bounds = pictureBounds();
                 setDivider((double) (event.getX() - bounds.x) / bounds.width);
             } else {
@@ -368,6 +338,21 @@ public final class PictureCanvas extends JPanel {
         public void mouseExited(MouseEvent event) {
             mouseAt = null;
             tellPointed();
+        }
+
+        /** With Alt, the wheel enlarges; turned away from the hand, as elsewhere. */
+        @Override
+        public void mouseWheelMoved(MouseWheelEvent event) {
+            if (event.isAltDown()) {
+                point(event);
+                turned += event.getPreciseWheelRotation();
+                for (; turned <= -1; turned++) {
+                    zoom.enlarge();
+                }
+                for (; turned >= 1; turned--) {
+                    zoom.reduce();
+                }
+            }
         }
 
         @Override

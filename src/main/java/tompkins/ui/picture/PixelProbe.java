@@ -43,9 +43,25 @@ public final class PixelProbe implements AutoCloseable {
             double angleDegrees,
             double sceneAngleDegrees,
             double frequencyRatio,
-            Map<Frame, SpaceTimeDiagram> diagrams) {}
+            Map<Frame, SpaceTimeDiagram> diagrams) {
 
-    private record Question(RenderPlan plan, Point2D place, Consumer<Reading> answer) {}
+        /** The same as the reading of another pixel, such as that of the photograph in its own size. */
+        Reading ofPixel(int itsColumn, int itsRow) {
+            return new Reading(
+                    itsColumn,
+                    itsRow,
+                    life,
+                    object,
+                    inScene,
+                    inCamera,
+                    angleDegrees,
+                    sceneAngleDegrees,
+                    frequencyRatio,
+                    diagrams);
+        }
+    }
+
+    private record Question(Picture picture, Point2D place, Consumer<Reading> answer) {}
 
     private final NewestFirst<Question> worker;
 
@@ -54,13 +70,18 @@ public final class PixelProbe implements AutoCloseable {
         worker = new NewestFirst<>("tompkins-probe", PixelProbe::answer, (question, error) -> failures.accept(error));
     }
 
-    /** Reads a place of a plan's picture; the answer comes on the event thread, unless a newer question comes first. */
-    public void ask(RenderPlan plan, Point2D place, Consumer<Reading> answer) {
-        worker.submit(new Question(plan, place, answer));
+    /**
+     * Reads a place of a picture, in pixels of its photograph; the answer comes on the event thread, unless a newer
+     * question comes first.
+     */
+    public void ask(Picture picture, Point2D place, Consumer<Reading> answer) {
+        worker.submit(new Question(picture, place, answer));
     }
 
     private static void answer(Question question) {
-        Reading reading = read(question.plan, question.place);
+        Point2D place = question.place;
+        Reading reading = read(question.picture.plan(), question.picture.inPixels(place))
+                .ofPixel((int) place.getX(), (int) place.getY());
         SwingUtilities.invokeLater(() -> question.answer.accept(reading));
     }
 

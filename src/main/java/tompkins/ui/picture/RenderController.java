@@ -1,5 +1,6 @@
 package tompkins.ui.picture;
 
+import java.awt.Dimension;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
@@ -32,7 +33,13 @@ public final class RenderController implements AutoCloseable {
     /** The sum of the parts of the work may miss 1 by its rounding. */
     private static final double ALMOST_ONE = 1 - 1e-9;
 
-    private record Request(Studio studio, Pace pace, long time) {}
+    /** A studio, how large its picture is to be, and since when it is wanted. */
+    private record Request(Studio studio, Dimension size, Pace pace, long time) {
+
+        Studio inSize() {
+            return studio.withSettings(studio.settings().withSize(size.width, size.height));
+        }
+    }
 
     private final Renderer renderer = new Renderer();
     private final Consumer<Picture> pictures;
@@ -65,9 +72,9 @@ public final class RenderController implements AutoCloseable {
         planner = new NewestFirst<>("tompkins-plan", this::render, this::fail);
     }
 
-    /** Asks for the picture of a studio instead of all that were asked for before. Returns at once. */
-    public void show(Studio studio, Pace pace) {
-        Request request = new Request(studio, pace, System.nanoTime());
+    /** Asks for the picture of a studio, in some size, instead of all that were asked for before. Returns at once. */
+    public void show(Studio studio, Dimension size, Pace pace) {
+        Request request = new Request(studio, size, pace, System.nanoTime());
         stopped = false;
         wanted.set(request);
         planner.submit(request);
@@ -111,7 +118,7 @@ public final class RenderController implements AutoCloseable {
             return;
         }
         // while the camera alone changes, the scene stays as it was prepared
-        RenderPlan plan = RenderPlan.of(request.studio, lastPlan);
+        RenderPlan plan = RenderPlan.of(request.inSize(), lastPlan);
         lastPlan = plan;
         if (wanted.get() != request) {
             return;
@@ -217,6 +224,7 @@ public final class RenderController implements AutoCloseable {
             boolean tellsError = complete || System.nanoTime() - startTime > LONGEST_WAIT.toNanos();
             RenderReport report = tellsError ? rendered.report() : null;
             Picture picture = new Picture(
+                    request.studio,
                     rendered.plan(),
                     rendered.image(),
                     complete,

@@ -8,13 +8,13 @@ import java.util.function.UnaryOperator;
 import javax.swing.SwingUtilities;
 
 /**
- * Turns pictures into images no larger than the canvas, on a thread of its own, and hands the newest to the event
+ * Turns pictures into images no larger than they are shown, on a thread of its own, and hands the newest to the event
  * thread. However fast pictures come, the event thread has one at a time to paint.
  */
 public final class ScreenPictures implements AutoCloseable {
 
-    /** What is wanted: pictures, and the size in which they are shown, which is null as long as nobody knows it. */
-    private record Wanted(Picture now, Picture other, Dimension canvas, boolean difference) {}
+    /** What is wanted: pictures, and the room in which they are shown, which is null as long as nobody knows it. */
+    private record Wanted(Picture now, Picture other, Room room, boolean difference) {}
 
     private final AtomicReference<ScreenPicture> ready = new AtomicReference<>();
     private final NewestFirst<Wanted> worker;
@@ -31,35 +31,34 @@ public final class ScreenPictures implements AutoCloseable {
 
     /** There is a better picture. Called by any thread. */
     public void setNow(Picture picture) {
-        want(old -> new Wanted(picture, old.other, old.canvas, old.difference));
+        want(old -> new Wanted(picture, old.other, old.room, old.difference));
     }
 
     /** There is another picture to compare with, or none. Called by any thread. */
     public void setOther(Picture picture) {
-        want(old -> picture == old.other ? old : new Wanted(old.now, picture, old.canvas, old.difference));
+        want(old -> picture == old.other ? old : new Wanted(old.now, picture, old.room, old.difference));
     }
 
     /** Whether the difference is wanted, too. */
     public void setDifference(boolean difference) {
-        want(old -> new Wanted(old.now, old.other, old.canvas, difference));
+        want(old -> new Wanted(old.now, old.other, old.room, difference));
     }
 
-    /** The canvas has another size, in pixels of the screen. */
-    public void setCanvas(Dimension size) {
-        want(old -> size.equals(old.canvas) ? old : new Wanted(old.now, old.other, size, old.difference));
+    /** There is another room for each picture. */
+    public void setRoom(Room room) {
+        want(old -> room.equals(old.room) ? old : new Wanted(old.now, old.other, room, old.difference));
     }
 
     private synchronized void want(UnaryOperator<Wanted> change) {
         Wanted before = wanted;
         wanted = change.apply(before);
-        if (wanted != before && wanted.now != null && wanted.canvas != null) {
+        if (wanted != before && wanted.now != null && wanted.room != null) {
             worker.submit(wanted);
         }
     }
 
     private void prepare(Wanted order) {
-        boolean sameUse =
-                doneFor != null && doneFor.canvas.equals(order.canvas) && doneFor.difference == order.difference;
+        boolean sameUse = doneFor != null && doneFor.room.equals(order.room) && doneFor.difference == order.difference;
         BufferedImage now = sameUse && order.now == done.now() ? done.nowImage() : image(order.now, order);
         BufferedImage other = null;
         if (order.other != null && size(order.now, order).equals(size(order.other, order))) {
@@ -78,13 +77,13 @@ public final class ScreenPictures implements AutoCloseable {
         BufferedImage levels = ScreenPicture.levels(picture);
         Dimension fitted = size(picture, order);
         // The display enlarges a picture itself, in a fifth of the time; two that are subtracted need the same size.
-        boolean enlarged = fitted.width >= levels.getWidth();
+        boolean enlarged = fitted.width >= levels.getWidth() && fitted.height >= levels.getHeight();
         return enlarged && !order.difference ? levels : ScreenPicture.scaled(levels, fitted);
     }
 
     /** The size of a picture on the canvas. Only pictures of the same size there can be compared. */
     private static Dimension size(Picture picture, Wanted order) {
-        return Fit.size(picture.image().width(), picture.image().height(), order.canvas.width, order.canvas.height);
+        return order.room.sizeOf(picture.studio().settings());
     }
 
     @Override

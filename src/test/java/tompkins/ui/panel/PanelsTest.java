@@ -9,6 +9,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.accessibility.AccessibleValue;
 import javax.swing.JButton;
@@ -525,7 +526,7 @@ class PanelsTest {
 
     private static Picture picture(Studio studio) {
         LinearImage black = new LinearImage(1, 1, new float[3]);
-        return new Picture(RenderPlan.of(studio), black, true, Duration.ZERO, 1, Double.NaN, List.of());
+        return new Picture(studio, RenderPlan.of(studio), black, true, Duration.ZERO, 1, Double.NaN, List.of());
     }
 
     @Test
@@ -666,12 +667,22 @@ class PanelsTest {
     @Test
     void thereIsNoKeptPictureBeforeOneIsKept() {
         Container panel = (Container) comparePanel().component();
-        Components.find(panel, JComboBox.class, "Compare with").setSelectedItem(ComparePanel.Other.KEPT_PICTURE);
-        assertThat(Components.notes(panel)).containsExactly("Keep a picture first.");
-        assertThat(Components.find(panel, JRadioButton.class, "Split").isEnabled())
-                .isFalse();
-        Components.find(panel, JButton.class, "Keep this picture").doClick();
+        JComboBox<?> others = Components.find(panel, JComboBox.class, "Compare with");
+        assertThat(items(others))
+                .doesNotContain(ComparePanel.Other.KEPT_PICTURE)
+                .hasSize(5);
+        for (int round = 0; round < 2; round++) {
+            Components.find(panel, JButton.class, "Keep this picture").doClick();
+            assertThat(others.getSelectedItem()).isEqualTo(ComparePanel.Other.KEPT_PICTURE);
+            assertThat(items(others)).containsExactly((Object[]) ComparePanel.Other.values());
+        }
         assertThat(Components.notes(panel)).containsExactly(Texts.get("compare.splitHint"));
+    }
+
+    private static List<Object> items(JComboBox<?> box) {
+        return IntStream.range(0, box.getItemCount())
+                .<Object>mapToObj(box::getItemAt)
+                .toList();
     }
 
     @Test

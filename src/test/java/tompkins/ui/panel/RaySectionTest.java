@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Container;
 import java.awt.geom.Point2D;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
@@ -12,6 +13,7 @@ import javax.swing.JToggleButton;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import tompkins.image.LinearImage;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
@@ -19,6 +21,7 @@ import tompkins.trace.RenderPlan;
 import tompkins.ui.Components;
 import tompkins.ui.WindowDriver;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
@@ -44,7 +47,7 @@ class RaySectionTest {
 
     private PixelProbe.Reading reading() {
         CompletableFuture<PixelProbe.Reading> answer = new CompletableFuture<>();
-        probe.ask(RenderPlan.of(STUDIO), new Point2D.Double(32, 24), answer::complete);
+        probe.ask(picture(STUDIO), new Point2D.Double(32, 24), answer::complete);
         return answer.join();
     }
 
@@ -87,5 +90,10 @@ class RaySectionTest {
             assertThat(diagram.isVisible()).isTrue();
             assertThat(camera.getParent().isVisible()).isTrue();
         });
+    }
+
+    private static Picture picture(Studio studio) {
+        LinearImage image = new LinearImage(64, 48, new float[3 * 64 * 48]);
+        return new Picture(studio, RenderPlan.of(studio), image, true, Duration.ZERO, 1, Double.NaN, List.of());
     }
 }

@@ -30,7 +30,7 @@ class PictureCanvasTest {
     private static final int WIDTH = 200;
     private static final int HEIGHT = 150;
 
-    private final List<Dimension> sizes = new ArrayList<>();
+    private final List<Room> sizes = new ArrayList<>();
     private final List<Point2D> read = new ArrayList<>();
     private final List<Point2D> clicked = new ArrayList<>();
     private final PictureCanvas canvas = canvas();
@@ -55,7 +55,8 @@ class PictureCanvasTest {
 
     private static ScreenPicture pictures(Studio studio) {
         LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
-        Picture picture = new Picture(RenderPlan.of(studio), image, true, Duration.ZERO, 1, 0, List.of());
+        Studio sized = studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT));
+        Picture picture = new Picture(sized, RenderPlan.of(sized), image, true, Duration.ZERO, 1, 0, List.of());
         return new ScreenPicture(picture, ScreenPicture.levels(picture), null, null, null);
     }
 
@@ -183,6 +184,6 @@ class PictureCanvasTest {
         for (PropertyChangeListener listener : canvas.getPropertyChangeListeners("graphicsConfiguration")) {
             listener.propertyChange(moved);
         }
-        assertThat(sizes).containsExactly(new Dimension(WIDTH / 2, HEIGHT / 2));
+        assertThat(sizes).containsExactly(new Room(new Dimension(WIDTH / 2, HEIGHT / 2), false));
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.awt.geom.Point2D;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -11,6 +12,7 @@ import java.util.concurrent.TimeUnit;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import tompkins.camera.PanoramicCamera;
+import tompkins.image.LinearImage;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Plane;
@@ -159,7 +161,7 @@ class PixelProbeTest {
         try (PixelProbe probe = new PixelProbe(answers::add)) {
             probe.ask(null, middle, answers::add);
             assertThat(answers.poll(60, TimeUnit.SECONDS)).isInstanceOf(NullPointerException.class);
-            probe.ask(RenderPlan.of(Studios.sphere()), middle, answers::add);
+            probe.ask(picture(Studios.sphere()), middle, answers::add);
             assertThat(answers.poll(60, TimeUnit.SECONDS)).isInstanceOf(PixelProbe.Reading.class);
         }
     }
@@ -172,5 +174,29 @@ class PixelProbeTest {
         PixelProbe.Reading reading = read(corrected, 32, 24);
         assertThat(reading.object()).isEqualTo("sphere");
         assertThat(reading.life().hits()).hasSize(2);
+    }
+
+    private static Picture picture(Studio studio) {
+        LinearImage image = new LinearImage(64, 48, new float[3 * 64 * 48]);
+        return new Picture(studio, RenderPlan.of(studio), image, true, Duration.ZERO, 1, Double.NaN, List.of());
+    }
+
+    /** The picture on the screen has twice as many pixels in a row: the second one shows the first half of it. */
+    @Test
+    void pixelsAreThoseOfThePhotographInItsOwnSize() throws InterruptedException {
+        Studio studio = Studios.sphere().withVelocity(Velocity.of(0.6, 0, 0));
+        Studio twice = studio.withSettings(studio.settings().withSize(128, 96));
+        LinearImage image = new LinearImage(128, 96, new float[3 * 128 * 96]);
+        Picture large = new Picture(studio, RenderPlan.of(twice), image, true, Duration.ZERO, 1, Double.NaN, List.of());
+        BlockingQueue<Object> answers = new LinkedBlockingQueue<>();
+        try (PixelProbe probe = new PixelProbe(answers::add)) {
+            probe.ask(large, new Point2D.Double(40.25, 30.75), answers::add);
+            PixelProbe.Reading reading = (PixelProbe.Reading) answers.poll(60, TimeUnit.SECONDS);
+            assertThat(reading.column()).isEqualTo(40);
+            assertThat(reading.row()).isEqualTo(30);
+            assertThat(reading.angleDegrees())
+                    .isCloseTo(read(studio, 40.25, 30.75).angleDegrees(), within(1e-12))
+                    .isNotCloseTo(read(studio, 40.5, 30.5).angleDegrees(), within(1e-3));
+        }
     }
 }

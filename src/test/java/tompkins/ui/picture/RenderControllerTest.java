@@ -2,6 +2,7 @@ package tompkins.ui.picture;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Dimension;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -53,7 +54,7 @@ class RenderControllerTest {
     void thePictureIsThatOfTheRendererToTheBit() throws InterruptedException {
         Studio studio = Studios.lattice()
                 .withSettings(Studio.DEFAULT.settings().withSize(160, 120).withSamples(5));
-        controller.show(studio, Pace.HAND);
+        show(controller, studio, Pace.HAND);
         await(() -> !pictures.isEmpty() && last().complete());
         try (Renderer renderer = new Renderer(1)) {
             float[] expected = renderer.render(RenderPlan.of(studio)).image().rgb();
@@ -74,7 +75,7 @@ class RenderControllerTest {
                     }
                 },
                 failures::add)) {
-            throwing.show(Studios.sphere(), Pace.HAND);
+            show(throwing, Studios.sphere(), Pace.HAND);
             await(() -> !failures.isEmpty());
             assertThat(failures).containsExactly(full);
             assertThat(throwing.isBusy()).isFalse();
@@ -87,7 +88,7 @@ class RenderControllerTest {
         Studio newest = studio;
         for (int i = 0; i < 60; i++) {
             newest = studio.withVelocity(Velocity.of(0, 0, i / 100.0));
-            controller.show(newest, Pace.HAND);
+            show(controller, newest, Pace.HAND);
             Thread.sleep(3);
         }
         Studio expected = newest;
@@ -101,9 +102,9 @@ class RenderControllerTest {
     void aPictureThatWasOvertakenIsNotShownAfterTheNewerOne() throws InterruptedException {
         Studio small = Studios.sphere();
         Studio large = small.withSettings(small.settings().withSize(4000, 3000));
-        controller.show(large, Pace.HAND);
+        show(controller, large, Pace.HAND);
         await(() -> controller.progress() == 1);
-        controller.show(small, Pace.HAND);
+        show(controller, small, Pace.HAND);
         await(() -> !pictures.isEmpty() && last().studio().equals(small) && last().complete());
         await(() -> Thread.getAllStackTraces().entrySet().stream()
                 .filter(thread -> thread.getKey().getName().startsWith("tompkins-"))
@@ -133,17 +134,17 @@ class RenderControllerTest {
         controller.stop();
         await(() -> !controller.isBusy());
         pictures.clear();
-        controller.show(studio, pace);
+        show(controller, studio, pace);
         await(() -> !pictures.isEmpty());
         return pictures.get(0).samples();
     }
 
     @Test
     void aSlowPictureShowsSomethingAndGivesWay() throws InterruptedException {
-        controller.show(Studios.slow(), Pace.HAND);
+        show(controller, Studios.slow(), Pace.HAND);
         await(() -> !pictures.isEmpty());
         assertThat(last().complete()).isFalse();
-        controller.show(Studios.sphere(), Pace.HAND);
+        show(controller, Studios.sphere(), Pace.HAND);
         await(() -> last().studio().equals(Studios.sphere()) && last().complete());
     }
 
@@ -156,7 +157,7 @@ class RenderControllerTest {
                 .withSettings(new RenderSettings(320, 240, 1, 0, 1, 5_000, ToneCurve.LINEAR));
         int changes = 0;
         while (pictures.isEmpty()) {
-            controller.show(mirrors.withVelocity(Velocity.of(0, 0, ++changes * 1e-4)), pace);
+            show(controller, mirrors.withVelocity(Velocity.of(0, 0, ++changes * 1e-4)), pace);
             Thread.sleep(20);
         }
         assertThat(last().complete()).isFalse();
@@ -164,7 +165,7 @@ class RenderControllerTest {
 
     @Test
     void stopEndsTheWorkAndKeepsThePicture() throws InterruptedException {
-        controller.show(Studios.slow(), Pace.HAND);
+        show(controller, Studios.slow(), Pace.HAND);
         await(() -> !pictures.isEmpty());
         controller.stop();
         await(() -> !controller.isBusy());
@@ -173,7 +174,7 @@ class RenderControllerTest {
         assertThat(pictures).hasSize(count).noneMatch(Picture::complete);
         controller.stop();
         assertThat(controller.isStopped()).as("stopped twice").isTrue();
-        controller.show(Studios.sphere(), Pace.HAND);
+        show(controller, Studios.sphere(), Pace.HAND);
         assertThat(controller.isStopped()).isFalse();
         await(() -> last().complete());
         controller.stop();
@@ -182,7 +183,7 @@ class RenderControllerTest {
 
     @Test
     void aPictureThatIsStillBeingPlannedCanBeStopped() throws InterruptedException {
-        controller.show(Studios.sphere().withScene(Collections.nCopies(400_000, Sphere.DEFAULT)), Pace.HAND);
+        show(controller, Studios.sphere().withScene(Collections.nCopies(400_000, Sphere.DEFAULT)), Pace.HAND);
         await(RenderControllerTest::isPlanning);
         assertThat(controller.isBusy()).isTrue();
         assertThat(controller.progress()).isEqualTo(0);
@@ -193,7 +194,7 @@ class RenderControllerTest {
         Thread.sleep(100);
         assertThat(controller.isBusy()).isFalse();
         assertThat(pictures).isEmpty();
-        controller.show(Studios.sphere(), Pace.HAND);
+        show(controller, Studios.sphere(), Pace.HAND);
         await(() -> !pictures.isEmpty() && last().complete());
     }
 
@@ -207,10 +208,10 @@ class RenderControllerTest {
     @Test
     void aPictureThatCannotBeMadeIsReportedAndTheNextOneComes() throws InterruptedException {
         Studio group = Studios.sphere().withScene(List.of(nested()));
-        controller.show(group, Pace.HAND);
+        show(controller, group, Pace.HAND);
         await(() -> !failures.isEmpty());
         assertThat(controller.isBusy()).isFalse();
-        controller.show(Studios.sphere(), Pace.HAND);
+        show(controller, Studios.sphere(), Pace.HAND);
         await(() -> !pictures.isEmpty() && last().complete());
     }
 
@@ -221,5 +222,25 @@ class RenderControllerTest {
             object = new Group("group", List.of(object));
         }
         return object;
+    }
+
+    private static void show(RenderController controller, Studio studio, Pace pace) {
+        controller.show(
+                studio,
+                new Dimension(studio.settings().width(), studio.settings().height()),
+                pace);
+    }
+
+    @Test
+    void thePictureIsTakenInTheSizeInWhichItIsShown() throws InterruptedException {
+        Studio studio = Studios.sphere();
+        controller.show(studio, new Dimension(100, 75), Pace.HAND);
+        await(() -> !pictures.isEmpty() && last().complete());
+        Studio larger = studio.withSettings(studio.settings().withSize(100, 75));
+        try (Renderer renderer = new Renderer()) {
+            assertThat(last().image().rgb())
+                    .isEqualTo(renderer.render(RenderPlan.of(larger)).image().rgb());
+        }
+        assertThat(last().studio()).isEqualTo(studio);
     }
 }

@@ -14,6 +14,7 @@ import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
 import tompkins.render.Renderer;
+import tompkins.studio.Studio;
 import tompkins.studio.Studios;
 import tompkins.trace.RenderPlan;
 
@@ -26,20 +27,23 @@ class ScreenPicturesTest {
     }
 
     private static Picture picture(RenderPlan plan, LinearImage image) {
-        return new Picture(plan, image, true, Duration.ZERO, 1, Double.NaN, List.of());
+        return new Picture(plan.studio(), plan, image, true, Duration.ZERO, 1, Double.NaN, List.of());
     }
 
     private static Picture grey(int width, int height) {
         float[] rgb = new float[3 * width * height];
         Arrays.fill(rgb, 0.5f);
-        return picture(RenderPlan.of(Studios.sphere()), new LinearImage(width, height, rgb));
+        Studio studio = Studios.sphere();
+        return picture(
+                RenderPlan.of(studio.withSettings(studio.settings().withSize(width, height))),
+                new LinearImage(width, height, rgb));
     }
 
     /** Stretched to the place of another picture, it would show another scene. */
     @Test
     void aPictureOfOtherProportionsIsNotCompared() throws InterruptedException {
         try (ScreenPictures screen = new ScreenPictures(events::add, events::add)) {
-            screen.setCanvas(new Dimension(100, 100));
+            screen.setRoom(new Room(new Dimension(100, 100), false));
             screen.setNow(grey(64, 48));
             screen.setOther(grey(32, 24));
             ScreenPicture shown = await(picture -> picture.other() != null);
@@ -59,11 +63,31 @@ class ScreenPicturesTest {
     void noPictureIsShownBeforeItsSizeIsKnown() throws InterruptedException {
         try (ScreenPictures screen = new ScreenPictures(events::add, events::add)) {
             screen.setNow(grey(64, 48));
-            screen.setCanvas(new Dimension(32, 100));
+            screen.setRoom(new Room(new Dimension(32, 100), false));
             ScreenPicture shown = (ScreenPicture) nextEvent();
             assertThat(shown.nowImage().getWidth()).isEqualTo(32);
             assertThat(events).isEmpty();
         }
+    }
+
+    /** A picture that was kept before the window became larger has other pixels, rounded in another way. */
+    @Test
+    void whetherPicturesCanBeComparedDependsOnTheirPhotographs() throws InterruptedException {
+        Studio studio = Studios.sphere();
+        Studio large = studio.withSettings(studio.settings().withSize(1920, 1080));
+        try (ScreenPictures screen = new ScreenPictures(events::add, events::add)) {
+            screen.setRoom(new Room(new Dimension(997, 700), false));
+            screen.setNow(picture(large, 997, 561));
+            screen.setOther(picture(large, 501, 282));
+            ScreenPicture shown = await(picture -> picture.other() != null);
+            assertThat(shown.nowImage().getHeight()).isEqualTo(561);
+            assertThat(shown.otherImage()).isNotNull();
+        }
+    }
+
+    private static Picture picture(Studio studio, int width, int height) {
+        LinearImage image = new LinearImage(width, height, new float[3 * width * height]);
+        return new Picture(studio, RenderPlan.of(studio), image, true, Duration.ZERO, 1, Double.NaN, List.of());
     }
 
     /** One bright column in eight: between the columns that a single step looks at, it would be lost. */
@@ -94,7 +118,7 @@ class ScreenPicturesTest {
         RenderPlan plan = RenderPlan.of(Studios.sphere());
         try (Renderer renderer = new Renderer(1);
                 ScreenPictures screen = new ScreenPictures(events::add, events::add)) {
-            screen.setCanvas(new Dimension(100, 100));
+            screen.setRoom(new Room(new Dimension(100, 100), false));
             screen.setNow(picture(plan, null));
             assertThat(nextEvent()).isInstanceOf(NullPointerException.class);
             Picture good = picture(plan, renderer.render(plan).image());

@@ -1,0 +1,42 @@
+package tompkins.ui;
+
+import java.util.List;
+import javax.swing.JFrame;
+import javax.swing.JMenuItem;
+import tompkins.io.SelfDescription;
+import tompkins.ui.widget.Messages;
+import tompkins.ui.widget.Texts;
+
+/** What the program tells about itself: its documents, its keys, its version. */
+final class HelpCommands {
+
+    private final JFrame frame;
+    private final SceneOpener opener;
+
+    /** Made when it is first wanted. */
+    private HelpWindow documents;
+
+    HelpCommands(JFrame frame, SceneOpener opener) {
+        this.frame = frame;
+        this.opener = opener;
+    }
+
+    void showDocument(String page) {
+        if (documents == null) {
+            documents = new HelpWindow(frame, opener::open);
+        }
+        documents.show(HelpPage.of(page));
+    }
+
+    /** Shows the keys of some items, and all others. */
+    void showKeys(List<JMenuItem> items) {
+        Messages.tell(frame, Texts.get("menu.keys"), new KeyTable(items).component());
+    }
+
+    void showAbout() {
+        Messages.tell(
+                frame,
+                Texts.get("menu.about"),
+                Texts.get("help.about", SelfDescription.program(), System.getProperty("java.version")));
+    }
+}

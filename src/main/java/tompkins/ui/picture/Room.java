@@ -1,0 +1,20 @@
+package tompkins.ui.picture;
+
+import java.awt.Dimension;
+import tompkins.studio.RenderSettings;
+
+/**
+ * The room that there is for each picture, in pixels of the screen, and whether its pixels are to be seen one by one.
+ *
+ * @param size the room
+ * @param ownPixels whether the picture is to have the pixels of the photograph; else it fits into the room
+ */
+public record Room(Dimension size, boolean ownPixels) {
+
+    /** The size that the picture of a photograph is to have, in its own pixels. */
+    public Dimension sizeOf(RenderSettings photograph) {
+        return ownPixels
+                ? new Dimension(photograph.width(), photograph.height())
+                : Fit.size(photograph.width(), photograph.height(), size.width, size.height);
+    }
+}

@@ -1,0 +1,34 @@
+package tompkins.ui.widget;
+
+import java.awt.CardLayout;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+
+/** Parts of which one is shown, in the room of the largest: nothing moves when another one is shown. */
+public final class CardPanel {
+
+    private final CardLayout cards = new CardLayout();
+    private final JPanel panel = new JPanel(cards);
+
+    /** No parts yet. */
+    public CardPanel() {
+        panel.setOpaque(false);
+    }
+
+    /** The panel itself. */
+    public JComponent component() {
+        return panel;
+    }
+
+    /** Adds the part for a type. */
+    public void add(Class<?> type, JComponent part) {
+        JPanel card = Rows.column();
+        card.add(part, "wmin 0, aligny top");
+        panel.add(card, type.getName());
+    }
+
+    /** Shows the part for a type. */
+    public void show(Class<?> type) {
+        cards.show(panel, type.getName());
+    }
+}
