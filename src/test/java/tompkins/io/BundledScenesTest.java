@@ -59,7 +59,9 @@ class BundledScenesTest {
         List<Studio> scenes = BundledScenes.studios();
         assertThat(scenes).hasSameSizeAs(BundledScenes.all());
         assertThat(scenes.stream().map(Studio::topic).distinct())
-                .containsExactly("Figures of the paper", "Relativity", "Motion", "Objects", "Shutters", "Surfaces");
+                .startsWith("Figures of the paper", "Relativity", "Motion")
+                .containsExactlyInAnyOrder(
+                        "Figures of the paper", "Relativity", "Motion", "Objects", "Shutters", "Surfaces");
         assertThat(scenes.stream().map(Studio::title)).startsWith("Fig. 1(a): camera at rest");
     }
 }

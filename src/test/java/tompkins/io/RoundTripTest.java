@@ -110,7 +110,9 @@ class RoundTripTest {
     private static Studio studioWith(Object description) {
         Studio studio = Studio.DEFAULT;
         if (description instanceof SceneObject object) {
-            return studio.withScene(List.of(object)).withCameraFrame(List.of(Sphere.DEFAULT, object));
+            Studio inScene = studio.withScene(List.of(object));
+            boolean moves = object.moves();
+            return moves ? inScene : inScene.withCameraFrame(List.of(Sphere.DEFAULT, object));
         }
         if (description instanceof Surface surface) {
             return studio.withScene(List.of(new Sphere("", new Vector3d(), 1, surface)));

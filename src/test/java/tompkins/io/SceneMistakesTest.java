@@ -41,16 +41,17 @@ class SceneMistakesTest {
             {"settings": {"xyzzy": 1}}    | f:1:15: settings: unknown key "xyzzy"; allowed are width, height, samples, \
             targetError, seed, maximumDepth, toneCurve
             {"lights": [{"type": "PiontLight"}]} | f:1:22: lights[0]: unknown type "PiontLight"; allowed are AmbientLight, \
-            PointLight; did you mean "PointLight"?
+            PointLight, Moving; did you mean "PointLight"?
             {"camera": {"aperture": 1}}   | f:1:13: camera: unknown key "aperture"; allowed are type, position, \
             viewDirection, topDirection, horizontalAngleDegrees, verticalAngleDegrees, apertureRadius, focus, exposureStops, \
-            shutter; did you mean "apertureRadius"?
+            shutter, exposureTime, rollingShutter; did you mean "apertureRadius"?
             {"settings": {"--e-": 1}}     | f:1:15: settings: unknown key "--e-"; allowed are width, height, samples, \
             targetError, seed, maximumDepth, toneCurve
             {"camera": {"angle": 1}}      | f:1:13: camera: unknown key "angle"; allowed are type, position, viewDirection, \
-            topDirection, horizontalAngleDegrees, verticalAngleDegrees, apertureRadius, focus, exposureStops, shutter
-            {"lights": [{"type": 5}]}     | f:1:22: lights[0]: unknown type 5; allowed are AmbientLight, PointLight
-            {"lights": [{}]}              | f:1:13: lights[0]: needs a key "type"; allowed are AmbientLight, PointLight
+            topDirection, horizontalAngleDegrees, verticalAngleDegrees, apertureRadius, focus, exposureStops, shutter, exposureTime, \
+            rollingShutter
+            {"lights": [{"type": 5}]}     | f:1:22: lights[0]: unknown type 5; allowed are AmbientLight, PointLight, Moving
+            {"lights": [{}]}              | f:1:13: lights[0]: needs a key "type"; allowed are AmbientLight, PointLight, Moving
             {"lights": {}}                | f:1:12: lights: must be a list in brackets [ ], was an object in braces
             {"lights": [null]}            | f:1:13: lights[0]: must be an object in braces, such as {"type": "AmbientLight"}, was null
             {"title": 3}                  | f:1:11: title: must be a text in quotes, was 3

@@ -2,11 +2,14 @@ package tompkins.surface;
 
 import java.util.List;
 import tompkins.light.Illumination;
+import tompkins.light.Lighting;
+import tompkins.light.Sightline;
 import tompkins.ray.Colour;
+import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
 /** All around is dark: what still is bright glows by itself. */
-final class DarkTracer implements Tracer {
+final class DarkTracer implements Tracer, Lighting {
 
     static final Tracer DARK = new DarkTracer();
 
@@ -19,6 +22,26 @@ final class DarkTracer implements Tracer {
 
     @Override
     public Illumination illumination() {
-        return new Illumination(List.of(), null);
+        return new Illumination(List.of(), this);
+    }
+
+    @Override
+    public boolean find(int source, Hit hit, Sightline sight) {
+        return false;
+    }
+
+    @Override
+    public boolean isClear(int source, Hit hit, Sightline sight) {
+        return false;
+    }
+
+    @Override
+    public boolean shifts() {
+        return false;
+    }
+
+    @Override
+    public Colour seen(Colour light, Ray ray, double dopplerFactor) {
+        return light;
     }
 }
