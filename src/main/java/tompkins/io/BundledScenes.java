@@ -24,7 +24,7 @@ public final class BundledScenes {
     private static final String FIRST = "fig1b.json";
 
     /**
-     * The topics that come first, for they show what the program is for; the others follow in the order of their files.
+     * The topics that come first, for they show what the program is for; the others follow in the order of their names.
      */
     private static final List<String> FIRST_TOPICS = List.of("Figures of the paper", "Relativity", "Motion");
 
@@ -86,7 +86,7 @@ public final class BundledScenes {
         try {
             return all().stream()
                     .flatMap(file -> read(file).stream())
-                    .sorted(Comparator.comparingInt(BundledScenes::rank))
+                    .sorted(Comparator.comparingInt(BundledScenes::rank).thenComparing(Studio::topic))
                     .toList();
         } catch (IOException missing) {
             return List.of();

@@ -58,10 +58,15 @@ class BundledScenesTest {
     void topicsThatMatterMostComeFirst() throws IOException {
         List<Studio> scenes = BundledScenes.studios();
         assertThat(scenes).hasSameSizeAs(BundledScenes.all());
-        assertThat(scenes.stream().map(Studio::topic).distinct())
-                .startsWith("Figures of the paper", "Relativity", "Motion")
-                .containsExactlyInAnyOrder(
-                        "Figures of the paper", "Relativity", "Motion", "Objects", "Shutters", "Surfaces");
+        List<String> topics = scenes.stream().map(Studio::topic).toList();
+        assertThat(topics.stream().distinct())
+                .containsExactly("Figures of the paper", "Relativity", "Motion", "Objects", "Shutters", "Surfaces");
+        for (int i = 1; i < topics.size(); i++) {
+            assertThat(topics.get(i).equals(topics.get(i - 1))
+                            || !topics.subList(0, i).contains(topics.get(i)))
+                    .as("scenes of one topic stand together: %s", scenes.get(i).title())
+                    .isTrue();
+        }
         assertThat(scenes.stream().map(Studio::title)).startsWith("Fig. 1(a): camera at rest");
     }
 }
