@@ -145,7 +145,7 @@ class FastSearchTest {
             assertThat(colours).isEqualTo(other.colours);
             assertThat(Arrays.stream(colours).distinct())
                     .as("different colours")
-                    .hasSizeGreaterThan(5);
+                    .hasSizeGreaterThan(30);
             // less work is what it is all for
             assertThat(counts)
                     .usingRecursiveComparison()
