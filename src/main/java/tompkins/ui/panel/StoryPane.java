@@ -90,10 +90,7 @@ final class StoryPane extends JTextPane {
         SimpleAttributeSet style = new SimpleAttributeSet();
         StyleConstants.setFontFamily(style, font.getFamily());
         StyleConstants.setFontSize(style, font.getSize());
-        if (colour != null) {
-            // a look without this colour leaves the text in the colour of the component
-            StyleConstants.setForeground(style, colour);
-        }
+        StyleConstants.setForeground(style, colour);
         StyleConstants.setBold(style, isBold);
         try {
             text.insertString(text.getLength(), words, style);

@@ -2,28 +2,24 @@ package tompkins.ui.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.stream.Stream;
-import javax.swing.UIManager;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import tompkins.shutter.SweepDirection;
+import tompkins.ui.widget.Look;
 
 class TimingIconTest {
 
-    @AfterEach
-    void forgetColours() {
-        UIManager.put("Component.accentColor", null);
-        UIManager.put("Tompkins.note", null);
+    @BeforeAll
+    static void look() {
+        Look.LIGHT.install();
     }
 
     @Test
     void drawingsAreToldApart() {
-        UIManager.put("Component.accentColor", Color.BLUE);
-        UIManager.put("Tompkins.note", Color.GRAY);
         Stream<TimingIcon> icons = Stream.concat(
                 Stream.of(TimingIcon.exposure()),
                 Stream.of(SweepDirection.values()).map(TimingIcon::rolling));
