@@ -57,7 +57,7 @@ class ExplainCommandTest {
 
     /** What a terminal obeys, such as the beginning of a colour, comes out of no scene. */
     @Test
-    void aTerminalIsShownWhatAScenesWordsSayAndObeysNoneOfThem() throws IOException {
+    void wordsOfAScenePassNoCodesToATerminal() throws IOException {
         Path scene = Files.writeString(folder.resolve("red.json"), """
                 {
                   "title": "a\\u001b[31mtitle",

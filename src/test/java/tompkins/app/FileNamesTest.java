@@ -30,7 +30,7 @@ class FileNamesTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"%s", "%s more words", "check %s", "render scenes/fig1b.json -o %s", "study tree -o %s"})
-    void aNameThatNoFileCanHaveIsShownWithoutItsControlCharacters(String line) {
+    void impossibleNamesAreShownWithoutControls(String line) {
         Object[] words = line.replace("%s", "a\0b\u001b\u009bc").split(" ");
 
         ProgramRun run = ProgramRun.of(words);
@@ -43,7 +43,7 @@ class FileNamesTest {
     /** The program looks for files in the folder where it was started, so that the file has to lie there. */
     @ParameterizedTest
     @CsvSource({"render -strange.json", "check -strange.json", "render scenes/fig1b.json -strange.json"})
-    void aFileThatLooksLikeAnOptionIsNamedWithTheWayToGiveIt(String line) throws IOException {
+    void filesLikeOptionsAreNamedWithAWayToGiveThem(String line) throws IOException {
         Path strange = Files.writeString(Path.of("-strange.json"), "{}");
         try {
             ProgramRun run = ProgramRun.of((Object[]) line.split(" "));

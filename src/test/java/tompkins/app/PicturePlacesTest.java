@@ -23,7 +23,7 @@ class PicturePlacesTest {
 
     @Test
     @Timeout(60)
-    void placesThatCannotBeWrittenAreMistakesAndRefusedBeforeThePictureIsTaken() throws IOException {
+    void unwritablePlacesAreRefusedFirst() throws IOException {
         Path missing = folder.resolve("no");
         assertThat(refusalOf(missing.resolve("picture.png"))).isEqualTo("there is no folder " + missing);
         assertThat(folder).isEmptyDirectory();
@@ -42,7 +42,7 @@ class PicturePlacesTest {
 
     @Test
     @Timeout(60)
-    void aNameThatIsTooLongForTheDiskIsRefusedBeforeThePictureIsTaken() {
+    void namesTooLongForTheDiskAreRefusedFirst() {
         assertThat(refusalOf(folder.resolve("x".repeat(300) + ".png"))).isEqualTo("File name too long");
         assertThat(folder).isEmptyDirectory();
     }
@@ -60,7 +60,7 @@ class PicturePlacesTest {
     /** Nobody wants to lose what took an hour. */
     @Test
     @Timeout(60)
-    void aPictureWhosePlaceIsTakenWhileItIsRenderedGetsANumber() throws Exception {
+    void aPlaceTakenMeanwhileGivesANumberedName() throws Exception {
         Path target = folder.resolve("mine.png");
         Thread other = new Thread(() -> {
             try {
@@ -221,7 +221,7 @@ class PicturePlacesTest {
     }
 
     @Test
-    void anEndingAloneIsNoNameEvenForAPhotographThatIsTakenAgain() {
+    void anEndingAloneIsNoName() {
         Path photograph = folder.resolve("photograph.png");
         ProgramRun.of("render", FIG1B, "-o", photograph, "--size", "8x6");
         Path nameless = folder.resolve(".png");

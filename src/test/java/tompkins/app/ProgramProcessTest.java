@@ -151,7 +151,7 @@ class ProgramProcessTest {
 
     /** 46 bytes a pixel: sums of all samples and of half of them, their number, the picture, and two bytes a level. */
     @Test
-    void aPictureThatTheMemoryCannotHoldIsRefusedBeforeTheFirstWord() throws IOException, InterruptedException {
+    void picturesBeyondTheMemoryAreRefusedFirst() throws IOException, InterruptedException {
         Files.writeString(folder.resolve("large.json"), "{\"settings\": {\"width\": 2000, \"height\": 1500}}");
         for (String command : List.of("explain", "render")) {
             ProgramRun run = shell("tompkins " + command + " large.json --error");

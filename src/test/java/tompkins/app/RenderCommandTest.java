@@ -72,8 +72,8 @@ class RenderCommandTest {
         "tiff_float, first.tif, again.png, png",
         "png16, first.png, again.tif, tiff"
     })
-    void aPhotographThatIsTakenAgainKeepsItsFormatWhereItsNameAllows(
-            String format, String first, String again, String expected) throws IOException {
+    void photographsTakenAgainKeepTheirFormat(String format, String first, String again, String expected)
+            throws IOException {
         Path before = folder.resolve(first);
         ProgramRun one = ProgramRun.of("render", FIG1B, "-o", before, "--size", "32x24", "--format", format);
         assertThat(one.out()).contains(", 4 samples per pixel");
@@ -91,7 +91,7 @@ class RenderCommandTest {
     }
 
     @Test
-    void aSceneThatIsTooLongForAPhotographIsRefusedBeforeItIsRendered() throws IOException {
+    void scenesTooLongForAPhotographAreRefused() throws IOException {
         Path scene = Files.writeString(
                 folder.resolve("long.json"),
                 "{ \"remarks\": \"" + "many words ".repeat(1_600_000)

@@ -63,7 +63,7 @@ class StudyCommandTest {
     }
 
     @Test
-    void aChartThatCannotBeWrittenIsNamedAndLeavesNothingBehind() throws IOException {
+    void anUnwritableChartIsNamedAndLeavesNothing() throws IOException {
         Path chart = Files.createDirectories(folder.resolve("stability/stability-rest.png"));
 
         assertThat(refusal(folder, Failures.FAILURE))
@@ -73,7 +73,7 @@ class StudyCommandTest {
     }
 
     @Test
-    void aPageThatCannotBeWrittenIsAMistakeBeforeAnythingIsMeasured() throws IOException {
+    void anUnwritablePageIsRefusedFirst() throws IOException {
         Path page = Files.createDirectory(folder.resolve("stability.md"));
 
         assertThat(refusal(folder, Failures.MISTAKE)).startsWith(page + ": cannot be written: ");

@@ -193,7 +193,7 @@ class TraceCommandTest {
     }
 
     @Test
-    void refusesPixelsOutsideThePictureAndPointsOutsideTheLens() {
+    void refusesPlacesOutsidePictureOrLens() {
         ProgramRun outside = ProgramRun.of("trace", "scenes/fig1b.json", "--pixel", "640,0");
         assertThat(outside.code()).isEqualTo(2);
         assertThat(outside.err()).contains("639,479");

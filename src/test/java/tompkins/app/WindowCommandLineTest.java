@@ -188,7 +188,7 @@ class WindowCommandLineTest {
 
     /** Near 1 components have too few digits; gamma of 1 - 2e-16 is 1/sqrt(4e-16). */
     @Test
-    void aSpeedThatComponentsCannotTellIsSaidAsALorentzFactor() {
+    void speedsNearLightAreSaidAsLorentzFactors() {
         assertThat(words(OPENED.withVelocity(Velocity.of(SpeedScale.GAMMA, 1e7, new Vector3d(0, 0, 3))))
                         .get(2))
                 .isEqualTo("--gamma=10000000");

@@ -215,7 +215,7 @@ class CameraRaysTest {
     /** Rays across the normal of a plane never meet it. */
     @ParameterizedTest
     @MethodSource("camerasThatLookAlongZ")
-    void raysWithoutShutterLeaveTheirPlacesInTheBlockToOthers(Camera camera) {
+    void raysWithoutShutterLeaveNoGapsInThePacket(Camera camera) {
         CameraRays cameraRays = camera.withShutter(
                         new ArbitraryPlaneShutter(0, new Vector3d(0, -1, 0), new Vector3d(0, 1, 0)))
                 .rays(4, 4, REST);

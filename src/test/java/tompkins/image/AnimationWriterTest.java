@@ -120,7 +120,7 @@ class AnimationWriterTest {
     }
 
     @Test
-    void animatedPngIsAlsoAnOrdinaryPhotographWithTheFirstScene() throws IOException {
+    void animatedPngIsAPhotographOfTheFirstScene() throws IOException {
         Path apng = film(AnimationFormat.APNG, 25, 2);
 
         assertThat(PhotographFile.readScene(apng)).contains(Samples.SCENE);
@@ -187,7 +187,7 @@ class AnimationWriterTest {
     }
 
     @Test
-    void numberedPicturesAreOrdinaryPhotographsEachWithItsScene() throws IOException {
+    void numberedPicturesHoldTheirScenes() throws IOException {
         Files.createDirectory(target(AnimationFormat.NUMBERED_PNG));
 
         Path film = film(AnimationFormat.NUMBERED_PNG, 25, 3);
@@ -252,7 +252,7 @@ class AnimationWriterTest {
 
     @ParameterizedTest
     @EnumSource(names = "MP4", mode = EnumSource.Mode.EXCLUDE)
-    void theSameFramesGiveTheSameBytesAndReplaceWhatWasThere(AnimationFormat format) throws IOException {
+    void equalFramesGiveEqualBytesAndReplace(AnimationFormat format) throws IOException {
         Path film = film(format, 25, 3);
         Path first = Files.isDirectory(film) ? film.resolve("frame0002.png") : film;
         byte[] bytes = Files.readAllBytes(first);

@@ -46,7 +46,7 @@ class Mp4WriterTest {
     }
 
     @Test
-    void theProgramGetsTheLevelsOfAllFramesAndTheSizeAndRate() throws IOException {
+    void ffmpegGetsAllFramesTheirSizeAndRate() throws IOException {
         Path arguments = programs.resolve("arguments");
         Path program =
                 program("printf '%s\\n' \"$@\" > '" + arguments + "'\n" + "for last do :; done\ncat > \"$last\"\n");
@@ -128,7 +128,7 @@ class Mp4WriterTest {
     }
 
     @Test
-    void closedWithoutFinishItEndsTheProgramAndLeavesNoTrace() throws IOException {
+    void closingUnfinishedEndsFfmpegWithoutTrace() throws IOException {
         Path identity = programs.resolve("identity");
         Path program = program("echo $$ > '" + identity + "'\nexec cat > /dev/null\n");
 
@@ -149,7 +149,7 @@ class Mp4WriterTest {
     }
 
     @Test
-    void theProgramMakesAFilmWhereItIsAndTheMessageSaysWhatElseThereIsWhereItIsNot() throws IOException {
+    void ffmpegMakesAFilmOrAMessageSaysWhatElse() throws IOException {
         Path film = folder.resolve("film.mp4");
         if (Mp4Writer.findProgram(System.getenv("PATH")).isEmpty()) {
             assertThatThrownBy(() -> AnimationFormat.MP4.open(film, 25))

@@ -79,7 +79,7 @@ class SceneInDamagedFileTest {
 
     @ParameterizedTest
     @EnumSource
-    void aPictureThatIsCutIsToldFromAWholeOneThoughTheSceneIsFound(PictureFormat format) throws IOException {
+    void cutPicturesAreToldFromWholeOnes(PictureFormat format) throws IOException {
         for (int width : new int[] {1, 3, 40}) {
             Path whole = folder.resolve("whole" + format.endings().get(0));
             PhotographFile.write(whole, Samples.random(width, 50, 1), format, ToneCurve.LINEAR, Samples.INFO);

@@ -270,7 +270,7 @@ class MeshFileTest {
     }
 
     @Test
-    void aMistakeInAMeshNamesTheSceneFileTheMeshAndBothLines(@TempDir Path folder) throws IOException {
+    void meshMistakesNameSceneMeshAndBothLines(@TempDir Path folder) throws IOException {
         Files.writeString(folder.resolve("bad.obj"), SQUARE + "f 1 2 9\n");
 
         assertThatThrownBy(() -> StudioReader.read(

@@ -84,7 +84,7 @@ class AberrationTest {
 
     @ParameterizedTest
     @ValueSource(doubles = {0.3, 0.6, 0.9, 0.99})
-    void horizonOfAMovingCameraStandsAtTheAngleWhoseCosineIsTheSpeed(double speed) {
+    void theHorizonStandsWhereTheCosineIsTheSpeed(double speed) {
         Photograph sky = halfLitSky(speed, Photograph.wholeSky(), 8, 720);
         int lit = 0;
         while (sky.isLit(3, lit, 0)) {

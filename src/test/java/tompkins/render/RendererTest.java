@@ -102,7 +102,7 @@ class RendererTest {
 
     /** The best of five: other processes may hold the machine up, a slow renderer is late each time. */
     @Test
-    void aLargePictureBeginsSoonAndEndsSoonWhenItIsCancelled() throws InterruptedException {
+    void aLargePictureBeginsAndCancelsSoon() throws InterruptedException {
         Duration beginning = Duration.ofHours(1);
         Duration end = Duration.ofHours(1);
         for (int attempt = 0; attempt < 5; attempt++) {

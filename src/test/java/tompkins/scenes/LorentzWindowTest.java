@@ -19,7 +19,7 @@ class LorentzWindowTest {
     private static final double TRANSMISSION = 0.96;
 
     @Test
-    void windowAtThePinholeGivesTheDimmedPictureOfTheCameraAtRest() throws InterruptedException {
+    void windowAtThePinholeGivesTheDimmedRestPicture() throws InterruptedException {
         Studio figure = SceneFiles.read("fig4");
         Plane window = (Plane) figure.cameraFrame().get(0);
         Plane touching = new Plane(window.description(), new Vector3d(0, 0, 1e-13), window.normal(), window.surface());

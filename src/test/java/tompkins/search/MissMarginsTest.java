@@ -82,7 +82,7 @@ class MissMarginsTest {
 
     @ParameterizedTest
     @ValueSource(doubles = {1e2, 1e4, 1e6, 1e8})
-    void whatIsOnlyJustMetFarFromTheOriginByRaysThatStartThereIsKept(double far) {
+    void grazingHitsFarFromTheOriginAreKept(double far) {
         EdgeRays edges = new EdgeRays(11);
         int kept = 0;
         for (int round = 0; round < ROUNDS; round++) {

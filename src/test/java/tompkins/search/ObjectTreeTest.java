@@ -54,7 +54,7 @@ class ObjectTreeTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 3, 50, 1000, 9000})
-    void neighboursThatEnterTheTreeTogetherFindWhatTheListFinds(int count) {
+    void raysTogetherFindWhatTheListFinds(int count) {
         List<Primitive> primitives = spheres(count, new Random(count));
         ObjectTree tree = new ObjectTree(primitives, 1);
         ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
@@ -268,7 +268,7 @@ class ObjectTreeTest {
     /** Each cut through distances that grow by a factor takes off a few: without a bound the tree is a list. */
     @ParameterizedTest
     @ValueSource(doubles = {1.01, 1.5, 4})
-    void objectsAtDistancesThatGrowByAFactorAreFoundInABoundedTree(double factor) {
+    void growingDistancesGiveABoundedTree(double factor) {
         PrimitiveCollector collector = new PrimitiveCollector();
         // 1e-75 to 1e75; several in one place where that is fewer than there are
         int different = (int) Math.min(2000, 150 * Math.log(10) / Math.log(factor));

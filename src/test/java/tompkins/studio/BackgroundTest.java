@@ -11,7 +11,7 @@ class BackgroundTest {
 
     /** Three columns and rows: red tells the column, green the row. */
     @Test
-    void theMiddleOfAPanoramaIsAheadItsRightIsXAndItsTopIsUp() {
+    void panoramaLooksAheadWithXAtTheRight() {
         float[] rgba = new float[3 * 3 * 4];
         for (int pixel = 0; pixel < 9; pixel++) {
             rgba[4 * pixel] = pixel % 3;

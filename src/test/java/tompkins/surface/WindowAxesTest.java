@@ -22,7 +22,7 @@ class WindowAxesTest {
 
     /** With spans (2, 0, 0) and (1, 2, 0), u is (x - y/2)/2 and v is y/2. */
     @Test
-    void aSkewPieceHasAxesAlongItsSecondSpanAndPerpendicularToIt() {
+    void skewPiecesHaveAxesAlongTheirSecondSpan() {
         Hit skew = hit(new SurfaceCoordinates(0.5, 0.5, 0.5, -0.25, 0, 0, 0.5, 0));
         assertIs(WindowAxes.SURFACE.inFrame(new Vector3d(1, 0, 0), skew), new Vector3d(2, -1, 0).normalize());
         assertIs(WindowAxes.SURFACE.inFrame(new Vector3d(0, 1, 0), skew), new Vector3d(1, 2, 0).normalize());
@@ -31,7 +31,7 @@ class WindowAxesTest {
 
     /** As of a piece whose sides are nearly parallel. */
     @Test
-    void whereRoundingLeavesNothingOfACoordinateThereAreAxesAllTheSame() {
+    void roundingLeavesAxesEverywhere() {
         Hit along = hit(new SurfaceCoordinates(0.5, 1, 0.5, 0, 0, 0, 0, 0));
         assertIs(WindowAxes.SURFACE.inFrame(new Vector3d(1, 0, 0), along), new Vector3d(1, 0, 0));
         // to the right and up for one who looks at the surface

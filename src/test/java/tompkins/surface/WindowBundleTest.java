@@ -58,7 +58,7 @@ class WindowBundleTest {
      */
     @ParameterizedTest
     @ValueSource(doubles = {1e-9, 0.6, 0.9999999999999999})
-    void aWindowInItsOwnAxesTakesBackAVelocityAlongItsNormal(double beta) {
+    void aWindowUndoesAVelocityAlongItsNormal(double beta) {
         Velocity given = Velocity.of(0, 0, beta);
         Vector3d normal = new Vector3d(0.36, 0.48, -0.8);
         Velocity inFrame = Velocity.of(SpeedScale.ONE_MINUS_BETA, given.oneMinusSpeed(), normal);

@@ -45,7 +45,7 @@ class SampleTracerTest {
 
     /** Straight ahead, light of half the speed stands still for a camera that moves as fast. */
     @Test
-    void lightThatStandsStillInTheSceneIsBlackAndNoneAroundIt() {
+    void lightAtRestInTheSceneIsBlackAndAlone() {
         Studio studio = StudioReader.read("""
                 {
                   "velocity": [0, 0, 0.5], "transformation": "galilean",

@@ -113,7 +113,7 @@ class EditorWindowTest {
     }
 
     @Test
-    void whatWasTypedIsUndoneRedoneAndSavedWithTheKeysOfTheMenus() {
+    void menuKeysUndoRedoAndSaveWhatWasTyped() {
         driver.type(radius(), "0.25");
         assertThat(radiusOfTheSphere()).isEqualTo(0.25);
         driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
@@ -130,7 +130,7 @@ class EditorWindowTest {
 
     /** A field that still has the focus is no reason to leave its value out of the file. */
     @Test
-    void whatWasTypedWithoutEnterIsSavedAndWhatWasRefusedIsSpokenOf() {
+    void typedWithoutEnterIsSavedOrRefusedAloud() {
         driver.typeWithoutEnter(radius(), "0.25");
         driver.key(KeyEvent.VK_S, KeyEvent.VK_CONTROL);
         WindowDriver.await("the saved scene", () -> said().equals("Saved " + file));
@@ -150,7 +150,7 @@ class EditorWindowTest {
     }
 
     @Test
-    void picturesAreChosenFromTheFolderOfTheSceneAndMayBeWrong() throws IOException {
+    void picturesAreChosenFromTheFolderOfTheScene() throws IOException {
         WindowDriver.onEventThread(() ->
                 driver.window().model().set(Studios.sphere().withScene(List.of(pictured(PictureSurface.DEFAULT)))));
         Path wrong = Files.writeString(folder.resolve("wrong.png"), "no picture");
@@ -216,7 +216,7 @@ class EditorWindowTest {
     }
 
     @Test
-    void anOpenMenuKeepsTheKeysFromWhatIsBehindItAndEscapeClosesItBeforeTheEditor() {
+    void anOpenMenuTakesTheKeysAndEscapeFirst() {
         driver.type(radius(), "0.25");
         JTree tree = driver.find(JTree.class, "tree");
         WindowDriver.onEventThread(() -> tree.setSelectionRow(1));

@@ -110,7 +110,7 @@ class HelpWindowTest {
     }
 
     @Test
-    void linksLeadToHeadingsOfOtherPagesAndBackLeadsToWhereTheyWere() {
+    void linksLeadToHeadingsAndBackReturns() {
         follow("conventions.md#rays-run-backwards");
 
         WindowDriver.await(

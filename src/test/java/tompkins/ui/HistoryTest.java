@@ -121,7 +121,7 @@ class HistoryTest {
     }
 
     @Test
-    void theKeysTakeRemarksBackWordByWordAndThenTheStepBefore() {
+    void keysUndoRemarksByWordsThenTheStepBefore() {
         driver.type(field("Speed"), "0.5");
         ProseArea remarks = openRemarks();
         driver.typeWithoutEnter(remarks, "12 34 5");

@@ -64,7 +64,7 @@ class PhotographViewTest {
     }
 
     @Test
-    void theOtherPictureIsAsGoodSoThatPicturesOfTheSameStudioDoNotDiffer() {
+    void bothPicturesOfOneStudioAreEquallyGood() {
         Quality.TargetError fine = new Quality.TargetError(0.002);
         WindowDriver.onEventThread(() -> {
             model.set(model.studio().withVelocity(Velocity.of(0, 0, 0)));
@@ -115,7 +115,7 @@ class PhotographViewTest {
     }
 
     @Test
-    void theOtherPictureThatWasStoppedIsMadeAgainWithTheNextChange() throws InterruptedException {
+    void aStoppedOtherPictureIsMadeAgain() throws InterruptedException {
         WindowDriver.onEventThread(() -> {
             model.set(Studios.slow());
             compareWithRest();

@@ -133,7 +133,7 @@ class SaveDialogTest {
     }
 
     @Test
-    void aSceneWithoutAFileIsSavedUnderItsTitleWhereTheLastFileWas() {
+    void aSceneWithoutAFileIsOfferedItsTitleAsName() {
         String title = "Fig. 1(b): camera at 99.5 % of the speed of light";
         WindowDriver.onEventThread(
                 () -> driver.window().model().open(Descriptions.with(Studios.sphere(), "title", title), null));
@@ -172,7 +172,7 @@ class SaveDialogTest {
     }
 
     @Test
-    void theNextFileGoesWhereTheLastOneWentUntilAnotherSceneIsOpened() throws IOException {
+    void theFolderOfTheLastFileIsKeptForTheNext() throws IOException {
         Path exports = Files.createDirectory(folder.resolve("exports"));
         driver.menu("menu.savePhotograph");
         Path png = exports.resolve("first.png");

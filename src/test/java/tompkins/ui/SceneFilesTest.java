@@ -90,7 +90,7 @@ class SceneFilesTest {
     }
 
     @Test
-    void whatAnotherProgramChangedIsWrittenOverOnlyWhenTheUserAgrees() throws IOException {
+    void foreignChangesAreReplacedOnlyOnRequest() throws IOException {
         Studio mine = change("0.5");
         StudioWriter.save(BOX, file);
         assertSavesOnlyAnyway(mine);

@@ -109,7 +109,7 @@ class StatusBarTest {
 
     /** The section that has all of them may be folded. */
     @Test
-    void theFirstWarningOfAPictureIsSaidUntilThereIsAPictureWithout() {
+    void aWarningStaysUntilAPictureHasNone() {
         status.show(picture(Studios.sphere(), "no ray met an object", "all is black"));
         assertThat(what.getText()).isEqualTo("Warning: no ray met an object.");
         status.say("something else");
@@ -136,7 +136,7 @@ class StatusBarTest {
     }
 
     @Test
-    void whatHasHappenedIsOldAfterAWhileAndWhatIsToBeDoneIsNot() {
+    void reportsGrowOldAndRequestsDoNot() {
         StatusBar asking = new StatusBar(controller, SOON);
         WindowDriver.onEventThread(() -> {
             asking.report("Saved");

@@ -127,7 +127,7 @@ class WindowQuestionsTest {
     }
 
     @Test
-    void anotherSceneTakesThePlaceOfUnsavedChangesOnlyWhenTheyMayGo() {
+    void unsavedChangesGoOnlyOnRequest() {
         change();
         Studio changed = driver.studio();
         driver.menu(Studios.sphere().title());
@@ -322,7 +322,7 @@ class WindowQuestionsTest {
     }
 
     @Test
-    void whatIsUnfoldedComesIntoViewAndTheRemarksOfAnotherSceneToo() {
+    void unfoldedPartsAndNewRemarksComeIntoView() {
         JScrollPane panel = driver.find(JScrollPane.class, "panel");
         makeLow();
         JButton chart = driver.find(JButton.class, "Chart this picture");

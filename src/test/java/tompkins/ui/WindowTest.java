@@ -467,7 +467,7 @@ class WindowTest {
 
     /** Tab, too, brings the focus without a click. */
     @Test
-    void whatIsTypedIntoAFieldThatGotTheFocusTakesThePlaceOfTheValue() {
+    void typingIntoAFocusedFieldReplacesItsValue() {
         JTextField opens = driver.find(JTextField.class, "Opens at");
         WindowDriver.onEventThread(() -> opens.requestFocusInWindow());
         WindowDriver.await("the focus", opens::isFocusOwner);

@@ -46,7 +46,7 @@ class StudioModelTest {
 
     /** As an animation does whose first moment is what is shown. */
     @Test
-    void aDragThatBeginsWithTheValueThatIsThereIsAStepOfItsOwn() {
+    void aDragFromTheSameValueIsAStepOfItsOwn() {
         Object drag = new Object();
         model.set(speed(0.1));
         model.adjust(speed(0.1), drag);
@@ -170,7 +170,7 @@ class StudioModelTest {
     }
 
     @Test
-    void whatIsUndoneAfterSavingElsewhereBelongsToTheNewFile() {
+    void undoneAfterSavingElsewhereIsOfTheNewFile() {
         model.open(speed(0.5), Path.of("a.json"));
         model.set(speed(0.6));
         model.saved(model.studio(), Path.of("b.json"));

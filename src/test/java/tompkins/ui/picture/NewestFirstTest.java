@@ -33,7 +33,7 @@ class NewestFirstTest {
     }
 
     @Test
-    void theNewestThingThatWaitsIsDoneNextAndNoneAfterTheEnd() throws InterruptedException {
+    void theNewestTaskIsNextAndNoneAfterTheEnd() throws InterruptedException {
         NewestFirst<String> worker = new NewestFirst<>("test", this::work, (thing, error) -> events.add(thing));
         worker.submit("long");
         assertThat(nextEvent()).isEqualTo("began");

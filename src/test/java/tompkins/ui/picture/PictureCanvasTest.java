@@ -90,7 +90,7 @@ class PictureCanvasTest {
     }
 
     @Test
-    void captionsStandInTheLowerLeftCornerWhileTheyAreWanted() {
+    void wantedCaptionsStandInTheLowerLeftCorner() {
         assertThat(written().isEmpty()).isTrue();
         canvas.setCaptions(studio -> studio.velocity().speed() == 0 ? "IIII" : "");
         Rectangle caption = written();

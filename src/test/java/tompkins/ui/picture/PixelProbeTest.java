@@ -155,7 +155,7 @@ class PixelProbeTest {
     }
 
     @Test
-    void aQuestionThatCannotBeAnsweredIsToldAndTheNextOneIsAnswered() throws InterruptedException {
+    void theNextQuestionFollowsOneThatFailed() throws InterruptedException {
         BlockingQueue<Object> answers = new LinkedBlockingQueue<>();
         Point2D middle = new Point2D.Double(32, 24);
         try (PixelProbe probe = new PixelProbe(answers::add)) {

@@ -206,7 +206,7 @@ class RenderControllerTest {
     }
 
     @Test
-    void aPictureThatCannotBeMadeIsReportedAndTheNextOneComes() throws InterruptedException {
+    void theNextPictureFollowsOneThatFailed() throws InterruptedException {
         Studio group = Studios.sphere().withScene(List.of(nested()));
         show(controller, group, Pace.HAND);
         await(() -> !failures.isEmpty());

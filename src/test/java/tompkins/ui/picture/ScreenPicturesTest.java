@@ -72,7 +72,7 @@ class ScreenPicturesTest {
 
     /** A picture that was kept before the window became larger has other pixels, rounded in another way. */
     @Test
-    void whetherPicturesCanBeComparedDependsOnTheirPhotographs() throws InterruptedException {
+    void photographsDecideWhatCanBeCompared() throws InterruptedException {
         Studio studio = Studios.sphere();
         Studio large = studio.withSettings(studio.settings().withSize(1920, 1080));
         try (ScreenPictures screen = new ScreenPictures(events::add, events::add)) {
@@ -114,7 +114,7 @@ class ScreenPicturesTest {
     }
 
     @Test
-    void aPictureThatCannotBePreparedIsToldAndTheNextOneIsShown() throws InterruptedException {
+    void theNextPictureFollowsAFailedPreparation() throws InterruptedException {
         RenderPlan plan = RenderPlan.of(Studios.sphere());
         try (Renderer renderer = new Renderer(1);
                 ScreenPictures screen = new ScreenPictures(events::add, events::add)) {

@@ -50,7 +50,7 @@ class SpaceTimeDiagramTest {
     }
 
     @Test
-    void lightAlongTheVelocityRunsAtFortyFiveDegreesBetweenTheAxesOfTheCamera() {
+    void lightHalvesTheAngleOfTheCameraAxes() {
         SpaceTimeDiagram diagram = diagram(Studios.sphere().withVelocity(FORWARDS));
         assertPlaces(diagram.path(), 0, 0, 9, -9);
         assertPlace(diagram.otherTime(), 4 / 3.0, 5 / 3.0);

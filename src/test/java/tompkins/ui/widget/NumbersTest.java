@@ -97,7 +97,7 @@ class NumbersTest {
     }
 
     @Test
-    void slidersReachTheirEndsExactlyAndComeBackToTheirPlace() {
+    void slidersReachTheirEndsAndComeBack() {
         for (Range range : new Range[] {Range.even(-20, 20), new Range(0, 0.5, 2), new Range(1, 256, 4)}) {
             assertThat(range.value(0)).isEqualTo(range.minimum());
             assertThat(range.value(1)).isEqualTo(range.maximum());
