@@ -7,6 +7,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Objects;
+import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
@@ -14,7 +15,6 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import tompkins.image.FileFailure;
 import tompkins.io.SceneFileException;
-import tompkins.ui.Displays;
 
 /** What the program says when it cannot do what it was asked, and its exit codes. */
 final class Failures {
@@ -82,14 +82,15 @@ final class Failures {
     }
 
     /** Reports a mistake in the arguments, with the name that was perhaps meant. */
-    static int reportUsage(ParameterException exception, String[] arguments) throws IOException {
+    static int reportUsage(ParameterException exception, String[] arguments, BooleanSupplier display)
+            throws IOException {
         CommandLine commandLine = exception.getCommandLine();
         PrintWriter err = commandLine.getErr();
         String mistake = ArgumentMistake.message(exception, arguments);
         err.println(Ansi.AUTO.string("@|bold " + commandLine.getCommandSpec().qualifiedName() + ":|@ ") + mistake);
         if (exception.getCause() instanceof InvalidPathException
                 && TompkinsCommand.opensWindow(arguments)
-                && Displays.usable()) {
+                && display.getAsBoolean()) {
             TompkinsCommand.openWindow(mistake);
             return WINDOW_IS_OPEN;
         }

@@ -8,6 +8,7 @@ import java.io.PrintWriter;
 import java.nio.charset.Charset;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.function.BooleanSupplier;
 import picocli.CommandLine;
 import tompkins.property.NumberText;
 import tompkins.ui.Displays;
@@ -31,7 +32,7 @@ public final class Main {
         }
         WatchedStream out = new WatchedStream(new FileOutputStream(FileDescriptor.out));
         PrintWriter err = printer(System.err);
-        int code = run(printer(out), err, arguments);
+        int code = run(printer(out), err, Displays::usable, arguments);
         if (out.failure() != null) {
             code = Failures.reportLostOutput(out.failure(), err, code);
         }
@@ -66,9 +67,13 @@ public final class Main {
         return Path.of(name);
     }
 
-    /** Runs the program and returns its exit code. */
-    static int run(PrintWriter out, PrintWriter err, String... arguments) {
-        CommandLine commandLine = TompkinsCommand.commandLine(arguments);
+    /**
+     * Runs the program and returns its exit code.
+     *
+     * @param display whether a window can be opened; asked only where one is to be, for it takes time to find out
+     */
+    static int run(PrintWriter out, PrintWriter err, BooleanSupplier display, String... arguments) {
+        CommandLine commandLine = TompkinsCommand.commandLine(display, arguments);
         commandLine.setOut(out);
         commandLine.setErr(err);
         // a name may begin with @
@@ -78,7 +83,7 @@ public final class Main {
         commandLine.registerConverter(Double.class, NumberText::parse);
         commandLine.registerConverter(double.class, NumberText::parse);
         commandLine.setExecutionExceptionHandler(Failures::report);
-        commandLine.setParameterExceptionHandler(Failures::reportUsage);
+        commandLine.setParameterExceptionHandler((exception, words) -> Failures.reportUsage(exception, words, display));
         try {
             return commandLine.execute(arguments);
         } catch (OutOfMemoryError tooMuch) {

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.function.BooleanSupplier;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.HelpCommand;
@@ -17,7 +18,6 @@ import tompkins.io.BundledScenes;
 import tompkins.io.SceneFileException;
 import tompkins.io.StudioReader;
 import tompkins.studio.Studio;
-import tompkins.ui.Displays;
 import tompkins.ui.FirstScene;
 import tompkins.ui.TompkinsWindow;
 
@@ -55,12 +55,20 @@ final class TompkinsCommand implements Callable<Integer>, SceneCommand {
     @Spec
     private CommandSpec spec;
 
+    private final BooleanSupplier display;
+
+    private TompkinsCommand(BooleanSupplier display) {
+        this.display = display;
+    }
+
     /**
      * The command line for some arguments. If they call a command it knows that one only: to look at all of them takes
      * a tenth of a second of every start.
+     *
+     * @param display whether a window can be opened
      */
-    static CommandLine commandLine(String... arguments) {
-        CommandLine commandLine = new CommandLine(new TompkinsCommand());
+    static CommandLine commandLine(BooleanSupplier display, String... arguments) {
+        CommandLine commandLine = new CommandLine(new TompkinsCommand(display));
         if (arguments.length == 0) {
             return commandLine;
         }
@@ -127,7 +135,7 @@ final class TompkinsCommand implements Callable<Integer>, SceneCommand {
 
     @Override
     public Integer call() throws Exception {
-        boolean hasDisplay = Displays.usable();
+        boolean hasDisplay = display.getAsBoolean();
         if (scene != null && Files.notExists(scene) && !(hasDisplay && isFileName(scene.toString()))) {
             throw new MistakeException(ArgumentMistake.unknownWord(scene.toString(), spec));
         }

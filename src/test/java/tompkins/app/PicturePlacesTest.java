@@ -125,7 +125,7 @@ class PicturePlacesTest {
         Path scene =
                 Files.writeString(folder.resolve("mine.json"), "{ \"settings\": { \"width\": 8, \"height\": 6 } }");
         Path target = folder.resolve("mine.png");
-        Photographer photographer = new Photographer(TompkinsCommand.commandLine(), 1);
+        Photographer photographer = new Photographer(TompkinsCommand.commandLine(() -> false), 1);
 
         photographer.takeDefault(scene, folder);
         FileTime first = FileTime.fromMillis(0);
