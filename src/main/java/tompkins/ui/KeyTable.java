@@ -3,7 +3,10 @@ package tompkins.ui;
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
@@ -12,19 +15,23 @@ import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import tompkins.ui.widget.Texts;
 
-/** The keys and what the mouse does, group by group: each beside what it means. */
+/** The keys and what the mouse does, group by group in two columns: each beside what it means. */
 final class KeyTable {
 
-    private final JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 0, wrap 2, gap 24 0"));
+    private final JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 0, gap 48 0"));
 
     /** A table that begins with some menu items, which all have keys. */
     KeyTable(List<JMenuItem> items) {
         panel.setName("keys");
-        addHeading(Texts.get("help.menus"));
+        List<String> lines = new ArrayList<>();
+        lines.add(Texts.get("help.menus"));
         for (JMenuItem item : items) {
-            add(text(item.getAccelerator()), item.getText().replace("\u2026", ""));
+            lines.add(text(item.getAccelerator()) + "\t" + item.getText().replace("\u2026", ""));
         }
-        Texts.get("help.keys").lines().forEach(this::add);
+        Texts.get("help.keys").lines().forEach(lines::add);
+        int middle = middle(lines);
+        panel.add(column(lines.subList(0, middle)), "aligny top");
+        panel.add(column(lines.subList(middle, lines.size())), "aligny top");
     }
 
     /** Like {@code Ctrl+Shift+S}. */
@@ -33,24 +40,33 @@ final class KeyTable {
         return (modifiers.isEmpty() ? "" : modifiers + "+") + KeyEvent.getKeyText(key.getKeyCode());
     }
 
-    private void add(String line) {
-        int tab = line.indexOf('\t');
-        if (tab < 0) {
-            addHeading(line);
-        } else {
-            add(line.substring(0, tab), line.substring(tab + 1));
+    private static boolean isHeading(String line) {
+        return line.indexOf('\t') < 0;
+    }
+
+    /** The first line of the group that begins nearest to the middle. */
+    private static int middle(List<String> lines) {
+        return IntStream.range(1, lines.size())
+                .filter(line -> isHeading(lines.get(line)))
+                .boxed()
+                .min(Comparator.comparingInt(line -> Math.abs(2 * line - lines.size())))
+                .orElse(lines.size());
+    }
+
+    private static JComponent column(List<String> lines) {
+        JPanel column = new JPanel(new MigLayout("novisualpadding, insets 0, wrap 2, gap 24 2"));
+        for (String line : lines) {
+            if (isHeading(line)) {
+                JLabel heading = new JLabel(line);
+                heading.putClientProperty(FlatClientProperties.STYLE, "font: bold");
+                column.add(heading, column.getComponentCount() == 0 ? "span 2" : "span 2, gaptop 9");
+            } else {
+                int tab = line.indexOf('\t');
+                column.add(new JLabel(line.substring(0, tab)));
+                column.add(new JLabel(line.substring(tab + 1)));
+            }
         }
-    }
-
-    private void add(String key, String meaning) {
-        panel.add(new JLabel(key));
-        panel.add(new JLabel(meaning));
-    }
-
-    private void addHeading(String title) {
-        JLabel heading = new JLabel(title);
-        heading.putClientProperty(FlatClientProperties.STYLE, "font: bold");
-        panel.add(heading, panel.getComponentCount() == 0 ? "span 2" : "span 2, gaptop 5");
+        return column;
     }
 
     JComponent component() {

@@ -77,6 +77,8 @@ class PictureSizeTest {
     /** Nothing is enlarged: each pixel of the screen is a pixel of the picture. */
     @Test
     void thePictureHasThePixelsOfTheScreen() {
+        // drawn over the picture
+        driver.menu("menu.arrow");
         Picture picture = driver.completePicture();
         Rectangle place = onScreen();
         assertThat(new Dimension(picture.image().width(), picture.image().height()))
