@@ -11,7 +11,6 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -242,7 +241,7 @@ class LayoutTest {
 
     @ParameterizedTest
     @MethodSource("looks")
-    void theKeysStandInTwoColumns(Look look, float size, Locale locale) {
+    void theKeysStandBesideTheirMeanings(Look look, float size, Locale locale) {
         WindowDriver.onEventThread(() -> {
             use(look, size, locale);
             JMenuItem undo = new JMenuItem("Undo");
@@ -251,15 +250,19 @@ class LayoutTest {
             keys.setSize(keys.getPreferredSize());
             Components.layOut(keys);
             assertThat(problems(keys)).isEmpty();
-            List<Component> cells = List.of(keys.getComponents());
-            assertThat(cells.stream().map(Component::getX).distinct())
-                    .as("left edges")
-                    .hasSize(2);
-            Map<Integer, List<String>> lines = cells.stream()
-                    .collect(Collectors.groupingBy(
-                            Component::getY,
-                            Collectors.mapping(cell -> ((JLabel) cell).getText(), Collectors.toList())));
-            assertThat(lines.values())
+            List<List<String>> lines = new ArrayList<>();
+            for (Component half : keys.getComponents()) {
+                List<Component> cells = List.of(((Container) half).getComponents());
+                assertThat(cells.stream().map(Component::getX).distinct())
+                        .as("left edges")
+                        .hasSize(2);
+                lines.addAll(cells.stream()
+                        .collect(Collectors.groupingBy(
+                                Component::getY,
+                                Collectors.mapping(cell -> ((JLabel) cell).getText(), Collectors.toList())))
+                        .values());
+            }
+            assertThat(lines)
                     .contains(List.of(Texts.get("help.menus")), List.of("Ctrl+Z", "Undo"))
                     .contains(List.of("Sphere"), List.of("Arrow keys", "Turn it by 5 degrees"));
         });
