@@ -20,7 +20,9 @@ import tompkins.camera.PixelSampler;
 import tompkins.camera.SamplePlaces;
 import tompkins.light.AmbientLight;
 import tompkins.light.Illumination;
+import tompkins.light.Lighting;
 import tompkins.light.PointLight;
+import tompkins.light.Sightline;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
@@ -101,10 +103,10 @@ public class HotMethodsBenchmark {
 
     /** A hit on a sphere, and a world with two lights and no shadows. */
     @State(Scope.Benchmark)
-    public static class Lit implements Tracer {
+    public static class Lit implements Tracer, Lighting {
 
         private final Illumination illumination =
-                new Illumination(List.of(AmbientLight.DEFAULT, PointLight.DEFAULT), (from, x, y, z) -> true);
+                new Illumination(List.of(AmbientLight.DEFAULT, PointLight.DEFAULT), this);
         private final ColouredSurface surface = new ColouredSurface(new Colour(1, 0, 0), Colour.WHITE);
         private final Ray ray = Ray.from(0, 0, 0, 0, 0, 1, 0);
         private final Hit hit =
@@ -118,6 +120,27 @@ public class HotMethodsBenchmark {
         @Override
         public Illumination illumination() {
             return illumination;
+        }
+
+        @Override
+        public boolean find(int source, Hit point, Sightline sight) {
+            sight.set(1, 1, -1);
+            return true;
+        }
+
+        @Override
+        public boolean isClear(int source, Hit point, Sightline sight) {
+            return true;
+        }
+
+        @Override
+        public boolean shifts() {
+            return false;
+        }
+
+        @Override
+        public Colour seen(Colour light, Ray from, double dopplerFactor) {
+            return light;
         }
     }
 

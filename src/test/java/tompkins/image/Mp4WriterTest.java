@@ -92,11 +92,13 @@ class Mp4WriterTest {
     /** The program names the hidden place; and its complaints must not need the disk either. */
     @Test
     void aFullDiskIsTheReason() throws IOException {
-        assertFails(
-                program("for last do :; done\ncat > /dev/null\n"
-                        + "echo \"Error writing trailer of $last: No space left on device\" >&2\n"
-                        + "echo 'Conversion failed!' >&2\nexit 1\n"),
-                "No space left on device");
+        assertFails(program("""
+                        for last do :; done
+                        cat > /dev/null
+                        echo "Error writing trailer of $last: No space left on device" >&2
+                        echo 'Conversion failed!' >&2
+                        exit 1
+                        """), "No space left on device");
         assertFails(
                 program("for last do :; done\ncat > /dev/null\necho \"$last: odd\" >&2\nexit 1\n"),
                 "ffmpeg failed with exit code 1: " + folder.resolve("film.mp4") + ": odd");

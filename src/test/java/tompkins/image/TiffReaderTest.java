@@ -164,7 +164,7 @@ class TiffReaderTest {
         byte[] sorted = {0x3f, 0x40, (byte) 0xc0, 0, 0, 0, 0, 0};
         long[] stored = new long[8];
         for (int i = 0; i < 8; i++) {
-            stored[i] = sorted[i] - (i > 0 ? sorted[i - 1] : 0) & 0xff;
+            stored[i] = Byte.toUnsignedInt((byte) (sorted[i] - (i > 0 ? sorted[i - 1] : 0)));
         }
         for (ByteOrder order : ORDERS) {
             byte[] file = new TiffSample(8, 1, 1, new int[] {8}, (x, y, s) -> stored[x])

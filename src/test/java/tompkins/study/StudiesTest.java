@@ -28,7 +28,7 @@ class StudiesTest {
     private static final Study PRECISION = new PrecisionStudy(5);
 
     /** What was measured, for the tests that ask other things of it. */
-    private static final Map<Study, List<Measurement>> MEASURED = new IdentityHashMap<>();
+    private static final IdentityHashMap<Study, List<Measurement>> MEASURED = new IdentityHashMap<>();
 
     @TempDir
     private Path folder;
