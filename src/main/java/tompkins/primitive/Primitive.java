@@ -159,11 +159,6 @@ public abstract class Primitive implements Boundary, Cloneable {
     /** A box that holds the primitive, or null if none does. */
     public abstract Bounds bounds();
 
-    /** Radius of a ball around the centre of {@link #bounds} that holds the primitive. */
-    public double boundingRadius() {
-        return bounds().halfDiagonal();
-    }
-
     /**
      * The least value of n.x over the primitive, or something less: it tells whether the primitive lies beyond a plane
      * with the normal n (of any length).

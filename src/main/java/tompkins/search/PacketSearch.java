@@ -2,7 +2,6 @@ package tompkins.search;
 
 import java.util.ArrayDeque;
 import java.util.Iterator;
-import java.util.function.Consumer;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
@@ -57,6 +56,7 @@ public final class PacketSearch {
 
     private int openCount;
     private final Ray rayMemory = Ray.blank();
+    private final TreeParts parts = new TreeParts();
 
     /**
      * Searches for the rays of a block.
@@ -64,9 +64,14 @@ public final class PacketSearch {
      * @param objects all primitives of the frame
      * @param rays the rays; at most {@link RayPacket#MOST}
      * @param scratch memory for the search, and its counts
-     * @return false if the rays spread too widely, or can meet too many primitives; search the tree for each instead
+     * @return null if what each ray meets was found: ask {@link #nearest} for it. Otherwise the rays spread too widely,
+     *     or can meet too many primitives; search the tree for each, from these parts on if there are any.
      */
-    public boolean find(ObjectTree objects, RayPacket rays, NearestHit scratch) {
+    public TreeParts find(ObjectTree objects, RayPacket rays, NearestHit scratch) {
+        return findAll(objects, rays, scratch) ? null : partsFound();
+    }
+
+    private boolean findAll(ObjectTree objects, RayPacket rays, NearestHit scratch) {
         inBatches = false;
         clearCandidates();
         waiting.clear();
@@ -174,18 +179,13 @@ public final class PacketSearch {
         putOff(lowFirst ? node.low : node.high);
     }
 
-    /** Number of {@link #forEachPart parts}. */
-    int partCount() {
-        return candidateLeaves.size() + waiting.size();
-    }
-
-    /**
-     * Where {@link #find} has returned false: parts of the tree that hold all of it that the rays can meet; none if
-     * that is not known.
-     */
-    void forEachPart(Consumer<TreeNode> taker) {
-        candidateLeaves.forEach(taker);
-        waiting.forEach(taker);
+    private TreeParts partsFound() {
+        parts.clear();
+        if (candidateLeaves.size() + waiting.size() <= TreeParts.MOST) {
+            candidateLeaves.forEach(parts::add);
+            waiting.forEach(parts::add);
+        }
+        return parts;
     }
 
     private void openAll(int rayCount) {
