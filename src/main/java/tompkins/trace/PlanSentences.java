@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import tompkins.camera.CameraRays;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.property.NumberText;
 import tompkins.ray.Ray;
 import tompkins.search.ObjectTree;
@@ -248,6 +249,9 @@ final class PlanSentences {
                         + " of a black body"
                 : "The searchlight effect alone: brightness changes with the fourth power of the Doppler factor D (frequency"
                         + " in the camera/scene)";
+        if (shift.metering() == Metering.NONE) {
+            return change + ". The light of the scene is taken as it comes, without metering.";
+        }
         return format(
                 "%s. The light of the scene is metered in the middle of the picture, where D is %s: %+.1f stops.",
                 change, NumberText.plain(shift.middle(), 4), Math.round(10 * shift.stops()) / 10.0);

@@ -202,6 +202,16 @@ class ExplainCommandTest {
         assertThat(ProgramRun.of("explain", scene, "--size", "8x6").out()).contains(said);
     }
 
+    @Test
+    void explainTellsThatLightIsNotMetered() throws IOException {
+        Path scene = Files.writeString(
+                folder.resolve("colours.json"), "{\"colours\": \"searchlight\", \"velocity\": [0, 0, 0.6]}");
+
+        assertThat(ProgramRun.of("explain", scene, "--size", "8x6", "--metering", "none")
+                        .out())
+                .contains("The light of the scene is taken as it comes, without metering.");
+    }
+
     /**
      * Nothing can be seen of a scene from which the camera flies away at D = 0.07; whoever gets the black picture is
      * told so.

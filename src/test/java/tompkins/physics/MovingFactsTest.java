@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
+import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.ray.Colour;
@@ -56,6 +57,7 @@ class MovingFactsTest {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 ColourLaw.UNCHANGED,
+                Metering.MIDDLE,
                 Studio.DEFAULT.settings().withSize(size, size),
                 List.of());
     }

@@ -17,6 +17,7 @@ import tompkins.image.LinearImage;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
+import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.ray.Colour;
@@ -112,6 +113,7 @@ class ReciprocityTest {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 colours,
+                Metering.MIDDLE,
                 Studio.DEFAULT.settings().withSize(160, 120),
                 List.of());
     }

@@ -13,6 +13,7 @@ import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.ray.Colour;
@@ -216,6 +217,7 @@ public final class VariedStudios {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 ColourLaw.UNCHANGED,
+                Metering.MIDDLE,
                 Studio.DEFAULT.settings(),
                 List.of());
         return studio.withSettings(studio.settings().withSize(80, 60));

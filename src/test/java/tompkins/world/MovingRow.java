@@ -49,6 +49,7 @@ final class MovingRow {
                 law,
                 plain.view(),
                 plain.colours(),
+                plain.metering(),
                 plain.settings(),
                 List.of());
         crossing = new FrameCrossing(studio.sceneFromCamera(), law, lens);

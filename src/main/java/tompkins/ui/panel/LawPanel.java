@@ -3,10 +3,12 @@ package tompkins.ui.panel;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import javax.swing.ButtonGroup;
+import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JRadioButton;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
@@ -52,8 +54,23 @@ public final class LawPanel {
         Note note = Note.ofLines(2);
         note.setText(missingEffectOnColours(model.studio()));
         model.addListener(() -> note.setText(missingEffectOnColours(model.studio())));
+        colours.panel.add(meter(model));
         colours.panel.add(note.component(), "wmin 0");
         return colours;
+    }
+
+    private static JCheckBox meter(StudioModel model) {
+        JCheckBox meter = new JCheckBox(Texts.get("colours.meter"));
+        Naming.name(meter, meter.getText(), Texts.get("colours.meterTip"));
+        meter.addActionListener(
+                event -> model.set(model.studio().withMetering(meter.isSelected() ? Metering.MIDDLE : Metering.NONE)));
+        Runnable update = () -> {
+            meter.setSelected(model.studio().metering() == Metering.MIDDLE);
+            meter.setEnabled(model.studio().shiftsColours());
+        };
+        model.addListener(update);
+        update.run();
+        return meter;
     }
 
     private static String missingEffectOnColours(Studio studio) {

@@ -13,6 +13,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.accessibility.AccessibleValue;
 import javax.swing.JButton;
+import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JList;
 import javax.swing.JPanel;
@@ -31,6 +32,7 @@ import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.property.Descriptions;
 import tompkins.ray.MeshData;
 import tompkins.render.Quality;
@@ -586,7 +588,12 @@ class PanelsTest {
         Components.find(panel, JRadioButton.class, "Doppler shift").doClick();
         assertThat(model.studio()).isEqualTo(before.withColours(ColourLaw.DOPPLER));
         assertThat(Components.notes(panel)).noneMatch(text -> text.startsWith("No effect here"));
+        JCheckBox meter = Components.find(panel, JCheckBox.class, "Meter in the middle");
+        meter.doClick();
+        assertThat(model.studio())
+                .isEqualTo(before.withColours(ColourLaw.DOPPLER).withMetering(Metering.NONE));
         model.set(model.studio().withVelocity(Velocity.REST));
+        assertThat(meter.isEnabled()).as("where it would change nothing").isFalse();
         assertThat(Components.notes(panel)).anyMatch(text -> text.startsWith("No effect here"));
         model.set(before.withColours(ColourLaw.SEARCHLIGHT).withTransformation(TransformationLaw.GALILEAN));
         assertThat(Components.notes(panel)).anyMatch(text -> text.startsWith("No effect here"));
