@@ -33,7 +33,7 @@ public final class EntryNodes {
      * Looks for the nodes through which some rays enter the tree.
      *
      * @param parts what the search for all rays of the packet has found out on its way
-     * @param rays a block that holds the rays
+     * @param rays a packet that holds the rays
      * @param from place of the first ray
      * @param to place behind the last ray
      * @return false if there is no tree, or if the rays spread too widely

@@ -7,10 +7,10 @@ import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 
 /**
- * Searches for all rays of a block at once, several times faster than for each, with the same result. Where the rays
+ * Searches for all rays of a packet at once, several times faster than for each, with the same result. Where the rays
  * can meet a few primitives only, these are found once for all. Where they are more, they are taken in batches, the
  * nearest first, until all rays but a few have met something nearer than what waits. One for each thread, used again
- * for every block.
+ * for every packet.
  */
 public final class PacketSearch {
 
@@ -59,7 +59,7 @@ public final class PacketSearch {
     private final TreeParts parts = new TreeParts();
 
     /**
-     * Searches for the rays of a block.
+     * Searches for the rays of a packet.
      *
      * @param objects all primitives of the frame
      * @param rays the rays; at most {@link RayPacket#MOST}
@@ -275,7 +275,7 @@ public final class PacketSearch {
     /**
      * The nearest that a ray hits.
      *
-     * @param ray one of the rays of the block
+     * @param ray one of the rays of the packet
      * @param place its place
      * @param nearest gets the result
      * @return whether there is one

@@ -91,7 +91,7 @@ final class RayTracer implements Tracer, Lighting {
         this.observer = observer;
     }
 
-    /** Begins a block of rays: forgets what was seen before, so that the work for a block depends on nothing else. */
+    /** Begins a packet: forgets what was seen before, so that the work for a packet depends on nothing else. */
     void beginBlock() {
         lastShadow = null;
         nearest.forgetLeaf();
@@ -161,7 +161,7 @@ final class RayTracer implements Tracer, Lighting {
         return follow(start, search(start), hitMemory);
     }
 
-    /** The light that comes back along the ray at a place of the block for which the search was made. */
+    /** The light that comes back along the ray at a place of the packet for which the search was made. */
     Colour packetColour(RayPacket rays, int index, PacketSearch search) {
         counts.rays++;
         if (!search.mayMeet(index)) {
@@ -178,7 +178,7 @@ final class RayTracer implements Tracer, Lighting {
         return withBeyond(follow(start, objects.nearest(start, entries, nearest), hitMemory));
     }
 
-    /** The light that comes back along a ray of the block for which all frames are searched. */
+    /** The light that comes back along a ray of the packet for which all frames are searched. */
     Colour movingColour(RayPacket rays, int index) {
         counts.rays++;
         frame = 0;
@@ -187,7 +187,7 @@ final class RayTracer implements Tracer, Lighting {
         return withBeyond(follow(start, movingWorld.search().nearest(index, start), hitMemory));
     }
 
-    /** The light that comes back along a ray of a block, which is searched for alone. */
+    /** The light that comes back along a ray of a packet, which is searched for alone. */
     Colour singleColour(RayPacket rays, int index) {
         return withBeyond(follow(rays, index));
     }

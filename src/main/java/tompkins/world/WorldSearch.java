@@ -45,7 +45,7 @@ public final class WorldSearch {
         }
     }
 
-    /** The rays of a block in one frame, and what was found for all of them together. */
+    /** The rays of a packet in one frame, and what was found for all of them together. */
     private static final class FramePacket {
         final RayPacket rays = new RayPacket(RayPacket.MOST);
         final PacketSearch search = new PacketSearch();
@@ -81,7 +81,7 @@ public final class WorldSearch {
         return end();
     }
 
-    /** Begins to search for the rays of a block, which are in the scene frame. */
+    /** Begins to search for the rays of a packet, which are in the scene frame. */
     public void begin(RayPacket rays) {
         sceneRays = rays;
         for (int i = 0; i < packets.length; i++) {
@@ -99,7 +99,7 @@ public final class WorldSearch {
         }
     }
 
-    /** As {@link #nearest(Ray, int)}, for a ray of that block; asked in the order of the places. */
+    /** As {@link #nearest(Ray, int)}, for a ray of that packet; asked in the order of the places. */
     public boolean nearest(int place, Ray start) {
         begin(start, 0);
         for (int i = 0; i < packets.length; i++) {
@@ -135,7 +135,7 @@ public final class WorldSearch {
         compare(inFrame, index);
     }
 
-    /** The rays of the block, in the scene frame. */
+    /** The rays of the packet, in the scene frame. */
     public RayPacket sceneRays() {
         return sceneRays;
     }
