@@ -31,6 +31,7 @@ import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.widget.Column;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Section;
 import tompkins.ui.widget.Texts;
 
@@ -81,7 +82,7 @@ final class SidePanel {
         add("section.shutterDetails", shutter.details(), false);
         add("section.lens", lens.component(), false);
         add("section.compare", compare.component(), false);
-        add("section.transformation", LawPanel.ofTransformation(model).component(), false);
+        add("section.transformation", transformation(model), false);
         add("section.colours", LawPanel.ofColours(model).component(), false);
         add("section.window", new WindowPanel(model).component(), false);
         add("section.quality", new QualityPanel(model).component(), false);
@@ -95,6 +96,13 @@ final class SidePanel {
         for (String key : List.of("F6", "F8")) {
             split.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(key), "none");
         }
+    }
+
+    private static JComponent transformation(StudioModel model) {
+        JPanel laws = Rows.column();
+        laws.add(LawPanel.ofTransformation(model).component(), "wmin 0");
+        laws.add(LawPanel.ofView(model).component(), "wmin 0");
+        return laws;
     }
 
     private static JScrollPane scroll(String name, JComponent content) {

@@ -38,6 +38,10 @@ public final class ComparePanel {
         GALILEAN_CAMERA,
         /** Brightness and colours do not change with the speed. */
         UNCHANGED_COLOURS,
+        /** What the camera sees, if the picture shows where things are. */
+        SEEN,
+        /** Where things are at the time of the picture: no photograph. */
+        MEASURED,
         /** The camera has a shutter of another model. */
         OTHER_SHUTTER,
         /** A picture that was on the screen before. */

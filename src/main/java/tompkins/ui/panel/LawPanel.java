@@ -11,6 +11,7 @@ import tompkins.light.ColourLaw;
 import tompkins.light.Metering;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
+import tompkins.studio.View;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.Naming;
@@ -19,7 +20,7 @@ import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Wording;
 
-/** A choice between a few laws of nature. */
+/** A choice between a few laws of nature, or between the views of it. */
 public final class LawPanel {
 
     private final JPanel panel = Rows.column();
@@ -46,6 +47,11 @@ public final class LawPanel {
     /** The law of motion of the studio in a model: Einstein's, Newton's, or none. */
     public static LawPanel ofTransformation(StudioModel model) {
         return new LawPanel(model, TransformationLaw.values(), Studio::transformation, Studio::withTransformation);
+    }
+
+    /** Whether the picture of the studio in a model shows what is seen, or what is measured. */
+    public static LawPanel ofView(StudioModel model) {
+        return new LawPanel(model, View.values(), Studio::view, Studio::withView);
     }
 
     /** What the motion does to the colours of the studio in a model. */

@@ -53,6 +53,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
+import tompkins.studio.View;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.GalileoWindow;
 import tompkins.surface.LorentzWindow;
@@ -580,6 +581,18 @@ class PanelsTest {
     }
 
     @Test
+    void whatIsMeasuredIsChosen() {
+        Container panel = (Container) LawPanel.ofView(model).component();
+        JRadioButton measured = Components.find(panel, JRadioButton.class, "Measured: no photograph");
+        assertThat(measured.isSelected()).isFalse();
+        Studio before = model.studio();
+        measured.doClick();
+        assertThat(model.studio()).isEqualTo(before.withView(View.MEASURED));
+        model.set(before);
+        assertThat(measured.isSelected()).isFalse();
+    }
+
+    @Test
     void theLawOfColoursIsChosen() {
         Container panel = (Container) LawPanel.ofColours(model).component();
         assertThat(Components.find(panel, JRadioButton.class, "As in the scene").isSelected())
@@ -613,6 +626,11 @@ class PanelsTest {
                 .isTrue();
         compareWith(panel, ComparePanel.Other.GALILEAN_CAMERA);
         assertThat(compared.studio(now)).isEqualTo(now.withTransformation(TransformationLaw.GALILEAN));
+        compareWith(panel, ComparePanel.Other.MEASURED);
+        assertThat(compared.studio(now)).isEqualTo(now.withView(View.MEASURED));
+        assertThat(compared.name()).contains("no photograph");
+        compareWith(panel, ComparePanel.Other.SEEN);
+        assertThat(compared.studio(now.withView(View.MEASURED))).isEqualTo(now);
         compareWith(panel, ComparePanel.Other.UNCHANGED_COLOURS);
         assertThat(compared.studio(now.withColours(ColourLaw.DOPPLER))).isEqualTo(now);
         Components.find((Container) panel.component(), JComboBox.class, "Shutter to compare with")
@@ -654,7 +672,7 @@ class PanelsTest {
     }
 
     @ParameterizedTest
-    @EnumSource(names = {"AT_REST", "GALILEAN_CAMERA", "UNCHANGED_COLOURS"})
+    @EnumSource(names = {"AT_REST", "GALILEAN_CAMERA", "UNCHANGED_COLOURS", "MEASURED"})
     void theSamePictureTwiceIsSaidToBe(ComparePanel.Other other) {
         Studio moving = Studios.lattice().withVelocity(Velocity.of(0, 0, 0.5));
         ComparePanel panel = comparePanel();
@@ -665,6 +683,7 @@ class PanelsTest {
         model.set(
                 switch (other) {
                     case AT_REST -> moving.withVelocity(Velocity.of(SpeedScale.BETA, 0, new Vector3d(0, 1, 0)));
+                    case MEASURED -> moving.withView(View.MEASURED);
                     case GALILEAN_CAMERA -> moving.withTransformation(TransformationLaw.GALILEAN);
                     default -> moving.withColours(ColourLaw.UNCHANGED);
                 });
@@ -677,7 +696,7 @@ class PanelsTest {
         JComboBox<?> others = Components.find(panel, JComboBox.class, "Compare with");
         assertThat(items(others))
                 .doesNotContain(ComparePanel.Other.KEPT_PICTURE)
-                .hasSize(5);
+                .hasSize(7);
         for (int round = 0; round < 2; round++) {
             Components.find(panel, JButton.class, "Keep this picture").doClick();
             assertThat(others.getSelectedItem()).isEqualTo(ComparePanel.Other.KEPT_PICTURE);
