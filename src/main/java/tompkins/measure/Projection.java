@@ -27,6 +27,9 @@ public final class Projection {
 
     private static final int MOST_STEPS = 60;
 
+    /** How often the time of one line is mended by the place to which it leads. */
+    private static final int LINE_STEPS = 4;
+
     private final Studio studio;
     private final int width;
     private final int height;
@@ -156,18 +159,23 @@ public final class Projection {
         return here != null && there != null && here.distance(there) < SETTLED;
     }
 
+    /** The time by the model of the shutter and the middle of the exposure, without the delay of a line. */
+    private double timeWithoutDelay(Vector2dc place) {
+        double time = time(place.x(), place.y());
+        return rolling.rolls() ? time - rolling.delay(line(place), lines()) : time;
+    }
+
     /** As {@link #time}, but as if the lines of a rolling shutter had no width. */
     private double smoothTime(Vector2dc place) {
-        double time = time(place.x(), place.y());
+        double time = timeWithoutDelay(place);
         if (!rolling.rolls()) {
             return time;
         }
         int lines = lines();
-        int line = line(place);
         double along = Math.max(0.5, Math.min(lines - 0.5, acrossLines(place)));
         double first = rolling.delay(0, lines);
         double perLine = lines == 1 ? 0 : (rolling.delay(lines - 1, lines) - first) / (lines - 1);
-        return time - rolling.delay(line, lines) + first + perLine * (along - 0.5);
+        return time + first + perLine * (along - 0.5);
     }
 
     /** All of a line opens together: the place at the time of the line in which it lies. */
@@ -177,9 +185,10 @@ public final class Projection {
         double least = Double.POSITIVE_INFINITY;
         for (int step = -1; step <= 1 && near != null; step++) {
             int line = Math.max(0, Math.min(lines() - 1, line(near) + step));
-            double time = smooth - smoothTime(near) + time(near.x(), near.y()) - rolling.delay(line(near), lines())
-                    + rolling.delay(line, lines());
-            Vector2dc place = placeAt(look, time);
+            Vector2dc place = near;
+            for (int again = 0; again < LINE_STEPS && place != null; again++) {
+                place = placeAt(look, timeWithoutDelay(place) + rolling.delay(line, lines()));
+            }
             double miss = place == null ? Double.NaN : Math.abs(acrossLines(place) - line - 0.5);
             if (miss < least) {
                 least = miss;

@@ -68,8 +68,8 @@ public final class SeenFrame {
      * The direction in which the camera looks to see along a direction of this frame.
      *
      * @param direction of any length but 0
-     * @return a unit vector in the camera frame, or null if no light comes from there, as in a Galilean world with a
-     *     camera that outruns it
+     * @return a unit vector in the camera frame, or null where that is not one direction: in a Galilean world whose
+     *     camera is faster than light in this frame
      */
     public Vector3d look(Vector3dc direction) {
         Vector3d unit = Vectors.unit(direction);
@@ -98,10 +98,13 @@ public final class SeenFrame {
         Vector3d along =
                 differenceInCamera(new Event(unit.x(), unit.y(), unit.z(), 0)).position();
         Vector3d earlier = differenceInCamera(REST).position().negate();
+        if (earlier.lengthSquared() >= 1) {
+            return null;
+        }
         // |k along + earlier| = 1
         double middle = along.dot(earlier);
         double root = Math.sqrt(middle * middle - along.lengthSquared() * (earlier.lengthSquared() - 1));
         double k = (root - middle) / along.lengthSquared();
-        return k > 0 ? Vectors.unit(earlier.fma(k, along)) : null;
+        return Vectors.unit(earlier.fma(k, along));
     }
 }
