@@ -65,6 +65,7 @@ class ArchitectureTest {
             "studio",
             "world",
             "trace",
+            "measure",
             "render",
             "io",
             "animation",
