@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.fuzz.RandomStudio;
+import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
@@ -148,6 +149,7 @@ class EnergyTest {
                 View.SEEN,
                 ColourLaw.UNCHANGED,
                 Studio.DEFAULT.settings().withSize(size, size),
-                List.of()));
+                List.of(),
+                NoLesson.DEFAULT));
     }
 }

@@ -10,6 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.ThinLensCamera;
+import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
 import tompkins.ray.Colour;
 import tompkins.render.RenderReport;
@@ -54,7 +55,8 @@ class MirrorCorridorTest {
                 View.SEEN,
                 ColourLaw.UNCHANGED,
                 settings,
-                List.of()));
+                List.of(),
+                NoLesson.DEFAULT));
     }
 
     private static double light(Photograph photograph) {

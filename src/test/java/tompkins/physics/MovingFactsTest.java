@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.ThinLensCamera;
+import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
@@ -57,7 +58,8 @@ class MovingFactsTest {
                 View.SEEN,
                 ColourLaw.UNCHANGED,
                 Studio.DEFAULT.settings().withSize(size, size),
-                List.of());
+                List.of(),
+                NoLesson.DEFAULT);
     }
 
     private static Moving moving(double speed, Vector3dc place, SceneObject... objects) {

@@ -10,6 +10,7 @@ import tompkins.camera.Camera;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
+import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
 import tompkins.ray.Colour;
 import tompkins.render.RenderJob;
@@ -60,7 +61,8 @@ final class Photograph {
                 View.SEEN,
                 ColourLaw.UNCHANGED,
                 Studio.DEFAULT.settings().withSize(width, height),
-                List.of()));
+                List.of(),
+                NoLesson.DEFAULT));
     }
 
     /** A pinhole at the origin of the camera frame with a shutter in the aperture. */

@@ -1,6 +1,7 @@
 package tompkins.studio;
 
 import java.util.List;
+import tompkins.lesson.NoLesson;
 import tompkins.light.LightSource;
 
 /** Studios with other light sources. */
@@ -24,6 +25,7 @@ public final class Lighting {
                 studio.view(),
                 studio.colours(),
                 studio.settings(),
-                List.of());
+                List.of(),
+                NoLesson.DEFAULT);
     }
 }
