@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.joml.Vector3dc;
 import tompkins.animation.Animation;
-import tompkins.animation.StudioNumber;
 import tompkins.camera.Camera;
 import tompkins.math.Vectors;
 import tompkins.property.Descriptions;
@@ -18,6 +17,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
+import tompkins.studio.StudioNumber;
 import tompkins.ui.CommandLineWriter;
 
 /**

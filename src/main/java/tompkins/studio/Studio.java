@@ -3,6 +3,8 @@ package tompkins.studio;
 import java.util.List;
 import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.lesson.LessonPlan;
+import tompkins.lesson.NoLesson;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
@@ -59,7 +61,9 @@ public record Studio(
         @Meaning("Size and quality of the picture") RenderSettings settings,
 
         @Meaning("A ride with the camera that begins with this photograph, in legs that follow each other")
-        List<RideLeg> ride) {
+        List<RideLeg> ride,
+
+        @Meaning("What the scene teaches, step by step") LessonPlan lesson) {
 
     /** An empty scene, lit as in the paper, and its camera at rest. */
     public static final Studio DEFAULT = new Studio(
@@ -77,7 +81,8 @@ public record Studio(
             ColourLaw.UNCHANGED,
             Metering.MIDDLE,
             RenderSettings.DEFAULT,
-            List.of());
+            List.of(),
+            NoLesson.DEFAULT);
 
     /** Checks that nothing is missing, and that the camera is not too fast for a picture. */
     public Studio {
@@ -99,6 +104,7 @@ public record Studio(
         Require.present("metering", metering);
         Require.present("settings", settings);
         ride = Require.list("ride", ride);
+        Require.present("lesson", lesson);
     }
 
     /** The title up to a colon, which its explanation follows. */
@@ -210,6 +216,7 @@ public record Studio(
                 newColours,
                 newMetering,
                 newSettings,
-                newRide);
+                newRide,
+                lesson);
     }
 }

@@ -22,7 +22,6 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.animation.Animation;
-import tompkins.animation.StudioNumber;
 import tompkins.image.ToneCurve;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
@@ -40,6 +39,7 @@ import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
+import tompkins.studio.StudioNumber;
 
 class WindowCommandLineTest {
 

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.fuzz.RandomStudio;
+import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
 import tompkins.light.Metering;
 import tompkins.ray.Colour;
@@ -150,6 +151,7 @@ class EnergyTest {
                 ColourLaw.UNCHANGED,
                 Metering.MIDDLE,
                 Studio.DEFAULT.settings().withSize(size, size),
-                List.of()));
+                List.of(),
+                NoLesson.DEFAULT));
     }
 }

@@ -10,6 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.ThinLensCamera;
+import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
 import tompkins.light.Metering;
 import tompkins.ray.Colour;
@@ -56,7 +57,8 @@ class MirrorCorridorTest {
                 ColourLaw.UNCHANGED,
                 Metering.MIDDLE,
                 settings,
-                List.of()));
+                List.of(),
+                NoLesson.DEFAULT));
     }
 
     private static double light(Photograph photograph) {

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.ThinLensCamera;
+import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
 import tompkins.light.Metering;
@@ -59,7 +60,8 @@ class MovingFactsTest {
                 ColourLaw.UNCHANGED,
                 Metering.MIDDLE,
                 Studio.DEFAULT.settings().withSize(size, size),
-                List.of());
+                List.of(),
+                NoLesson.DEFAULT);
     }
 
     private static Moving moving(double speed, Vector3dc place, SceneObject... objects) {

@@ -10,6 +10,7 @@ import tompkins.camera.Camera;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
+import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
 import tompkins.light.Metering;
 import tompkins.ray.Colour;
@@ -62,7 +63,8 @@ final class Photograph {
                 ColourLaw.UNCHANGED,
                 Metering.MIDDLE,
                 Studio.DEFAULT.settings().withSize(width, height),
-                List.of()));
+                List.of(),
+                NoLesson.DEFAULT));
     }
 
     /** A pinhole at the origin of the camera frame with a shutter in the aperture. */

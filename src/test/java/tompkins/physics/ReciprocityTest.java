@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.image.LinearImage;
+import tompkins.lesson.NoLesson;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
@@ -115,7 +116,8 @@ class ReciprocityTest {
                 colours,
                 Metering.MIDDLE,
                 Studio.DEFAULT.settings().withSize(160, 120),
-                List.of());
+                List.of(),
+                NoLesson.DEFAULT);
     }
 
     private static Moving moving(Velocity velocity, List<SceneObject> objects) {

@@ -1,6 +1,7 @@
 package tompkins.studio;
 
 import java.util.List;
+import tompkins.lesson.NoLesson;
 import tompkins.light.LightSource;
 
 /** Studios with other light sources. */
@@ -25,6 +26,7 @@ public final class Lighting {
                 studio.colours(),
                 studio.metering(),
                 studio.settings(),
-                List.of());
+                List.of(),
+                NoLesson.DEFAULT);
     }
 }

@@ -11,6 +11,7 @@ import org.joml.Vector3i;
 import org.junit.jupiter.api.Named;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.lesson.NoLesson;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
 import tompkins.light.Metering;
@@ -219,7 +220,8 @@ public final class VariedStudios {
                 ColourLaw.UNCHANGED,
                 Metering.MIDDLE,
                 Studio.DEFAULT.settings(),
-                List.of());
+                List.of(),
+                NoLesson.DEFAULT);
         return studio.withSettings(studio.settings().withSize(80, 60));
     }
 

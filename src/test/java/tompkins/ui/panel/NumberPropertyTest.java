@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import tompkins.animation.StudioNumber;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
+import tompkins.studio.StudioNumber;
 import tompkins.studio.Studios;
 
 class NumberPropertyTest {

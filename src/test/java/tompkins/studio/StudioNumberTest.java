@@ -1,4 +1,4 @@
-package tompkins.animation;
+package tompkins.studio;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -16,8 +16,6 @@ import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
-import tompkins.studio.FrontWindow;
-import tompkins.studio.Studio;
 import tompkins.surface.LorentzWindow;
 
 class StudioNumberTest {
