@@ -253,14 +253,14 @@ class TraceCommandTest {
     private Path approachingWall(String more) throws IOException {
         return Files.writeString(folder.resolve("wall.json"), """
                 {
-                  "velocity": [0, 0, 0.6], "settings": { "width": 1, "height": 1 }, %s
+                  "velocity": [0, 0, 0.6], "settings": { "width": 1, "height": 1 }, MORE
                   "scene": [
                     { "type": "Plane", "description": "far", "point": [0, 0, 1000], "normal": [0, 0, 1] },
                     { "type": "Moving", "velocity": [0, 0, -0.8], "place": [0, 0, 9], "clockOffset": 100,
                       "objects": [{ "type": "Plane", "description": "wall", "point": [0, 0, 0], "normal": [0, 0, 1] }] }
                   ]
                 }
-                """.formatted(more));
+                """.replace("MORE", more));
     }
 
     /**
