@@ -31,18 +31,20 @@ public final class Captions {
 
     private final PictureCanvas canvas;
     private final Settings settings;
+    private final boolean usual;
     private NumberProperty animated;
 
-    /** Captions on a canvas, if the settings say so. */
-    Captions(PictureCanvas canvas, Settings settings) {
+    /** Captions on a canvas, if the settings say so; where they do not say it, if it is usual. */
+    Captions(PictureCanvas canvas, Settings settings, boolean usual) {
         this.canvas = canvas;
         this.settings = settings;
+        this.usual = usual;
         update();
     }
 
     /** Whether pictures have captions. */
     boolean areShown() {
-        return settings.number(SETTING, 0) != 0;
+        return settings.number(SETTING, usual ? 1 : 0) != 0;
     }
 
     /** Gives pictures captions from now on, or none. */

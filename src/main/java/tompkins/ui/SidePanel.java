@@ -61,13 +61,22 @@ final class SidePanel {
     /**
      * The panel for a photograph.
      *
+     * @param besideRest whether the photograph is compared with that of a camera at rest from the beginning
      * @param teller says in a line what becomes of a click
      * @param editor opens the editor for a part of the studio
      */
-    SidePanel(StudioModel model, PhotographView view, Consumer<String> teller, Consumer<StudioPath> editor) {
+    SidePanel(
+            StudioModel model,
+            PhotographView view,
+            boolean besideRest,
+            Consumer<String> teller,
+            Consumer<StudioPath> editor) {
         shutter = new ShutterPanel(model);
         lens = new LensPanel(model, picking -> pick(model, view, teller, picking));
         ComparePanel compare = new ComparePanel(model, view::compare, view.canvas()::setOtherAlone, view::keepPicture);
+        if (besideRest) {
+            compare.choose(ComparePanel.Other.AT_REST);
+        }
         ray = new RaySection(model, () -> view.setPin(null), editor);
         Note remarks = new Note(model.studio().remarks());
         title.component().setName("remarks.title");
@@ -81,7 +90,7 @@ final class SidePanel {
         add("section.shutter", shutter.component(), true);
         add("section.shutterDetails", shutter.details(), false);
         add("section.lens", lens.component(), false);
-        add("section.compare", compare.component(), false);
+        add("section.compare", compare.component(), besideRest);
         add("section.transformation", transformation(model), false);
         add("section.colours", LawPanel.ofColours(model).component(), false);
         add("section.window", new WindowPanel(model).component(), false);

@@ -67,11 +67,11 @@ class CaptionsTest {
     @Test
     void theWishIsRemembered() {
         Settings settings = new Settings(folder.resolve("window.properties"));
-        Captions captions = new Captions(new PictureCanvas(size -> {}), settings);
+        Captions captions = new Captions(new PictureCanvas(size -> {}), settings, false);
         assertThat(captions.areShown()).isFalse();
         captions.setShown(true);
         Settings again = new Settings(folder.resolve("window.properties"));
-        assertThat(new Captions(new PictureCanvas(size -> {}), again).areShown())
+        assertThat(new Captions(new PictureCanvas(size -> {}), again, false).areShown())
                 .isTrue();
     }
 }

@@ -118,7 +118,12 @@ public final class ComparePanel {
             others.addItem(Other.KEPT_PICTURE);
         }
         keptName = name;
-        others.setSelectedItem(Other.KEPT_PICTURE);
+        choose(Other.KEPT_PICTURE);
+    }
+
+    /** Chooses what to compare with, as the user does. */
+    public void choose(Other other) {
+        others.setSelectedItem(other);
     }
 
     private void choose() {
