@@ -141,7 +141,8 @@ public final class Projection {
             if (Double.isNaN(error)) {
                 return Double.NaN;
             }
-            if (error == 0 || placeBefore != null && place.distance(placeBefore) < SETTLED && settles(look, time, error)) {
+            if (error == 0
+                    || placeBefore != null && place.distance(placeBefore) < SETTLED && settles(look, time, error)) {
                 return time + error;
             }
             double slope = (error - errorBefore) / (time - before);

@@ -93,6 +93,8 @@ public record Sighting(Studio studio, double x, double y, RayLife life) {
     }
 
     private Vector3dc ahead() {
-        return studio.sceneFromCamera() instanceof IdentityTransformation ? null : studio.velocity().direction();
+        return studio.sceneFromCamera() instanceof IdentityTransformation
+                ? null
+                : studio.velocity().direction();
     }
 }

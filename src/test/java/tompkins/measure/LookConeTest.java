@@ -57,7 +57,8 @@ class LookConeTest {
         Velocity velocity = Velocity.of(SpeedScale.BETA, beta, new Vector3d(1, 2, -2));
         for (int degrees = 10; degrees < 180; degrees += 10) {
             double cosine = Math.cos(Math.toRadians(degrees));
-            LookCone seen = LookCone.around(velocity.direction(), Math.toRadians(degrees)).seenBy(velocity);
+            LookCone seen = LookCone.around(velocity.direction(), Math.toRadians(degrees))
+                    .seenBy(velocity);
 
             assertThat(Math.cos(seen.halfAngle())).isCloseTo((cosine + beta) / (1 + beta * cosine), within(1e-13));
         }
@@ -74,7 +75,8 @@ class LookConeTest {
         Vector3d along = new Vector3d(1, 1, 0);
         Vector3d through = new Vector3d(velocity.direction()).mul(4).add(from).fma(2, along);
 
-        assertThat(LookCone.line(from, through, along).seenBy(velocity).isStraight()).isTrue();
+        assertThat(LookCone.line(from, through, along).seenBy(velocity).isStraight())
+                .isTrue();
         assertThat(LookCone.line(from, through.add(0, 0, 0.1), along)
                         .seenBy(velocity)
                         .isStraight())
@@ -87,8 +89,7 @@ class LookConeTest {
         Velocity velocity = Velocity.of(0.2, -0.1, 0.97);
         LookCone scene = LookCone.outline(new Vector3d(), new Vector3d(1, 2, 5), 0.7);
         LookCone seen = scene.seenBy(velocity);
-        SeenFrame frame =
-                new SeenFrame(Studio.DEFAULT.withVelocity(velocity), null);
+        SeenFrame frame = new SeenFrame(Studio.DEFAULT.withVelocity(velocity), null);
 
         for (double azimuth = 0; azimuth < 6.3; azimuth += 0.3) {
             assertThat(Angles.between(seen.axis(), seen.direction(azimuth))).isCloseTo(seen.halfAngle(), within(1e-13));

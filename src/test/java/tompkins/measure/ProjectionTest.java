@@ -36,7 +36,8 @@ class ProjectionTest {
             new FrameMotion(null, Velocity.of(0.3, 0.5, -0.2), new Event(0.1, -0.2, 0.4, 0));
 
     static Stream<Arguments> cameras() {
-        List<Velocity> velocities = List.of(Velocity.of(0.3, -0.2, 0.6), Velocity.of(0, 0.1, -0.5), Velocity.of(0.2, -0.1, 0.97));
+        List<Velocity> velocities =
+                List.of(Velocity.of(0.3, -0.2, 0.6), Velocity.of(0, 0.1, -0.5), Velocity.of(0.2, -0.1, 0.97));
         List<Shutter> shutters = List.of(
                 new AperturePlaneShutter(0.7),
                 new DetectorPlaneShutter(0.3, 2),
@@ -46,9 +47,11 @@ class ProjectionTest {
         return velocities.stream()
                 .flatMap(velocity -> shutters.stream()
                         .flatMap(shutter -> Stream.of((Camera) lens, panorama)
-                                .flatMap(camera -> Stream.of(RollingShutter.DEFAULT, new RollingShutter(SweepDirection.UP, 0.05))
+                                .flatMap(camera -> Stream.of(
+                                                RollingShutter.DEFAULT, new RollingShutter(SweepDirection.UP, 0.05))
                                         .map(rolling -> Arguments.of(
-                                                velocity, camera.withShutter(shutter).withRollingShutter(rolling))))));
+                                                velocity,
+                                                camera.withShutter(shutter).withRollingShutter(rolling))))));
     }
 
     @ParameterizedTest(name = "{index}")
@@ -62,7 +65,8 @@ class ProjectionTest {
                         .withView(view)
                         .withTransformation(law);
                 check(studio, null);
-                boolean slowerThanLight = velocity.components().distance(MOTION.velocity().components()) < 1;
+                boolean slowerThanLight =
+                        velocity.components().distance(MOTION.velocity().components()) < 1;
                 if (law == TransformationLaw.LORENTZ || law == TransformationLaw.GALILEAN && slowerThanLight) {
                     check(studio, MOTION);
                 }
@@ -94,10 +98,14 @@ class ProjectionTest {
                 }
             }
         }
-        assertThat(found).as("%s %s %s", studio.view(), studio.transformation(), motion != null).isGreaterThan(7);
+        assertThat(found)
+                .as("%s %s %s", studio.view(), studio.transformation(), motion != null)
+                .isGreaterThan(7);
         boolean oneTime = studio.camera().shutter() instanceof AperturePlaneShutter && !rolls;
         // fast things are seen more than once by a shutter that takes its time
-        assertThat(again).as("%s %s %s of %s", studio.view(), studio.transformation(), motion != null, found).isGreaterThanOrEqualTo(oneTime ? found : 1);
+        assertThat(again)
+                .as("%s %s %s of %s", studio.view(), studio.transformation(), motion != null, found)
+                .isGreaterThanOrEqualTo(oneTime ? found : 1);
     }
 
     private static boolean isInside(Studio studio, Vector2dc place) {
@@ -135,7 +143,9 @@ class ProjectionTest {
         Projection projection = Projection.of(Studio.DEFAULT);
 
         assertThat(projection.place(new Vector3d(0, 0, -1))).isNull();
-        assertThat(projection.place(new SeenFrame(Studio.DEFAULT, null), new Vector3d(0, 0, -5))).isNull();
-        assertThat(projection.place(new SeenFrame(Studio.DEFAULT, null), new Vector3d())).isNull();
+        assertThat(projection.place(new SeenFrame(Studio.DEFAULT, null), new Vector3d(0, 0, -5)))
+                .isNull();
+        assertThat(projection.place(new SeenFrame(Studio.DEFAULT, null), new Vector3d()))
+                .isNull();
     }
 }

@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Locale;
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.api.Test;
 import tompkins.golden.GoldenRow;
 import tompkins.golden.GoldenTable;
 import tompkins.math.Vectors;
@@ -22,11 +22,7 @@ import tompkins.studio.View;
 class SeenFrameTest {
 
     @ParameterizedTest
-    @CsvSource({
-        "m1_hits, SEEN, lorentz, 55",
-        "m1_hits, SEEN, galilean, 4",
-        "m7_measured_hits, MEASURED, lorentz, 40"
-    })
+    @CsvSource({"m1_hits, SEEN, lorentz, 55", "m1_hits, SEEN, galilean, 4", "m7_measured_hits, MEASURED, lorentz, 40"})
     void cameraLooksWhereTheReferenceRayWent(String table, View view, String law, int least) {
         List<GoldenRow> rows = GoldenTable.rows(table, row -> row.has("hit", "1") && row.has("law", law));
 
