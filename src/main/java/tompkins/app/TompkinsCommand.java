@@ -46,6 +46,7 @@ final class TompkinsCommand implements Callable<Integer>, SceneCommand {
         COMMANDS.put("check", CheckCommand.class);
         COMMANDS.put("explain", ExplainCommand.class);
         COMMANDS.put("trace", TraceCommand.class);
+        COMMANDS.put("measure", MeasureCommand.class);
         COMMANDS.put("study", StudyCommand.class);
     }
 

@@ -1,21 +1,27 @@
 package tompkins.app;
 
 import java.io.PrintWriter;
+import java.io.IOException;
+import java.io.StringWriter;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.concurrent.Callable;
-import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.joml.Vector3dc;
+import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import tompkins.io.CsvText;
 import tompkins.io.RayLifeWriter;
 import tompkins.io.StudioReader;
+import tompkins.measure.Sighting;
 import tompkins.property.NumberText;
 import tompkins.property.OneLine;
 import tompkins.property.Require;
@@ -23,7 +29,6 @@ import tompkins.spacetime.Event;
 import tompkins.spacetime.IdentityTransformation;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.spacetime.SpeedScale;
-import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.trace.Frame;
@@ -38,7 +43,7 @@ import tompkins.trace.RenderPlan;
                 + " moves by itself, hits are told in its own frame, too, with its proper time. Where"
                 + " a ray splits, as in glass, all hits of the weaker branch come first, indented; entry and frequency are those of"
                 + " the main branch. The share is the most light of the pixel that the ray of a hit can still add."
-                + " Several --pixel show several rays, each under its pixel, with --json in one list.")
+                + " Several --pixel show several rays, each under its pixel, with --json in one list, with --csv in one table.")
 final class TraceCommand implements Callable<Integer>, SceneCommand {
 
     /** Half of the way from the centre of the lens to its right edge. */
@@ -51,7 +56,8 @@ final class TraceCommand implements Callable<Integer>, SceneCommand {
             names = "--pixel",
             required = true,
             paramLabel = "X,Y",
-            description = "column and row of the pixel, from 0 at the upper left; its centre is taken")
+            description = "column and row of the pixel, from 0 at the upper left; its centre is taken. X,Y..X,Y is a"
+                    + " rectangle between two pixels, and \"all\" the whole picture")
     private List<String> pixels;
 
     @Option(
@@ -69,11 +75,17 @@ final class TraceCommand implements Callable<Integer>, SceneCommand {
     private double moment;
 
     @Option(
-            names = "--json",
-            description =
-                    "print JSON with 17 significant digits; null for a ray that never crosses the shutter, and for a number"
-                            + " that is not finite; no \"scene\" for a ray that never enters the scene frame")
-    private boolean json;
+            names = "--every",
+            defaultValue = "1",
+            paramLabel = "N",
+            description = "of the columns and rows of a rectangle, take each N-th; default: all")
+    private int every;
+
+    @ArgGroup
+    private Form form = new Form();
+
+    @Mixin
+    private TextOutput output;
 
     @Mixin
     private StudioOptions options;
@@ -81,59 +93,94 @@ final class TraceCommand implements Callable<Integer>, SceneCommand {
     @Spec
     private CommandSpec spec;
 
+    /** How rays are told, if not in words. */
+    private static final class Form {
+
+        @Option(
+                names = "--json",
+                description =
+                        "print JSON with 17 significant digits; null for a ray that never crosses the shutter, and for a number"
+                                + " that is not finite; no \"scene\" for a ray that never enters the scene frame")
+        private boolean json;
+
+        @Option(
+                names = "--csv",
+                description = "print a table with a row for each pixel: events, directions, what was hit, times and"
+                        + " colour, with 17 significant digits; empty where a ray has no such number")
+        private boolean csv;
+    }
+
     @Override
     public Path scene() {
         return scene;
     }
 
     @Override
-    public Integer call() {
-        List<int[]> places = pixels.stream().map(TraceCommand::place).toList();
+    public Integer call() throws IOException {
         double[] lens = StudioOptions.numbers("--pupil", pupil, PUPIL_EXAMPLE);
         Studio studio = options.applyTo(StudioReader.read(scene));
-        places.forEach(place -> requireInside(place, studio.settings()));
+        PixelChoice places = PixelChoice.of(pixels, every, studio.settings());
         if (Math.hypot(lens[0], lens[1]) > 1) {
             throw new MistakeException(
                     "--pupil must lie in the unit disc, such as --pupil=" + PUPIL_EXAMPLE + ", was " + pupil);
         }
-        double checkedMoment = MistakeException.inOption("--moment", () -> Require.within("moment", moment, 0.0, 1.0));
+        MistakeException.inOption("--moment", () -> Require.within("moment", moment, 0.0, 1.0));
+        output.check();
         RenderPlan plan = ScenePlan.of(studio, scene);
-        List<RayLife> lives = new ArrayList<>();
-        for (int[] place : places) {
-            // null for a ray without events
-            lives.add(RayLife.of(plan, place[0] + 0.5, place[1] + 0.5, lens[0], lens[1], checkedMoment));
-        }
-        PrintWriter out = spec.commandLine().getOut();
-        if (json) {
-            String list = lives.stream().map(life -> json(life, studio)).collect(Collectors.joining(",\n"));
-            out.println(lives.size() == 1 ? list : "[" + list + "]");
-        } else {
-            for (int i = 0; i < lives.size(); i++) {
-                if (lives.size() > 1) {
-                    out.println(format("%sPixel %d, %d", i == 0 ? "" : "\n", places.get(i)[0], places.get(i)[1]));
-                }
-                print(out, lives.get(i), studio);
-            }
-        }
+        Stream<Sighting> sightings = places.stream().map(place -> follow(plan, place[0], place[1], lens));
+        output.write(spec.commandLine().getOut(), lines(sightings, places.isSingle()));
         return 0;
     }
 
-    private static int[] place(String pixel) {
-        return StudioOptions.pair(
-                pixel, ",", "--pixel must be two whole numbers inside the picture with a comma between them");
+    private Sighting follow(RenderPlan plan, int column, int row, double[] lens) {
+        double x = column + 0.5;
+        double y = row + 0.5;
+        return new Sighting(plan.studio(), x, y, RayLife.of(plan, x, y, lens[0], lens[1], moment));
     }
 
-    private static void requireInside(int[] place, RenderSettings settings) {
-        int right = settings.width() - 1;
-        int bottom = settings.height() - 1;
-        if (place[0] < 0 || place[1] < 0 || place[0] > right || place[1] > bottom) {
-            throw new MistakeException(String.format(
-                    Locale.ROOT, "--pixel must be from 0,0 to %d,%d, was %d,%d", right, bottom, place[0], place[1]));
+    private Stream<String> lines(Stream<Sighting> sightings, boolean single) {
+        if (form.csv) {
+            return Stream.concat(Stream.of(CsvText.rayHeadings()), sightings.map(CsvText::rayRow));
         }
+        if (form.json) {
+            return single ? sightings.map(TraceCommand::json) : list(sightings.map(TraceCommand::json));
+        }
+        return single
+                ? sightings.map(TraceCommand::text)
+                : apart(sightings.map(sighting -> format(
+                                "Pixel %d, %d%n", (int) Math.floor(sighting.x()), (int) Math.floor(sighting.y()))
+                        + text(sighting)));
     }
 
-    private static String json(RayLife life, Studio studio) {
-        return life == null ? "null" : RayLifeWriter.json(life, studio);
+    /** A list in brackets, each part but the last with a comma behind it; a part is made when it is asked for. */
+    private static Stream<String> list(Stream<String> parts) {
+        Iterator<String> each = parts.iterator();
+        return Stream.iterate(
+                        "[" + each.next() + (each.hasNext() ? "," : "]"),
+                        Objects::nonNull,
+                        before -> each.hasNext() ? each.next() + (each.hasNext() ? "," : "]") : null);
+    }
+
+    /** With an empty line before each but the first. */
+    private static Stream<String> apart(Stream<String> parts) {
+        boolean[] begun = new boolean[1];
+        return parts.sequential().map(part -> {
+            String before = begun[0] ? System.lineSeparator() : "";
+            begun[0] = true;
+            return before + part;
+        });
+    }
+
+    private static String text(Sighting sighting) {
+        StringWriter text = new StringWriter();
+        try (PrintWriter out = new PrintWriter(text)) {
+            print(out, sighting.life(), sighting.studio());
+        }
+        return text.toString().stripTrailing();
+    }
+
+    private static String json(Sighting sighting) {
+        return sighting.life() == null ? "null" : RayLifeWriter.json(sighting.life(), sighting.studio());
     }
 
     private static void print(PrintWriter out, RayLife life, Studio studio) {

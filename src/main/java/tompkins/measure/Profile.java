@@ -21,6 +21,11 @@ public record Profile(List<Sighting> places) {
         places = List.copyOf(places);
     }
 
+    /** As many places as a line between two others has pixels. */
+    public static int count(double x1, double y1, double x2, double y2) {
+        return (int) Math.max(2, Math.min(MOST, Math.round(Math.max(Math.abs(x2 - x1), Math.abs(y2 - y1))) + 1));
+    }
+
     /**
      * Follows the rays of a line.
      *
