@@ -71,8 +71,7 @@ final class PlanSentences {
         sentences.add(cameraObjects());
         sentences.add(search());
         sentences.add(recursion(Stream.of(inScene, beforeLens).flatMap(Set::stream)));
-        sentences.addAll(
-                new Omissions(plan, cameraRays, inScene, beforeLens, hasImagePoints).sentences());
+        sentences.addAll(new Omissions(plan, cameraRays, inScene, beforeLens, hasImagePoints).sentences());
         warnings().forEach(warning -> sentences.add("Warning: " + warning + "."));
         return sentences;
     }
@@ -270,8 +269,8 @@ final class PlanSentences {
 
     /** Why colours stay as they are, if the scene wants something else; ends the sentence. */
     private String reason() {
-        boolean unwanted = studio.colours() == ColourLaw.UNCHANGED
-                || studio.velocity().isRest() && !studio.hasMotion();
+        boolean unwanted =
+                studio.colours() == ColourLaw.UNCHANGED || studio.velocity().isRest() && !studio.hasMotion();
         if (unwanted) {
             return ".";
         }
