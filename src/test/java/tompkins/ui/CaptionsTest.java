@@ -40,7 +40,7 @@ class CaptionsTest {
     void whatIsNoPhotographAlwaysSaysSo() {
         Studio measured = FAST.withView(View.MEASURED);
         Captions captions =
-                new Captions(new PictureCanvas(size -> {}), new Settings(folder.resolve("window.properties")));
+                new Captions(new PictureCanvas(size -> {}), new Settings(folder.resolve("window.properties")), false);
         assertThat(captions.shown(FAST)).isEmpty();
         assertThat(captions.shown(measured)).isEqualTo("Measured, no photograph");
         captions.setShown(true);

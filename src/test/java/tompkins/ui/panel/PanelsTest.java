@@ -36,6 +36,7 @@ import tompkins.light.Metering;
 import tompkins.property.Descriptions;
 import tompkins.ray.MeshData;
 import tompkins.render.Quality;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -58,6 +59,7 @@ import tompkins.surface.ColouredSurface;
 import tompkins.surface.GalileoWindow;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.Surface;
+import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.Components;
 import tompkins.ui.model.Shutters;
@@ -578,6 +580,26 @@ class PanelsTest {
         Container panel = (Container) LawPanel.ofTransformation(model).component();
         Components.find(panel, JRadioButton.class, "Galilean (Newton)").doClick();
         assertThat(model.studio().transformation()).isEqualTo(TransformationLaw.GALILEAN);
+    }
+
+    /** The ball passes a camera at rest: at another time it is elsewhere. */
+    @Test
+    void theOpeningTimeIsOfferedWhereOnlyTheSceneMoves() {
+        Moving far = Descriptions.with(Moving.DEFAULT, "place", new Vector3d(-40, 0, 0));
+        Studio studio = Studios.lattice().withVelocity(Velocity.REST).withScene(List.of(far));
+        model.set(studio);
+        assertThat(RenderPlan.of(studio).isStill()).isFalse();
+        Container panel = (Container) new ShutterPanel(model).component();
+        JTextField time = Components.find(panel, JTextField.class, "Opens at");
+        assertThat(time.getParent().isVisible()).isTrue();
+        // it passes the middle at time 80, its light comes 10 later
+        Components.enter(panel, "Opens at", "89");
+        assertThat(model.studio().camera().shutter().openingTime()).isEqualTo(89);
+        RayLife before = RayLife.of(RenderPlan.of(studio), 320, 240, 0, 0);
+        RayLife now = RayLife.of(RenderPlan.of(model.studio()), 320, 240, 0, 0);
+        assertThat(before.end()).isNull();
+        assertThat(now.end().object().description()).isEqualTo("sphere");
+        assertThat(new SceneSize().times(studio).maximum()).isGreaterThanOrEqualTo(40);
     }
 
     @Test
