@@ -2,6 +2,7 @@ package tompkins.trace;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -92,6 +93,11 @@ final class PlanSentences {
     List<String> warnings() {
         List<String> warnings = new ArrayList<>();
         studio.transformation().warning(studio.velocity()).ifPresent(warnings::add);
+        IntStream.range(1, world.frameCount())
+                .mapToObj(i -> world.frame(i).motion())
+                .max(Comparator.comparingDouble(FrameMotion::gamma))
+                .flatMap(studio.transformation()::warning)
+                .ifPresent(warnings::add);
         if (shift != null && shift.isTooFaint()) {
             warnings.add(
                     "the light of the scene is too faint to be seen in the middle of the picture, which stays dark");
