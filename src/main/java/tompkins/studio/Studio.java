@@ -26,7 +26,8 @@ public record Studio(
         @Meaning(value = "What there is to see", prose = true)
         String remarks,
 
-        @Meaning("The objects of the scene, at rest in its frame unless they are Moving") List<SceneObject> scene,
+        @Meaning("The objects of the scene, at rest in its frame unless they are Moving")
+        List<SceneObject> scene,
 
         @Meaning(
                 "The objects that move with the camera, such as windows in front of the lens; seen before everything in the scene")
