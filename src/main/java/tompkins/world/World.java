@@ -13,6 +13,7 @@ import tompkins.light.MovingLights;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Placement;
 import tompkins.primitive.Primitive;
+import tompkins.property.InvalidPropertyException;
 import tompkins.sceneobject.FrameObjects;
 import tompkins.sceneobject.ImagePoints;
 import tompkins.sceneobject.PrimitiveCollector;
@@ -79,7 +80,11 @@ public final class World {
         ObjectPreparation.add("scene", described, collector, placement);
         followsCamera = asked[0];
         for (int i = 0; i < describedLights.size(); i++) {
-            add(describedLights.get(i), collector, placement);
+            try {
+                add(describedLights.get(i), collector, placement);
+            } catch (InvalidPropertyException tooFast) {
+                throw new InvalidPropertyException("lights[" + i + "]", tooFast);
+            }
         }
         frames = collector.frames();
         int smallestTree = plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE;
