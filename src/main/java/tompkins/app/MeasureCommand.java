@@ -34,10 +34,11 @@ import tompkins.trace.RenderPlan;
 @Command(
         mixinStandardHelpOptions = true,
         versionProvider = ProgramVersion.class,
-        description = "Measures in the picture of a scene, between pixels. \"between\" tells angles, distances, times and the"
-                + " interval between two pixels, in the frames of scene, camera and object; \"circle\" fits a circle of"
-                + " directions, such as the outline of a sphere, to three pixels or more; \"line\" tells how straight two"
-                + " pixels or more lie; \"profile\" follows the line between two pixels.")
+        description =
+                "Measures in the picture of a scene, between pixels. \"between\" tells angles, distances, times and the"
+                        + " interval between two pixels, in the frames of scene, camera and object; \"circle\" fits a circle of"
+                        + " directions, such as the outline of a sphere, to three pixels or more; \"line\" tells how straight two"
+                        + " pixels or more lie; \"profile\" follows the line between two pixels.")
 final class MeasureCommand implements Callable<Integer>, SceneCommand {
 
     /** What is measured. */
@@ -115,8 +116,8 @@ final class MeasureCommand implements Callable<Integer>, SceneCommand {
         List<Vector2dc> places = new ArrayList<>();
         pixels.forEach(pixel -> places.add(place(pixel, studio.settings())));
         if (places.size() < kind.fewest || places.size() > kind.most) {
-            throw new MistakeException(kind + " needs " + kind.fewest
-                    + (kind.most == kind.fewest ? "" : " or more") + " --pixel, was " + places.size());
+            throw new MistakeException(kind + " needs " + kind.fewest + (kind.most == kind.fewest ? "" : " or more")
+                    + " --pixel, was " + places.size());
         }
         requireCount(kind);
         output.check();
@@ -208,13 +209,16 @@ final class MeasureCommand implements Callable<Integer>, SceneCommand {
         }
         return form.csv
                 ? CsvText.quantities(quantities)
-                : quantities.stream().map(quantity -> String.format(
-                        Locale.ROOT,
-                        "%-24s  %s%s%s",
-                        quantity.words(),
-                        number(quantity.value()),
-                        Double.isNaN(quantity.uncertainty()) ? "" : " +- " + NumberText.of(NumberText.rounded(quantity.uncertainty(), 2)),
-                        quantity.unit().isEmpty() ? "" : " " + quantity.unit()));
+                : quantities.stream()
+                        .map(quantity -> String.format(
+                                Locale.ROOT,
+                                "%-24s  %s%s%s",
+                                quantity.words(),
+                                number(quantity.value()),
+                                Double.isNaN(quantity.uncertainty())
+                                        ? ""
+                                        : " +- " + NumberText.of(NumberText.rounded(quantity.uncertainty(), 2)),
+                                quantity.unit().isEmpty() ? "" : " " + quantity.unit()));
     }
 
     private static String number(double value) {

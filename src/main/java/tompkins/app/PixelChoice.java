@@ -74,9 +74,10 @@ final class PixelChoice {
 
     /** The pixels, each as its column and its row, in the order of the options, row by row. */
     Stream<int[]> stream() {
-        return rectangles.stream().flatMap(corners -> steps(corners[1], corners[3])
-                .boxed()
-                .flatMap(row -> steps(corners[0], corners[2]).mapToObj(column -> new int[] {column, row})));
+        return rectangles.stream()
+                .flatMap(corners -> steps(corners[1], corners[3])
+                        .boxed()
+                        .flatMap(row -> steps(corners[0], corners[2]).mapToObj(column -> new int[] {column, row})));
     }
 
     private IntStream steps(int first, int last) {

@@ -1,7 +1,7 @@
 package tompkins.app;
 
-import java.io.PrintWriter;
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.Iterator;
@@ -35,10 +35,11 @@ import tompkins.trace.RenderPlan;
 @Command(
         mixinStandardHelpOptions = true,
         versionProvider = ProgramVersion.class,
-        description = "Shows the life of a ray: its events and directions in both frames, its hits, its colour. Where"
-                + " it splits, as in glass, all hits of the weaker branch come first, indented; entry and frequency are those of"
-                + " the main branch. The share is the most light of the pixel that the ray of a hit can still add."
-                + " Several --pixel show several rays, each under its pixel, with --json in one list, with --csv in one table.")
+        description =
+                "Shows the life of a ray: its events and directions in both frames, its hits, its colour. Where"
+                        + " it splits, as in glass, all hits of the weaker branch come first, indented; entry and frequency are those of"
+                        + " the main branch. The share is the most light of the pixel that the ray of a hit can still add."
+                        + " Several --pixel show several rays, each under its pixel, with --json in one list, with --csv in one table.")
 final class TraceCommand implements Callable<Integer>, SceneCommand {
 
     /** Half of the way from the centre of the lens to its right edge. */
@@ -142,18 +143,18 @@ final class TraceCommand implements Callable<Integer>, SceneCommand {
         }
         return single
                 ? sightings.map(TraceCommand::text)
-                : apart(sightings.map(sighting -> format(
-                                "Pixel %d, %d%n", (int) Math.floor(sighting.x()), (int) Math.floor(sighting.y()))
-                        + text(sighting)));
+                : apart(sightings.map(sighting ->
+                        format("Pixel %d, %d%n", (int) Math.floor(sighting.x()), (int) Math.floor(sighting.y()))
+                                + text(sighting)));
     }
 
     /** A list in brackets, each part but the last with a comma behind it; a part is made when it is asked for. */
     private static Stream<String> list(Stream<String> parts) {
         Iterator<String> each = parts.iterator();
         return Stream.iterate(
-                        "[" + each.next() + (each.hasNext() ? "," : "]"),
-                        Objects::nonNull,
-                        before -> each.hasNext() ? each.next() + (each.hasNext() ? "," : "]") : null);
+                "[" + each.next() + (each.hasNext() ? "," : "]"),
+                Objects::nonNull,
+                before -> each.hasNext() ? each.next() + (each.hasNext() ? "," : "]") : null);
     }
 
     /** With an empty line before each but the first. */

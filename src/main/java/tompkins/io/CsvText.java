@@ -44,7 +44,9 @@ public final class CsvText {
     /** One cell: a number, a text in one line, or nothing for null and for what is not finite. */
     public static String cell(Object value) {
         if (value instanceof Double number) {
-            return Double.isFinite(number) ? new BigDecimal(number).round(DIGITS).toString() : "";
+            return Double.isFinite(number)
+                    ? new BigDecimal(number).round(DIGITS).toString()
+                    : "";
         }
         String text = value == null ? "" : OneLine.of(value.toString());
         boolean plain = text.chars().noneMatch(letter -> letter == ',' || letter == '"');

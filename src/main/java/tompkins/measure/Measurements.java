@@ -42,8 +42,7 @@ public final class Measurements {
         List<Quantity> results = new ArrayList<>();
         double pixel = HALF * Math.hypot(pixelAngle(first), pixelAngle(second));
         double scenePixel = HALF
-                * Math.hypot(
-                        pixelAngle(first) * first.dopplerFactor(), pixelAngle(second) * second.dopplerFactor());
+                * Math.hypot(pixelAngle(first) * first.dopplerFactor(), pixelAngle(second) * second.dopplerFactor());
         results.add(angle("cameraAngle", both.cameraAngle(), pixel));
         if (!Double.isNaN(both.sceneAngle())) {
             results.add(angle("sceneAngle", both.sceneAngle(), scenePixel));
@@ -108,8 +107,7 @@ public final class Measurements {
         List<Quantity> results = new ArrayList<>();
         double pixel = pixelAngle(places) * HALF / Math.sqrt(places.size());
         results.add(angle("halfAngle", fit.circle().halfAngle(), pixel));
-        results.add(new Quantity(
-                "residual", FINE_ANGLE, fit.residual() * Angles.ARC_MINUTES, Double.NaN));
+        results.add(new Quantity("residual", FINE_ANGLE, fit.residual() * Angles.ARC_MINUTES, Double.NaN));
         addDirection(results, "middle", fit.circle().axis());
         Vector2dc middle = projection.place(fit.circle().axis());
         if (middle != null) {
@@ -118,7 +116,8 @@ public final class Measurements {
         }
         if (!plan.isAtRest()) {
             Vector3dc ahead = plan.studio().velocity().direction();
-            results.add(angle("middleAngleToVelocity", Angles.between(fit.circle().axis(), ahead), pixel));
+            results.add(
+                    angle("middleAngleToVelocity", Angles.between(fit.circle().axis(), ahead), pixel));
         }
         return results;
     }

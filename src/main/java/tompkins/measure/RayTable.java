@@ -48,13 +48,15 @@ public final class RayTable {
         addVector(columns, "camera_direction", "", Sighting::cameraDirection);
         columns.add(new Column("camera_angle_to_velocity", ANGLE, sighting -> Math.toDegrees(sighting.cameraAngle())));
         columns.add(new Column(
-                "lens_time", LENGTH, ofRay(sighting -> sighting.life().cameraStart().time())));
+                "lens_time",
+                LENGTH,
+                ofRay(sighting -> sighting.life().cameraStart().time())));
         addEvent(columns, "scene_start", ofRay(sighting -> sighting.life().sceneStart()));
         addVector(columns, "scene_direction", "", Sighting::sceneDirection);
         columns.add(new Column("scene_angle_to_velocity", ANGLE, sighting -> Math.toDegrees(sighting.sceneAngle())));
         columns.add(new Column("doppler_factor", "", Sighting::dopplerFactor));
-        columns.add(
-                new Column("object", "", ofHit(sighting -> sighting.hit().object().description())));
+        columns.add(new Column(
+                "object", "", ofHit(sighting -> sighting.hit().object().description())));
         columns.add(new Column(
                 "object_frame",
                 "",
@@ -64,13 +66,15 @@ public final class RayTable {
         addEvent(columns, "hit_own", ofHit(sighting -> sighting.hit().rest().event()));
         columns.add(new Column(
                 "proper_time", LENGTH, ofHit(sighting -> sighting.hit().rest().clockReading())));
-        columns.add(new Column("distance", LENGTH, ofHit(sighting -> sighting.hit().distance())));
+        columns.add(
+                new Column("distance", LENGTH, ofHit(sighting -> sighting.hit().distance())));
         columns.add(new Column("camera_distance", LENGTH, Sighting::cameraDistance));
-        columns.add(new Column("red", "", ofRay(sighting -> sighting.life().colour().red())));
         columns.add(
-                new Column("green", "", ofRay(sighting -> sighting.life().colour().green())));
-        columns.add(
-                new Column("blue", "", ofRay(sighting -> sighting.life().colour().blue())));
+                new Column("red", "", ofRay(sighting -> sighting.life().colour().red())));
+        columns.add(new Column(
+                "green", "", ofRay(sighting -> sighting.life().colour().green())));
+        columns.add(new Column(
+                "blue", "", ofRay(sighting -> sighting.life().colour().blue())));
         return List.copyOf(columns);
     }
 
