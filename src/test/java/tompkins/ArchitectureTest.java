@@ -62,10 +62,12 @@ class ArchitectureTest {
             "shutter",
             "camera",
             "image",
+            "lesson",
             "studio",
             "world",
             "trace",
             "measure",
+            "experiment",
             "render",
             "io",
             "animation",
@@ -78,8 +80,8 @@ class ArchitectureTest {
             List.of("ui.model", "ui.widget", "ui.picture", "ui.file", "ui.editor", "ui.panel");
 
     /** The packages whose records describe a scene. */
-    private static final List<String> DESCRIPTIONS =
-            List.of("property", "spacetime", "light", "surface", "sceneobject", "shutter", "camera", "studio");
+    private static final List<String> DESCRIPTIONS = List.of(
+            "property", "spacetime", "light", "surface", "sceneobject", "shutter", "camera", "lesson", "studio");
 
     /** A sealed family that is computed from a velocity, not described, and so needs no default. */
     private static final String COMPUTED_FAMILY = "tompkins.spacetime.SpaceTimeTransformation";

@@ -3,6 +3,7 @@ package tompkins.animation;
 import tompkins.property.NumberText;
 import tompkins.property.Require;
 import tompkins.studio.Studio;
+import tompkins.studio.StudioNumber;
 
 /**
  * A number of the studio that runs from one value to another.

@@ -24,7 +24,6 @@ import tompkins.animation.Animation;
 import tompkins.animation.AnimationRecorder;
 import tompkins.animation.Film;
 import tompkins.animation.RideFilm;
-import tompkins.animation.StudioNumber;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
 import tompkins.image.FileException;
@@ -34,6 +33,7 @@ import tompkins.property.Require;
 import tompkins.render.Quality;
 import tompkins.studio.RideLeg;
 import tompkins.studio.Studio;
+import tompkins.studio.StudioNumber;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.Captions;
 

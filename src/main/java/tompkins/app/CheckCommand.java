@@ -7,10 +7,12 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import tompkins.experiment.LessonStudio;
 import tompkins.image.FileException;
 import tompkins.image.PhotographFile;
 import tompkins.io.SceneFileException;
 import tompkins.io.StudioReader;
+import tompkins.property.InvalidPropertyException;
 import tompkins.render.Quality;
 import tompkins.studio.Studio;
 
@@ -44,6 +46,7 @@ final class CheckCommand implements Callable<Integer>, SceneCommand {
                 ScenePlan.of(studio, scene)
                         .warnings()
                         .forEach(warning -> spec.commandLine().getErr().println(scene + ": warning: " + warning));
+                requireLesson(studio);
                 Photographer.info(studio, scene);
                 Photographer.requireMemory(studio.settings(), Quality.of(studio));
                 PhotographFile.requireWhole(scene);
@@ -60,5 +63,14 @@ final class CheckCommand implements Callable<Integer>, SceneCommand {
             }
         }
         return code;
+    }
+
+    /** Refuses a lesson that does not fit its scene, or whose numbers are not those of its formulas. */
+    private void requireLesson(Studio studio) {
+        try {
+            LessonStudio.of(studio).ifPresent(LessonStudio::requireAgreement);
+        } catch (InvalidPropertyException wrong) {
+            throw new MistakeException(current + ": " + wrong.getMessage());
+        }
     }
 }

@@ -26,8 +26,12 @@ import tompkins.property.NumberText;
 import tompkins.property.OneLine;
 import tompkins.property.Require;
 import tompkins.spacetime.Event;
+import tompkins.spacetime.IdentityTransformation;
+import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
+import tompkins.studio.View;
+import tompkins.trace.Frame;
 import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
 
@@ -36,8 +40,9 @@ import tompkins.trace.RenderPlan;
         mixinStandardHelpOptions = true,
         versionProvider = ProgramVersion.class,
         description =
-                "Shows the life of a ray: its events and directions in both frames, its hits, its colour. Where"
-                        + " it splits, as in glass, all hits of the weaker branch come first, indented; entry and frequency are those of"
+                "Shows the life of a ray: its events and directions in both frames, its hits, its colour. Of what"
+                        + " moves by itself, hits are told in its own frame, too, with its proper time. Where"
+                        + " a ray splits, as in glass, all hits of the weaker branch come first, indented; entry and frequency are those of"
                         + " the main branch. The share is the most light of the pixel that the ray of a hit can still add."
                         + " Several --pixel show several rays, each under its pixel, with --json in one list, with --csv in one table.")
 final class TraceCommand implements Callable<Integer>, SceneCommand {
@@ -190,21 +195,13 @@ final class TraceCommand implements Callable<Integer>, SceneCommand {
             out.println("Scene frame");
             printStart(out, life.sceneStart(), life.sceneDirection());
         }
-        out.println(format("frequency ratio (camera/scene)  %.12g", life.frequencyRatio()));
+        out.println("frequency ratio (camera/scene)  "
+                + (studio.view() == View.MEASURED
+                        ? "none: measured at one time of the camera, without light"
+                        : format("%.12g", life.frequencyRatio())));
         SpeedScale scale = studio.transformation().speedScale();
         out.println(format("%-30s  %.12g", scale.key(), scale.valueOf(studio.velocity())));
-        for (RayLife.Encounter hit : life.hits()) {
-            out.println(format(
-                    "%shit  %s (%s) in the %s frame at %s, t = %.9g, distance %.9g, share %s",
-                    "  ".repeat(hit.branch()),
-                    OneLine.of(hit.object().description()),
-                    hit.surface().getClass().getSimpleName(),
-                    hit.frame().name().toLowerCase(Locale.ROOT),
-                    text(hit.event().position()),
-                    hit.event().time(),
-                    hit.distance(),
-                    NumberText.plain(hit.share(), 4)));
-        }
+        life.hits().forEach(hit -> print(out, hit, studio));
         if (life.hits().isEmpty()) {
             out.println(
                     life.reachesBackground()
@@ -216,10 +213,47 @@ final class TraceCommand implements Callable<Integer>, SceneCommand {
                 life.colour().red(), life.colour().green(), life.colour().blue()));
     }
 
+    /** A hit in its own frame, then in those that differ from it: that of the camera or the scene, and the object's. */
+    private static void print(PrintWriter out, RayLife.Encounter hit, Studio studio) {
+        String indent = "  ".repeat(hit.branch());
+        out.println(format(
+                "%shit  %s (%s) in the %s frame at %s, distance %.9g, share %s",
+                indent,
+                OneLine.of(hit.object().description()),
+                hit.surface().getClass().getSimpleName(),
+                hit.frame().name().toLowerCase(Locale.ROOT),
+                text(hit.event()),
+                hit.distance(),
+                NumberText.plain(hit.share(), 4)));
+        SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
+        if (!(sceneFromCamera instanceof IdentityTransformation)) {
+            out.println(indent
+                    + (hit.frame() == Frame.SCENE
+                            ? "     in the camera frame at " + text(hit.inCamera(sceneFromCamera))
+                            : "     in the scene frame at " + text(hit.inScene(sceneFromCamera))));
+        }
+        if (hit.movesByItself()) {
+            RayLife.Rest own = hit.rest();
+            out.println(format(
+                    "%s     in its own frame at %s, proper time %.9g, its clocks show %.9g%s",
+                    indent,
+                    text(own.event().position()),
+                    own.event().time(),
+                    own.clockReading(),
+                    Double.isNaN(own.dopplerFactor())
+                            ? ""
+                            : format(", frequency ratio (camera/own) %.9g", own.dopplerFactor())));
+        }
+    }
+
     private static void printStart(PrintWriter out, Event event, Vector3dc direction) {
         out.println("  position   " + text(event.position()));
         out.println(format("  time       %.12g", event.time()));
         out.println("  direction  " + text(direction));
+    }
+
+    private static String text(Event event) {
+        return text(event.position()) + format(", t = %.9g", event.time());
     }
 
     private static String text(Vector3dc vector) {

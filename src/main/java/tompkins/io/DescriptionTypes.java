@@ -7,6 +7,8 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import tompkins.camera.ThinLensCamera;
+import tompkins.lesson.Lesson;
+import tompkins.lesson.PicturePoint;
 import tompkins.property.Descriptions;
 import tompkins.studio.UniformBackground;
 import tompkins.surface.ColouredSurface;
@@ -15,8 +17,8 @@ import tompkins.surface.ColouredSurface;
 final class DescriptionTypes {
 
     /** The members of families that are meant where a scene file does not name a type. */
-    private static final Set<Class<?>> USUAL =
-            Set.of(ThinLensCamera.class, ColouredSurface.class, UniformBackground.class);
+    private static final Set<Class<?>> USUAL = Set.of(
+            ThinLensCamera.class, ColouredSurface.class, UniformBackground.class, Lesson.class, PicturePoint.class);
 
     private DescriptionTypes() {}
 

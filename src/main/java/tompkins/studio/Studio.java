@@ -3,9 +3,12 @@ package tompkins.studio;
 import java.util.List;
 import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.lesson.LessonPlan;
+import tompkins.lesson.NoLesson;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
+import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.property.Meaning;
@@ -52,10 +55,15 @@ public record Studio(
         @Meaning("What the motion does to brightness and colours, under the Lorentz transformation")
         ColourLaw colours,
 
+        @Meaning("How the photograph is exposed where motion changes the brightness of the scene")
+        Metering metering,
+
         @Meaning("Size and quality of the picture") RenderSettings settings,
 
         @Meaning("A ride with the camera that begins with this photograph, in legs that follow each other")
-        List<RideLeg> ride) {
+        List<RideLeg> ride,
+
+        @Meaning("What the scene teaches, step by step") LessonPlan lesson) {
 
     /** An empty scene, lit as in the paper, and its camera at rest. */
     public static final Studio DEFAULT = new Studio(
@@ -71,8 +79,10 @@ public record Studio(
             TransformationLaw.LORENTZ,
             View.SEEN,
             ColourLaw.UNCHANGED,
+            Metering.MIDDLE,
             RenderSettings.DEFAULT,
-            List.of());
+            List.of(),
+            NoLesson.DEFAULT);
 
     /** Checks that nothing is missing, and that the camera is not too fast for a picture. */
     public Studio {
@@ -91,8 +101,10 @@ public record Studio(
         Require.present("transformation", transformation);
         Require.present("view", view);
         Require.present("colours", colours);
+        Require.present("metering", metering);
         Require.present("settings", settings);
         ride = Require.list("ride", ride);
+        Require.present("lesson", lesson);
     }
 
     /** The title up to a colon, which its explanation follows. */
@@ -130,47 +142,52 @@ public record Studio(
 
     /** The same studio with another scene. */
     public Studio withScene(List<SceneObject> objects) {
-        return with(objects, cameraFrame, camera, velocity, transformation, view, colours, settings, ride);
+        return with(objects, cameraFrame, camera, velocity, transformation, view, colours, metering, settings, ride);
     }
 
     /** The same studio with other objects that move with the camera. */
     public Studio withCameraFrame(List<SceneObject> objects) {
-        return with(scene, objects, camera, velocity, transformation, view, colours, settings, ride);
+        return with(scene, objects, camera, velocity, transformation, view, colours, metering, settings, ride);
     }
 
     /** The same studio with another camera. */
     public Studio withCamera(Camera other) {
-        return with(scene, cameraFrame, other, velocity, transformation, view, colours, settings, ride);
+        return with(scene, cameraFrame, other, velocity, transformation, view, colours, metering, settings, ride);
     }
 
     /** The same studio with another velocity of the camera. */
     public Studio withVelocity(Velocity other) {
-        return with(scene, cameraFrame, camera, other, transformation, view, colours, settings, ride);
+        return with(scene, cameraFrame, camera, other, transformation, view, colours, metering, settings, ride);
     }
 
     /** The same studio under another law. */
     public Studio withTransformation(TransformationLaw law) {
-        return with(scene, cameraFrame, camera, velocity, law, view, colours, settings, ride);
+        return with(scene, cameraFrame, camera, velocity, law, view, colours, metering, settings, ride);
     }
 
     /** The same studio in another view. */
     public Studio withView(View other) {
-        return with(scene, cameraFrame, camera, velocity, transformation, other, colours, settings, ride);
+        return with(scene, cameraFrame, camera, velocity, transformation, other, colours, metering, settings, ride);
     }
 
     /** The same studio under another law of colours. */
     public Studio withColours(ColourLaw law) {
-        return with(scene, cameraFrame, camera, velocity, transformation, view, law, settings, ride);
+        return with(scene, cameraFrame, camera, velocity, transformation, view, law, metering, settings, ride);
+    }
+
+    /** The same studio, exposed in another way. */
+    public Studio withMetering(Metering other) {
+        return with(scene, cameraFrame, camera, velocity, transformation, view, colours, other, settings, ride);
     }
 
     /** The same studio with other settings of the picture. */
     public Studio withSettings(RenderSettings other) {
-        return with(scene, cameraFrame, camera, velocity, transformation, view, colours, other, ride);
+        return with(scene, cameraFrame, camera, velocity, transformation, view, colours, metering, other, ride);
     }
 
     /** The same studio with another ride that begins with it. */
     public Studio withRide(List<RideLeg> legs) {
-        return with(scene, cameraFrame, camera, velocity, transformation, view, colours, settings, legs);
+        return with(scene, cameraFrame, camera, velocity, transformation, view, colours, metering, settings, legs);
     }
 
     private Studio with(
@@ -181,6 +198,7 @@ public record Studio(
             TransformationLaw newTransformation,
             View newView,
             ColourLaw newColours,
+            Metering newMetering,
             RenderSettings newSettings,
             List<RideLeg> newRide) {
         return new Studio(
@@ -196,7 +214,9 @@ public record Studio(
                 newTransformation,
                 newView,
                 newColours,
+                newMetering,
                 newSettings,
-                newRide);
+                newRide,
+                lesson);
     }
 }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
+import tompkins.studio.StudioNumber;
 
 class AnimationTest {
 

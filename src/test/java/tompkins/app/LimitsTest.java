@@ -122,6 +122,20 @@ class LimitsTest {
                 scene(
                         "shutter that rolls in no direction",
                         "{ \"camera\": { \"rollingShutter\": { \"direction\": \"downwards\", \"sweep\": 2 } } }"),
+                scene("lesson without a right answer", "{ \"lesson\": { \"right\": 3 } }"),
+                scene("lesson without a choice", "{ \"lesson\": { \"predictions\": [{ \"text\": \"Yes.\" }] } }"),
+                scene("lesson that asks nothing", "{ \"lesson\": { \"question\": \"\" } }"),
+                scene("lesson that explains too much", "{ \"lesson\": { \"reveal\": \"" + "so ".repeat(200) + "\" } }"),
+                lesson("lesson that moves nothing", "\"control\": { \"number\": \"velocity.bta\" }"),
+                lesson("lesson that moves what the scene has not", "\"control\": { \"number\": \"scene[0].radius\" }"),
+                lesson("lesson that goes beyond the speed of light", "\"control\": { \"to\": 1.1 }"),
+                measuring("point outside the picture", "{ \"type\": \"RayReading\", \"point\": { \"across\": 1.5 } }"),
+                measuring("unknown measurement", "{ \"type\": \"Angle\" }"),
+                measuring(
+                        "edge that is not there",
+                        "{ \"type\": \"RayReading\", \"point\": { \"type\": \"PictureEdge\", \"count\": 2 } }"),
+                measuring("place of nothing", "{ \"type\": \"RayReading\", \"value\": \"x\" }"),
+                measuring("formula that is wrong", "{ \"type\": \"CircleRadius\" }"),
                 scene("empty file", ""),
                 scene("file of another kind", "# Notes\n\nA camera moves."),
                 scene("number as in other languages", "{ \"camera\": { \"apertureRadius\": .5 } }"),
@@ -130,7 +144,7 @@ class LimitsTest {
                 new Case("100 MB of nesting", 2, "check", large()),
                 new Case("photograph that is cut", 2, "check", cutPhotograph(good)),
                 new Case("photograph that is damaged", 2, "check", damagedPhotograph(good)),
-                scene("picture that is none", surface("text.png")),
+                scene("file that is not a picture", surface("text.png")),
                 scene("picture that claims 100000 x 100000", surface("bomb.png")),
                 scene("picture outside the scene's folder", surface("../other.png")),
                 scene("picture with an absolute path", surface("/etc/hostname")),
@@ -217,6 +231,20 @@ class LimitsTest {
 
     private Case scene(String what, String text) throws IOException {
         return new Case(what, 2, "check", write("scene-" + ++count + ".json", text));
+    }
+
+    private Case lesson(String what, String part) throws IOException {
+        return scene(what, "{ \"lesson\": { " + part + " } }");
+    }
+
+    private Case measuring(String what, String measurement) throws IOException {
+        return scene(
+                what,
+                "{ \"lesson\": { \"numbers\": [{ \"measurement\": " + measurement + " }] },"
+                        + (what.startsWith("place")
+                                ? ""
+                                : " \"scene\": [{ \"type\": \"Sphere\", \"centre\": [0, 0, 5] }],")
+                        + " \"title\": \"a lesson\" }");
     }
 
     private static String surface(String picture) {

@@ -22,11 +22,11 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.animation.Animation;
-import tompkins.animation.StudioNumber;
 import tompkins.image.ToneCurve;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.sceneobject.Sphere;
 import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.FixedPointSurfaceShutter;
@@ -39,6 +39,7 @@ import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
+import tompkins.studio.StudioNumber;
 
 class WindowCommandLineTest {
 
@@ -75,6 +76,7 @@ class WindowCommandLineTest {
                 OPENED.withSettings(OPENED.settings().withToneCurve(ToneCurve.SRGB)),
                 OPENED.withVelocity(Velocity.of(-0.1, 0.2, 1.0 / 3)),
                 OPENED.withColours(ColourLaw.SEARCHLIGHT),
+                OPENED.withMetering(Metering.NONE),
                 with(OPENED.camera().shutter().openedAt(-1.5)),
                 with(FocusSurfaceShutter.DEFAULT),
                 exposed(0.25, RollingShutter.DEFAULT),

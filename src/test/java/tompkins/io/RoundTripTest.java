@@ -27,6 +27,13 @@ import tompkins.image.PhotographInfo;
 import tompkins.image.PictureFile;
 import tompkins.image.PictureFormat;
 import tompkins.image.ToneCurve;
+import tompkins.lesson.Lesson;
+import tompkins.lesson.LessonNumber;
+import tompkins.lesson.LessonPlan;
+import tompkins.lesson.Measurement;
+import tompkins.lesson.MeasuringPoint;
+import tompkins.lesson.RayReading;
+import tompkins.lesson.RayValue;
 import tompkins.light.LightSource;
 import tompkins.property.Descriptions;
 import tompkins.ray.PixelPicture;
@@ -69,7 +76,15 @@ class RoundTripTest {
 
     static Stream<Class<?>> types() {
         Stream<Class<?>> families = Stream.of(
-                SceneObject.class, Surface.class, LightSource.class, Shutter.class, Camera.class, Background.class);
+                SceneObject.class,
+                Surface.class,
+                LightSource.class,
+                Shutter.class,
+                Camera.class,
+                Background.class,
+                LessonPlan.class,
+                Measurement.class,
+                MeasuringPoint.class);
         return Stream.concat(
                 families.flatMap(family -> Descriptions.members(family).stream()),
                 Stream.of(RenderSettings.class, Studio.class));
@@ -125,6 +140,16 @@ class RoundTripTest {
         }
         if (description instanceof Camera camera) {
             return studio.withCamera(camera);
+        }
+        if (description instanceof LessonPlan lesson) {
+            return Descriptions.with(studio, "lesson", lesson);
+        }
+        if (description instanceof Measurement measurement) {
+            LessonNumber number = Descriptions.with(LessonNumber.DEFAULT, "measurement", measurement);
+            return studioWith(Descriptions.with(Lesson.DEFAULT, "numbers", List.of(number)));
+        }
+        if (description instanceof MeasuringPoint point) {
+            return studioWith(new RayReading(point, RayValue.X));
         }
         if (description instanceof RenderSettings settings) {
             return studio.withSettings(settings);

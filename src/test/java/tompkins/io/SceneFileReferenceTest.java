@@ -17,6 +17,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.camera.Camera;
+import tompkins.lesson.LessonPlan;
+import tompkins.lesson.Measurement;
+import tompkins.lesson.MeasuringPoint;
 import tompkins.light.LightSource;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.Shutter;
@@ -68,7 +71,10 @@ class SceneFileReferenceTest {
                         LightSource.class,
                         Shutter.class,
                         Camera.class,
-                        Background.class)
+                        Background.class,
+                        LessonPlan.class,
+                        Measurement.class,
+                        MeasuringPoint.class)
                 .flatMap(family -> Stream.of(family.getPermittedSubclasses()))
                 .<Class<?>>map(type -> type)
                 .toList();
@@ -145,6 +151,15 @@ class SceneFileReferenceTest {
         }
         if (DescriptionTypes.memberNames(Shutter.class).contains(type)) {
             return "{\"camera\": {\"shutter\": " + example + "}}";
+        }
+        if (DescriptionTypes.memberNames(LessonPlan.class).contains(type)) {
+            return "{\"lesson\": " + example + "}";
+        }
+        if (DescriptionTypes.memberNames(Measurement.class).contains(type)) {
+            return "{\"lesson\": {\"numbers\": [{\"measurement\": " + example + "}]}}";
+        }
+        if (DescriptionTypes.memberNames(MeasuringPoint.class).contains(type)) {
+            return place("RayReading", "{\"type\": \"RayReading\", \"point\": " + example + "}");
         }
         String key = DescriptionTypes.memberNames(Camera.class).contains(type) ? "camera" : "background";
         return "{\"" + key + "\": " + example + "}";

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.PanoramicCamera;
 import tompkins.image.LinearImage;
+import tompkins.lesson.NoLesson;
 import tompkins.ray.Colour;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.TransformationLaw;
@@ -39,8 +40,10 @@ class AberrationTest {
                 dark.transformation(),
                 dark.view(),
                 dark.colours(),
+                dark.metering(),
                 dark.settings(),
-                List.of()));
+                List.of(),
+                NoLesson.DEFAULT));
     }
 
     @ParameterizedTest

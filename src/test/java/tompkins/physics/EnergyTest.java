@@ -11,7 +11,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.fuzz.RandomStudio;
+import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
 import tompkins.render.RenderReport;
@@ -147,7 +149,9 @@ class EnergyTest {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 ColourLaw.UNCHANGED,
+                Metering.MIDDLE,
                 Studio.DEFAULT.settings().withSize(size, size),
-                List.of()));
+                List.of(),
+                NoLesson.DEFAULT));
     }
 }

@@ -10,7 +10,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.ThinLensCamera;
+import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.ray.Colour;
 import tompkins.render.RenderReport;
 import tompkins.sceneobject.Plane;
@@ -53,8 +55,10 @@ class MirrorCorridorTest {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 ColourLaw.UNCHANGED,
+                Metering.MIDDLE,
                 settings,
-                List.of()));
+                List.of(),
+                NoLesson.DEFAULT));
     }
 
     private static double light(Photograph photograph) {

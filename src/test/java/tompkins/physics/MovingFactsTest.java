@@ -11,8 +11,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.ThinLensCamera;
+import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
+import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.ray.Colour;
@@ -56,8 +58,10 @@ class MovingFactsTest {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 ColourLaw.UNCHANGED,
+                Metering.MIDDLE,
                 Studio.DEFAULT.settings().withSize(size, size),
-                List.of());
+                List.of(),
+                NoLesson.DEFAULT);
     }
 
     private static Moving moving(double speed, Vector3dc place, SceneObject... objects) {

@@ -10,7 +10,9 @@ import tompkins.camera.Camera;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
+import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.ray.Colour;
 import tompkins.render.RenderJob;
 import tompkins.render.Renderer;
@@ -59,8 +61,10 @@ final class Photograph {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 ColourLaw.UNCHANGED,
+                Metering.MIDDLE,
                 Studio.DEFAULT.settings().withSize(width, height),
-                List.of()));
+                List.of(),
+                NoLesson.DEFAULT));
     }
 
     /** A pinhole at the origin of the camera frame with a shutter in the aperture. */

@@ -14,9 +14,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.image.LinearImage;
+import tompkins.lesson.NoLesson;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
+import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.ray.Colour;
@@ -112,8 +114,10 @@ class ReciprocityTest {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 colours,
+                Metering.MIDDLE,
                 Studio.DEFAULT.settings().withSize(160, 120),
-                List.of());
+                List.of(),
+                NoLesson.DEFAULT);
     }
 
     private static Moving moving(Velocity velocity, List<SceneObject> objects) {

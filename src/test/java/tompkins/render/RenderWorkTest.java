@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.lesson.NoLesson;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
@@ -126,8 +127,10 @@ class RenderWorkTest {
                 studio.transformation(),
                 studio.view(),
                 studio.colours(),
+                studio.metering(),
                 studio.settings(),
-                List.of());
+                List.of(),
+                NoLesson.DEFAULT);
     }
 
     private static RenderReport report(Studio studio) throws InterruptedException {

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
+import tompkins.lesson.NoLesson;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.ImagePointGrid;
 import tompkins.sceneobject.Sphere;
@@ -107,7 +108,9 @@ class SharpnessTest {
                 studio.transformation(),
                 studio.view(),
                 studio.colours(),
+                studio.metering(),
                 studio.settings(),
-                List.of());
+                List.of(),
+                NoLesson.DEFAULT);
     }
 }

@@ -1,6 +1,7 @@
 package tompkins.studio;
 
 import java.util.List;
+import tompkins.lesson.NoLesson;
 import tompkins.light.LightSource;
 
 /** Studios with other light sources. */
@@ -23,7 +24,9 @@ public final class Lighting {
                 studio.transformation(),
                 studio.view(),
                 studio.colours(),
+                studio.metering(),
                 studio.settings(),
-                List.of());
+                List.of(),
+                NoLesson.DEFAULT);
     }
 }

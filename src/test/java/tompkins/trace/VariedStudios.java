@@ -11,8 +11,10 @@ import org.joml.Vector3i;
 import org.junit.jupiter.api.Named;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.lesson.NoLesson;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.ray.Colour;
@@ -216,8 +218,10 @@ public final class VariedStudios {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 ColourLaw.UNCHANGED,
+                Metering.MIDDLE,
                 Studio.DEFAULT.settings(),
-                List.of());
+                List.of(),
+                NoLesson.DEFAULT);
         return studio.withSettings(studio.settings().withSize(80, 60));
     }
 

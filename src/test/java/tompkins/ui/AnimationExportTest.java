@@ -16,7 +16,6 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.animation.Animation;
-import tompkins.animation.StudioNumber;
 import tompkins.image.AnimationFormat;
 import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
@@ -24,6 +23,7 @@ import tompkins.render.Progress;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
+import tompkins.studio.StudioNumber;
 import tompkins.studio.Studios;
 
 class AnimationExportTest {

@@ -3,6 +3,7 @@ package tompkins.world;
 import java.util.List;
 import org.joml.Vector3d;
 import tompkins.golden.GoldenRow;
+import tompkins.lesson.NoLesson;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
@@ -49,8 +50,10 @@ final class MovingRow {
                 law,
                 plain.view(),
                 plain.colours(),
+                plain.metering(),
                 plain.settings(),
-                List.of());
+                List.of(),
+                NoLesson.DEFAULT);
         crossing = new FrameCrossing(studio.sceneFromCamera(), law, lens);
         world = new World(studio, crossing, point -> Event.ORIGIN, true);
         routes = world.routes(crossing);

@@ -1,11 +1,8 @@
-package tompkins.animation;
+package tompkins.studio;
 
 import java.util.List;
 import tompkins.property.InvalidPropertyException;
 import tompkins.spacetime.SpeedScale;
-import tompkins.studio.FrontWindow;
-import tompkins.studio.Studio;
-import tompkins.studio.StudioPath;
 
 /**
  * A decimal number of a studio, by its place.

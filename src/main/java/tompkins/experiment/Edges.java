@@ -1,0 +1,94 @@
+package tompkins.experiment;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import tompkins.ray.Colour;
+import tompkins.trace.RayLife;
+
+/**
+ * Finds edges on straight ways through a picture: places where two rays that lie ever closer together still see
+ * different objects, or colours that differ by a tenth. It follows rays and not pixels, so that an edge is found to far
+ * less than a pixel, and light that changes little by little is no edge.
+ */
+final class Edges {
+
+    /** Rays per pixel of the way: what is narrower than half a pixel may be missed. */
+    private static final int RAYS_PER_PIXEL = 2;
+
+    private static final int MOST_RAYS = 20_000;
+
+    /** Halvings of the way between two rays, of half a pixel at first. */
+    private static final int HALVINGS = 36;
+
+    private static final double JUMP = 0.1;
+
+    /** Differences below this are no jump, however dark it is; white is 1. */
+    private static final double SMALLEST_JUMP = 0.005;
+
+    private final PictureRays rays;
+
+    /** Finds edges in a picture. */
+    Edges(PictureRays rays) {
+        this.rays = rays;
+    }
+
+    /** The places just behind the edges on a way, in their order, until there are so many. */
+    List<Place> on(Place from, Place to, int most) {
+        List<Place> found = new ArrayList<>();
+        int steps = steps(from, to);
+        RayLife before = rays.life(from);
+        for (int i = 1; i <= steps && found.size() < most; i++) {
+            RayLife next = rays.life(from.towards(to, (double) i / steps));
+            edge(from, to, (i - 1.0) / steps, before, (double) i / steps, next).ifPresent(found::add);
+            before = next;
+        }
+        return found;
+    }
+
+    private int steps(Place from, Place to) {
+        double x = to.x(rays.plan().width()) - from.x(rays.plan().width());
+        double y = to.y(rays.plan().height()) - from.y(rays.plan().height());
+        return (int) Math.max(1, Math.min(MOST_RAYS, Math.ceil(RAYS_PER_PIXEL * Math.hypot(x, y))));
+    }
+
+    /** The place just behind the first edge between two rays that follow each other. */
+    private Optional<Place> edge(Place from, Place to, double start, RayLife atStart, double end, RayLife atEnd) {
+        double here = start;
+        double there = end;
+        RayLife first = atStart;
+        RayLife second = atEnd;
+        for (int i = 0; i < HALVINGS; i++) {
+            if (!differ(first, second)) {
+                return Optional.empty();
+            }
+            double middle = (here + there) / 2;
+            RayLife between = rays.life(from.towards(to, middle));
+            if (differ(first, between)) {
+                there = middle;
+                second = between;
+            } else {
+                here = middle;
+                first = between;
+            }
+        }
+        return differ(first, second) ? Optional.of(from.towards(to, there)) : Optional.empty();
+    }
+
+    private static boolean differ(RayLife one, RayLife other) {
+        return object(one) != object(other) || jumps(one.colour(), other.colour());
+    }
+
+    private static Object object(RayLife life) {
+        return life.end() == null ? null : life.end().object();
+    }
+
+    private static boolean jumps(Colour one, Colour other) {
+        return jumps(one.red(), other.red()) || jumps(one.green(), other.green()) || jumps(one.blue(), other.blue());
+    }
+
+    private static boolean jumps(double one, double other) {
+        double difference = Math.abs(one - other);
+        return difference > SMALLEST_JUMP && difference > JUMP * Math.max(one, other);
+    }
+}

@@ -1,0 +1,95 @@
+package tompkins.experiment;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import tompkins.lesson.Lesson;
+import tompkins.lesson.LessonControl;
+import tompkins.lesson.LessonNumber;
+import tompkins.property.InvalidPropertyException;
+import tompkins.property.NumberText;
+import tompkins.studio.Studio;
+import tompkins.studio.StudioNumber;
+
+/**
+ * A studio with a lesson that fits it.
+ *
+ * @param studio the studio
+ * @param lesson its lesson
+ * @param number the number that the lesson moves
+ */
+public record LessonStudio(Studio studio, Lesson lesson, StudioNumber number) {
+
+    private static final String CONTROL = "lesson.control";
+
+    /**
+     * The studio with its lesson; empty if it has none.
+     *
+     * @throws InvalidPropertyException if the lesson moves a number that the studio does not have, or to where the
+     *     studio does not accept it; the message names the place in the studio
+     */
+    public static Optional<LessonStudio> of(Studio studio) {
+        if (!(studio.lesson() instanceof Lesson lesson)) {
+            return Optional.empty();
+        }
+        LessonControl control = lesson.control();
+        StudioNumber number = at(CONTROL + ".number", () -> StudioNumber.at(control.number(), studio));
+        at(CONTROL + ".from", () -> number.with(studio, control.from()));
+        at(CONTROL + ".to", () -> number.with(studio, control.to()));
+        at(CONTROL + ".measuredAt", () -> number.with(studio, control.measuredAt()));
+        return Optional.of(new LessonStudio(studio, lesson, number));
+    }
+
+    /** The studio in which everything is measured. */
+    public Studio measured() {
+        return number.with(studio, lesson.control().measuredAt());
+    }
+
+    /**
+     * Measures all numbers of the lesson.
+     *
+     * @throws InvalidPropertyException if one cannot be measured; the message names its place in the studio
+     */
+    public List<LessonResult> results() {
+        Experiment experiment = new Experiment(measured());
+        List<LessonResult> results = new ArrayList<>();
+        for (LessonNumber wanted : lesson.numbers()) {
+            double measured = at(place(results.size()), () -> experiment.measure(wanted.measurement()));
+            results.add(new LessonResult(wanted, measured));
+        }
+        return results;
+    }
+
+    /**
+     * Checks that every measured number agrees with its formula.
+     *
+     * @throws InvalidPropertyException if one does not, or cannot be measured; the message names its place in the
+     *     studio
+     */
+    public void requireAgreement() {
+        List<LessonResult> results = results();
+        for (int i = 0; i < results.size(); i++) {
+            LessonResult result = results.get(i);
+            if (!result.agrees()) {
+                throw new InvalidPropertyException(
+                        place(i) + ".value",
+                        "within " + NumberText.of(result.number().tolerance()) + " of what is measured, "
+                                + NumberText.plain(result.measured(), 8),
+                        result.number().value());
+            }
+        }
+    }
+
+    private static String place(int number) {
+        return "lesson.numbers[" + number + "]";
+    }
+
+    private static <T> T at(String place, Supplier<T> work) {
+        try {
+            return work.get();
+        } catch (InvalidPropertyException wrong) {
+            throw new InvalidPropertyException(place, wrong);
+        }
+    }
+}

@@ -1,0 +1,26 @@
+package tompkins.lesson;
+
+import tompkins.property.Meaning;
+import tompkins.property.Require;
+
+/** How sharp a shutter is: how far apart in the scene the rays of one pixel pass the point in focus. */
+@Meaning(
+        "How far apart in the scene are the places in which the rays of one pixel, from all round the rim of the lens, pass"
+                + " the point in focus; 0 is sharp")
+public record LensSpread(
+        @Meaning("Where in the picture, as a share of its width from the left, 0 to 1")
+        double across,
+
+        @Meaning("Where, as a share of its height from the top, 0 to 1")
+        double down)
+        implements Measurement {
+
+    /** In the middle of the picture. */
+    public static final LensSpread DEFAULT = new LensSpread(0.5, 0.5);
+
+    /** Checks that the point lies in the picture. */
+    public LensSpread {
+        Require.within("across", across, 0, 1);
+        Require.within("down", down, 0, 1);
+    }
+}

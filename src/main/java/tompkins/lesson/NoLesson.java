@@ -1,0 +1,11 @@
+package tompkins.lesson;
+
+import tompkins.property.Meaning;
+
+/** The scene is a picture and no lesson. */
+@Meaning("No lesson: the scene is a picture and nothing else")
+public record NoLesson() implements LessonPlan {
+
+    /** The only one. */
+    public static final NoLesson DEFAULT = new NoLesson();
+}

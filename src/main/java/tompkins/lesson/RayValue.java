@@ -1,0 +1,19 @@
+package tompkins.lesson;
+
+/** What can be read of a ray and of what it meets. */
+public enum RayValue {
+    /** Place in the scene, along x, at which the light left what is seen. */
+    X,
+    /** Place in the scene, along y. */
+    Y,
+    /** Place in the scene, along z. */
+    Z,
+    /** Time of the scene at which the light left what is seen. */
+    TIME,
+    /** Time at which it left, by the clocks of what is seen. */
+    OWN_TIME,
+    /** Frequency that the camera sees, divided by that with which what is seen sends the light. */
+    FREQUENCY_RATIO,
+    /** Brightness in linear light, before the exposure; white is 1. */
+    BRIGHTNESS
+}
