@@ -161,6 +161,11 @@ public final class World {
         return followsCamera;
     }
 
+    /** What rests in each frame, the scene frame first. */
+    public List<FrameObjects> frames() {
+        return frames;
+    }
+
     /** Number of frames; the first is the scene frame. */
     public int frameCount() {
         return frames.size();

@@ -253,6 +253,11 @@ class LimitsTest {
                 new Case("no pixel", 2, "trace", good),
                 new Case("pixel outside the picture", 2, "trace", good, "--pixel", "640,0"),
                 new Case("part of a pixel", 2, "trace", good, "--pixel", "1.5,2"),
+                new Case("rectangle upside down", 2, "trace", good, "--pixel", "9,9..3,3", "--csv"),
+                new Case("table and JSON", 2, "trace", good, "--pixel", "9,9", "--csv", "--json"),
+                new Case("nothing to measure", 2, "measure", "angle", good, "--pixel", "9,9"),
+                new Case("two pixels for a circle", 2, "measure", "circle", good, "--pixel", "9,9", "--pixel", "3,3"),
+                new Case("place outside the picture", 2, "measure", "line", good, "--pixel", "9,9", "--pixel", "640,3"),
                 new Case("no study", 2, "study"),
                 new Case("neither command nor scene", 2, "rendr"));
     }
