@@ -133,7 +133,7 @@ class LimitsTest {
                 measuring("unknown measurement", "{ \"type\": \"Angle\" }"),
                 measuring(
                         "edge that is not there",
-                        "{ \"type\": \"RayReading\", \"point\": { \"type\": \"PictureEdge\", \"count\": 2 } }"),
+                        "{ \"type\": \"RayReading\", \"point\": { \"type\": \"PictureEdge\", \"count\": 9 } }"),
                 measuring("place of nothing", "{ \"type\": \"RayReading\", \"value\": \"x\" }"),
                 measuring("formula that is wrong", "{ \"type\": \"CircleRadius\" }"),
                 scene("empty file", ""),

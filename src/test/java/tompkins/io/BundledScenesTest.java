@@ -60,7 +60,8 @@ class BundledScenesTest {
         assertThat(scenes).hasSameSizeAs(BundledScenes.all());
         List<String> topics = scenes.stream().map(Studio::topic).toList();
         assertThat(topics.stream().distinct())
-                .containsExactly("Figures of the paper", "Relativity", "Motion", "Objects", "Shutters", "Surfaces");
+                .containsExactly(
+                        "Figures of the paper", "Relativity", "Motion", "Lessons", "Objects", "Shutters", "Surfaces");
         for (int i = 1; i < topics.size(); i++) {
             assertThat(topics.get(i).equals(topics.get(i - 1))
                             || !topics.subList(0, i).contains(topics.get(i)))
