@@ -21,10 +21,14 @@ final class Edges {
     /** Halvings of the way between two rays, of half a pixel at first. */
     private static final int HALVINGS = 36;
 
+    /** The least difference of colours at an edge; see {@link #difference}. */
     private static final double JUMP = 0.1;
 
-    /** Differences below this are no jump, however dark it is; white is 1. */
-    private static final double SMALLEST_JUMP = 0.005;
+    /** Added to the brightness to which a difference is compared, so that nothing jumps in the dark; white is 1. */
+    private static final double DARK = 0.02;
+
+    /** Of different objects, whatever their colours: more than of any colours. */
+    private static final double OTHER_OBJECT = 1;
 
     private final PictureRays rays;
 
@@ -52,19 +56,16 @@ final class Edges {
         return (int) Math.max(1, Math.min(MOST_RAYS, Math.ceil(RAYS_PER_PIXEL * Math.hypot(x, y))));
     }
 
-    /** The place just behind the first edge between two rays that follow each other. */
+    /** The place just behind the edge between two rays that follow each other: where they differ most. */
     private Optional<Place> edge(Place from, Place to, double start, RayLife atStart, double end, RayLife atEnd) {
         double here = start;
         double there = end;
         RayLife first = atStart;
         RayLife second = atEnd;
-        for (int i = 0; i < HALVINGS; i++) {
-            if (!differ(first, second)) {
-                return Optional.empty();
-            }
+        for (int i = 0; i < HALVINGS && difference(first, second) > JUMP; i++) {
             double middle = (here + there) / 2;
             RayLife between = rays.life(from.towards(to, middle));
-            if (differ(first, between)) {
+            if (difference(first, between) >= difference(between, second)) {
                 there = middle;
                 second = between;
             } else {
@@ -72,23 +73,26 @@ final class Edges {
                 first = between;
             }
         }
-        return differ(first, second) ? Optional.of(from.towards(to, there)) : Optional.empty();
+        return difference(first, second) > JUMP ? Optional.of(from.towards(to, there)) : Optional.empty();
     }
 
-    private static boolean differ(RayLife one, RayLife other) {
-        return object(one) != object(other) || jumps(one.colour(), other.colour());
+    /** How much two rays differ, from 0 to 1. */
+    private static double difference(RayLife one, RayLife other) {
+        if (object(one) != object(other)) {
+            return OTHER_OBJECT;
+        }
+        Colour first = one.colour();
+        Colour second = other.colour();
+        return Math.max(
+                difference(first.red(), second.red()),
+                Math.max(difference(first.green(), second.green()), difference(first.blue(), second.blue())));
+    }
+
+    private static double difference(double one, double other) {
+        return Math.abs(one - other) / (DARK + Math.max(one, other));
     }
 
     private static Object object(RayLife life) {
         return life.end() == null ? null : life.end().object();
-    }
-
-    private static boolean jumps(Colour one, Colour other) {
-        return jumps(one.red(), other.red()) || jumps(one.green(), other.green()) || jumps(one.blue(), other.blue());
-    }
-
-    private static boolean jumps(double one, double other) {
-        double difference = Math.abs(one - other);
-        return difference > SMALLEST_JUMP && difference > JUMP * Math.max(one, other);
     }
 }

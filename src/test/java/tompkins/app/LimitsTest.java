@@ -134,10 +134,10 @@ class LimitsTest {
                 measuring("point outside the picture", "{ \"type\": \"RayReading\", \"point\": { \"across\": 1.5 } }"),
                 measuring("unknown measurement", "{ \"type\": \"Angle\" }"),
                 measuring(
-                        "value that is not what is measured",
-                        "{ \"type\": \"RayReading\", \"point\": { \"type\": \"PictureEdge\", \"count\": 2 } }"),
+                        "edge that is not there",
+                        "{ \"type\": \"RayReading\", \"point\": { \"type\": \"PictureEdge\", \"count\": 9 } }"),
                 measuring("place of nothing", "{ \"type\": \"RayReading\", \"value\": \"x\" }"),
-                measuring("edge that is not there", "{ \"type\": \"CircleRadius\" }"),
+                measuring("formula that is wrong", "{ \"type\": \"CircleRadius\" }"),
                 scene(
                         "object as fast as light",
                         "{ \"scene\": [{ \"type\": \"Moving\", \"velocity\": [0.6, 0.8, 0] }] }"),
@@ -168,9 +168,9 @@ class LimitsTest {
                         "{ \"cameraFrame\": [{ \"type\": \"Group\", \"objects\": [{ \"type\": \"Moving\" }] }] }"),
                 scene("object that moves, in focus", "{ \"camera\": { \"focus\": { \"type\": \"Moving\" } } }"),
                 scene(
-                        "clock that is no number",
+                        "clock offset that is infinite",
                         "{ \"scene\": [{ \"type\": \"Moving\", \"clockOffset\": Infinity }] }"),
-                scene("view that is none", "{ \"view\": \"looked at\" }"),
+                scene("unknown view", "{ \"view\": \"looked at\" }"),
                 scene("empty file", ""),
                 scene("file of another kind", "# Notes\n\nA camera moves."),
                 scene("number as in other languages", "{ \"camera\": { \"apertureRadius\": .5 } }"),
