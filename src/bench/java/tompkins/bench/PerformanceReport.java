@@ -159,6 +159,7 @@ final class PerformanceReport {
     private void processes() throws IOException, InterruptedException {
         starts();
         Window.measure(quick ? 1 : 3, measures);
+        RideInWindow.measure(measures);
         LargePicture.measure(quick ? 2000 : 20_000, measures);
     }
 

@@ -121,7 +121,9 @@ final class Menus {
     /** Some items have several keys, of which a menu shows one. */
     void bindOtherKeys(JRootPane window) {
         Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl Y"), history::redo);
+        // where + is on the key of =, with Shift or without
         Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl EQUALS"), zoom::enlarge);
+        Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl shift EQUALS"), zoom::enlarge);
         Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl ADD"), zoom::enlarge);
         Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl SUBTRACT"), zoom::reduce);
     }
