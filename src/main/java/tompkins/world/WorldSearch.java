@@ -15,7 +15,8 @@ import tompkins.search.PacketSearch;
  */
 public final class WorldSearch {
 
-    private final World world;
+    private final ObjectTree[] trees;
+    private final int[] filled;
     private final FrameRoutes routes;
     private final NearestHit nearest;
     private final Ray[] mapped;
@@ -33,10 +34,11 @@ public final class WorldSearch {
 
     /** A search with the memory of its thread. */
     public WorldSearch(World world, FrameRoutes routes, NearestHit nearest) {
-        this.world = world;
+        trees = world.trees();
+        filled = world.filledFrames();
         this.routes = routes;
         this.nearest = nearest;
-        int count = world.frameCount();
+        int count = trees.length;
         mapped = new Ray[count];
         packets = new FramePacket[count];
         for (int i = 0; i < count; i++) {
@@ -61,17 +63,15 @@ public final class WorldSearch {
      */
     public boolean nearest(Ray start, int from) {
         begin(start, from);
-        ObjectTree own = world.objects(from);
-        own.nearest(start, Primitive.NO_HIT, nearest);
+        trees[from].nearest(start, Primitive.NO_HIT, nearest);
         compare(start, from);
-        for (int i = 0; i < mapped.length; i++) {
-            ObjectTree objects = world.objects(i);
-            if (i == from || objects.size() == 0) {
+        for (int i : filled) {
+            if (i == from) {
                 continue;
             }
             Ray inFrame = routes.transform(from, i, start, mapped[i]);
             if (!Double.isNaN(inFrame.dx)) {
-                objects.nearest(inFrame, limit(inFrame), nearest);
+                trees[i].nearest(inFrame, limit(inFrame), nearest);
                 compare(inFrame, i);
             }
         }
@@ -81,17 +81,14 @@ public final class WorldSearch {
     /** Begins to search for the rays of a block, which are in the scene frame. */
     public void begin(RayPacket rays) {
         sceneRays = rays;
-        for (int i = 0; i < packets.length; i++) {
-            if (world.objects(i).size() == 0) {
-                continue;
-            }
+        for (int i : filled) {
             if (packets[i] == null) {
                 packets[i] = new FramePacket();
             }
             FramePacket packet = packets[i];
             packet.rays.set(rays);
             routes.transform(0, i, packet.rays);
-            packet.isFound = packet.search.find(world.objects(i), packet.rays, nearest);
+            packet.isFound = packet.search.find(trees[i], packet.rays, nearest);
             packet.hasEntries = false;
         }
     }
@@ -99,10 +96,8 @@ public final class WorldSearch {
     /** As {@link #nearest(Ray, int)}, for a ray of that block; asked in the order of the places. */
     public boolean nearest(int place, Ray start) {
         begin(start, 0);
-        for (int i = 0; i < packets.length; i++) {
-            if (world.objects(i).size() > 0) {
-                search(packets[i], i, place, start);
-            }
+        for (int i : filled) {
+            search(packets[i], i, place, start);
         }
         return end();
     }
@@ -110,7 +105,7 @@ public final class WorldSearch {
     private void search(FramePacket packet, int index, int place, Ray start) {
         if (!packet.isFound && place % EntryNodes.RAYS == 0) {
             packet.hasEntries = packet.entries.find(
-                    world.objects(index), packet.rays, place, Math.min(packet.rays.count(), place + EntryNodes.RAYS));
+                    trees[index], packet.rays, place, Math.min(packet.rays.count(), place + EntryNodes.RAYS));
         }
         if (packet.isFound && !packet.search.mayMeet(place) || Double.isNaN(packet.rays.dx[place])) {
             return;
@@ -120,9 +115,9 @@ public final class WorldSearch {
         if (packet.isFound) {
             packet.search.nearest(inFrame, place, limit, nearest);
         } else if (packet.hasEntries) {
-            world.objects(index).nearest(inFrame, limit, packet.entries, nearest);
+            trees[index].nearest(inFrame, limit, packet.entries, nearest);
         } else {
-            world.objects(index).nearest(inFrame, limit, nearest);
+            trees[index].nearest(inFrame, limit, nearest);
         }
         compare(inFrame, index);
     }
