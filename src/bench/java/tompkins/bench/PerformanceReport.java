@@ -65,6 +65,7 @@ final class PerformanceReport {
         Drag.measure(report.quick ? 3 : 60, report.measures);
         report.lens();
         report.growth();
+        MotionCost.measure(report.quick ? 1 : 5, report.measures);
         report.processes();
         report.scenes();
         report.hotMethods();

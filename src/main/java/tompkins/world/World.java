@@ -181,6 +181,18 @@ public final class World {
         return objects.get(frame);
     }
 
+    /** The primitives that rest in each frame. */
+    ObjectTree[] trees() {
+        return objects.toArray(ObjectTree[]::new);
+    }
+
+    /** The numbers of the frames in which primitives rest; the others hold lamps, or what moves in them. */
+    int[] filledFrames() {
+        return IntStream.range(0, frames.size())
+                .filter(frame -> objects.get(frame).size() > 0)
+                .toArray();
+    }
+
     /**
      * Boxes around the first objects that have an end, in the scene frame, where they are at a time of it; those of
      * moving ones hold the corners of their boxes at rest.
