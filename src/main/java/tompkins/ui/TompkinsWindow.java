@@ -48,6 +48,7 @@ public final class TompkinsWindow {
     private final SceneSaver saver;
     private final SceneOpener opener;
     private final Captions captions;
+    private final Signs signs;
     private final ClipboardActions clipboard;
     private final Menus menus;
     private final LateParts late;
@@ -70,10 +71,10 @@ public final class TompkinsWindow {
         saver = new SceneSaver(frame, model, status, dialogs);
         opener = new SceneOpener(frame, model, view, status, settings, dialogs, saver, this::pause);
         captions = new Captions(view.canvas(), settings, first.besideRest());
-        Signs signs = new Signs(view.canvas(), settings);
+        signs = new Signs(view.canvas(), settings, view::fail);
         motion = new Motion(frame, model, view, status, new AnimationExport(frame, dialogs, captions), captions);
         frame.setContentPane(content());
-        clipboard = new ClipboardActions(frame, model, view, captions, commandLine, status);
+        clipboard = new ClipboardActions(frame, model, view, captions, signs, commandLine, status);
         menus = new Menus(
                 opener,
                 saver,
@@ -248,6 +249,7 @@ public final class TompkinsWindow {
             pause();
             status.stop();
             view.close();
+            signs.close();
             editor.dispose();
         }
     }

@@ -263,14 +263,22 @@ public final class PictureCanvas extends JPanel {
     }
 
     private void paintOverlays(Graphics2D g) {
-        Rectangle bounds = pictureBounds();
-        Rectangle visible =
-                bounds.intersection(PicturePainter.inUnits(arrangement().room(), scale()));
+        PictureArrangement seen = arrangement();
+        for (Overlay overlay : overlays) {
+            if (overlay.isOfAllPictures()) {
+                seen.panes().forEach(pane -> paint(g, overlay, pane));
+            } else {
+                paint(g, overlay, new PictureArrangement.Pane(shown.now(), seen.bounds(), seen.room()));
+            }
+        }
+    }
+
+    private void paint(Graphics2D g, Overlay overlay, PictureArrangement.Pane pane) {
+        Rectangle bounds = PicturePainter.inUnits(pane.bounds(), scale());
+        Rectangle visible = bounds.intersection(PicturePainter.inUnits(pane.part(), scale()));
         Graphics2D clipped = (Graphics2D) g.create();
         clipped.clip(visible);
-        for (Overlay overlay : overlays) {
-            overlay.paint(clipped, shown.now(), bounds, visible);
-        }
+        overlay.paint(clipped, pane.picture(), bounds, visible);
         clipped.dispose();
     }
 
