@@ -86,6 +86,11 @@ final class ClipboardActions {
         copy(commandLine.animation(model.studio(), animation, captions.areShown(), model.opened(), model.file()));
     }
 
+    /** Puts what was measured on the clipboard. */
+    void copyMeasured(String text) {
+        toClipboard(new StringSelection(text), Texts.get("measure.copied"));
+    }
+
     private void copy(Optional<String> command) {
         if (command.isEmpty()) {
             // the clipboard may still hold the command of another photograph

@@ -43,6 +43,8 @@ final class Menus {
 
         void toggleFullScreen();
 
+        void toggleMeasuring();
+
         void stop();
 
         void close();
@@ -267,6 +269,8 @@ final class Menus {
         addSign(menu, "menu.arrow", Signs.Sign.ARROW);
         addSign(menu, "menu.map", Signs.Sign.MAP);
         menu.add(overlayMenu());
+        add(menu, "menu.measure", "F4", commands::toggleMeasuring);
+        menu.addSeparator();
         add(menu, "menu.fullScreen", "F11", commands::toggleFullScreen);
         add(menu, "menu.panel", "F12", commands::togglePanel);
         add(menu, "menu.stop", "ESCAPE", commands::stop);

@@ -49,6 +49,7 @@ public final class TompkinsWindow {
     private final SceneOpener opener;
     private final Captions captions;
     private final Signs signs;
+    private final MeasureTool measure;
     private final ClipboardActions clipboard;
     private final Menus menus;
     private final LateParts late;
@@ -75,6 +76,7 @@ public final class TompkinsWindow {
         motion = new Motion(frame, model, view, status, new AnimationExport(frame, dialogs, captions), captions);
         frame.setContentPane(content());
         clipboard = new ClipboardActions(frame, model, view, captions, signs, commandLine, status);
+        measure = new MeasureTool(view, motion.bars(), clipboard::copyMeasured);
         menus = new Menus(
                 opener,
                 saver,
@@ -250,6 +252,7 @@ public final class TompkinsWindow {
             status.stop();
             view.close();
             signs.close();
+            measure.dispose();
             editor.dispose();
         }
     }
@@ -264,6 +267,7 @@ public final class TompkinsWindow {
                 status.endFailure();
             }
             status.show(picture);
+            measure.show(picture);
         }
 
         @Override
@@ -325,8 +329,13 @@ public final class TompkinsWindow {
         }
 
         @Override
+        public void toggleMeasuring() {
+            measure.toggle();
+        }
+
+        @Override
         public void stop() {
-            if (!motion.pauseIfMoving() && !view.endPicking() && !fullScreen.leave()) {
+            if (!motion.pauseIfMoving() && !view.endPicking() && !measure.end() && !fullScreen.leave()) {
                 view.stop();
             }
         }

@@ -46,6 +46,7 @@ public final class PictureCanvas extends JPanel {
     private final CanvasZoom zoom = new CanvasZoom(this);
     private Point2D pin;
     private boolean picking;
+    private boolean measuring;
 
     /** What to write into a picture of a studio; null if nothing. */
     private Function<Studio, String> captions;
@@ -176,7 +177,17 @@ public final class PictureCanvas extends JPanel {
     /** Whether the next click picks a point, which the cursor shows. */
     public void setPicking(boolean pick) {
         picking = pick;
-        setCursor(Cursor.getPredefinedCursor(pick ? Cursor.CROSSHAIR_CURSOR : Cursor.DEFAULT_CURSOR));
+        showCursor();
+    }
+
+    /** Whether clicks mark places to measure between, which the cursor shows. */
+    public void setMeasuring(boolean measure) {
+        measuring = measure;
+        showCursor();
+    }
+
+    private void showCursor() {
+        setCursor(Cursor.getPredefinedCursor(picking || measuring ? Cursor.CROSSHAIR_CURSOR : Cursor.DEFAULT_CURSOR));
     }
 
     /** Where the picture lies in this component. */
