@@ -43,6 +43,8 @@ final class Menus {
 
         void toggleFullScreen();
 
+        void toggleMeasuring();
+
         void stop();
 
         void close();
@@ -268,9 +270,21 @@ final class Menus {
         add(menu, caption, "menu.caption", "F7", () -> captions.setShown(caption.isSelected()));
         addSign(menu, "menu.arrow", Signs.Sign.ARROW);
         addSign(menu, "menu.map", Signs.Sign.MAP);
+        menu.add(overlayMenu());
+        add(menu, "menu.measure", "F4", commands::toggleMeasuring);
+        menu.addSeparator();
         add(menu, "menu.fullScreen", "F11", commands::toggleFullScreen);
         add(menu, "menu.panel", "F12", commands::togglePanel);
         add(menu, "menu.stop", "ESCAPE", commands::stop);
+        return menu;
+    }
+
+    private JMenu overlayMenu() {
+        JMenu menu = new JMenu(Texts.get("menu.overlays"));
+        menu.setName("menu.overlays");
+        Stream.of(Signs.Sign.values())
+                .filter(Signs.Sign::isOfScene)
+                .forEach(sign -> addSign(menu, "menu.overlay." + sign, sign));
         return menu;
     }
 

@@ -48,6 +48,8 @@ public final class TompkinsWindow {
     private final SceneSaver saver;
     private final SceneOpener opener;
     private final Captions captions;
+    private final Signs signs;
+    private final MeasureTool measure;
     private final ClipboardActions clipboard;
     private final Menus menus;
     private final LateParts late;
@@ -70,10 +72,11 @@ public final class TompkinsWindow {
         saver = new SceneSaver(frame, model, status, dialogs);
         opener = new SceneOpener(frame, model, view, status, settings, dialogs, saver, this::pause);
         captions = new Captions(view.canvas(), settings, first.besideRest());
-        Signs signs = new Signs(view.canvas(), settings);
+        signs = new Signs(view.canvas(), settings, view::fail);
         motion = new Motion(frame, model, view, status, new AnimationExport(frame, dialogs, captions), captions);
         frame.setContentPane(content());
-        clipboard = new ClipboardActions(frame, model, view, captions, commandLine, status);
+        clipboard = new ClipboardActions(frame, model, view, captions, signs, commandLine, status);
+        measure = new MeasureTool(view, motion.bars(), clipboard::copyMeasured);
         menus = new Menus(
                 opener,
                 saver,
@@ -248,6 +251,8 @@ public final class TompkinsWindow {
             pause();
             status.stop();
             view.close();
+            signs.close();
+            measure.dispose();
             editor.dispose();
         }
     }
@@ -262,6 +267,7 @@ public final class TompkinsWindow {
                 status.endFailure();
             }
             status.show(picture);
+            measure.show(picture);
         }
 
         @Override
@@ -323,8 +329,13 @@ public final class TompkinsWindow {
         }
 
         @Override
+        public void toggleMeasuring() {
+            measure.toggle();
+        }
+
+        @Override
         public void stop() {
-            if (!motion.pauseIfMoving() && !view.endPicking() && !fullScreen.leave()) {
+            if (!motion.pauseIfMoving() && !view.endPicking() && !measure.end() && !fullScreen.leave()) {
                 view.stop();
             }
         }
