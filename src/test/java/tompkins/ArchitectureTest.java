@@ -66,6 +66,7 @@ class ArchitectureTest {
             "studio",
             "world",
             "trace",
+            "measure",
             "experiment",
             "render",
             "io",

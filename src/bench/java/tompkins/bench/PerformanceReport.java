@@ -36,7 +36,7 @@ final class PerformanceReport {
 
     private static final String PACKETS = """
 
-            [Architecture](architecture.md#speed-in-few-places) tells what the program does to be fast, and what each part gains.
+            [Speed-ups](speed-ups.md) tells what the program does to be fast, and what each part gains.
 
             Native packets are faster because they do all the work for sixteen rays in one instruction, in single precision. Here the rays
             of a block lie in arrays of numbers, too, and the loops that make them and that tell them from the candidates are short enough for

@@ -6,6 +6,7 @@ import java.util.stream.Stream;
 import tompkins.image.PictureFormat;
 import tompkins.image.ToneCurve;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.shutter.SweepDirection;
 
 /** The words that an option takes for the values of an enum, as they are typed: in small letters. */
@@ -48,6 +49,14 @@ abstract class OptionWords implements Iterable<String> {
 
         SweepDirections() {
             super(SweepDirection.values());
+        }
+    }
+
+    /** The words of {@code --metering}. */
+    static final class Meterings extends OptionWords {
+
+        Meterings() {
+            super(Metering.values());
         }
     }
 

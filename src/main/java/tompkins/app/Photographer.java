@@ -26,6 +26,7 @@ import tompkins.render.RenderReport;
 import tompkins.render.Renderer;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
+import tompkins.studio.View;
 import tompkins.trace.RenderPlan;
 
 /** Takes photographs and saves them, with the scene inside. */
@@ -115,7 +116,7 @@ final class Photographer {
             place = PhotographFile.writeNew(target, job.image(), format, curve, info);
         }
         plan.warnings().forEach(warning -> err.println("warning: " + warning));
-        report(place, job.report());
+        report(place, job.report(), studio.view());
         tellFilesToKeep(studio, err);
     }
 
@@ -181,13 +182,14 @@ final class Photographer {
         }
     }
 
-    private void report(Path target, RenderReport report) throws IOException {
+    private void report(Path target, RenderReport report, View view) throws IOException {
         double seconds = report.time().toNanos() / 1e9;
         String samples = NumberText.plain(report.samplesPerPixel(), 3);
         out.println(String.format(
                 Locale.ROOT,
-                "%s  (%.2f s, %.2f million rays/s, %s per pixel%s)",
+                "%s  (%s%.2f s, %.2f million rays/s, %s per pixel%s)",
                 target.toRealPath(LinkOption.NOFOLLOW_LINKS),
+                view == View.MEASURED ? "measured, no photograph; " : "",
                 seconds,
                 (report.rays() + report.shadowRays()) / seconds / 1e6,
                 samples.equals("1") ? "1 sample" : samples + " samples",

@@ -12,6 +12,7 @@ import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Option;
 import tompkins.camera.Camera;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.NumberText;
@@ -90,6 +91,13 @@ final class StudioOptions {
             description = "what the motion does to brightness and colours: ${COMPLETION-CANDIDATES}")
     private ColourLaw colours;
 
+    @Option(
+            names = "--metering",
+            paramLabel = "WHERE",
+            completionCandidates = OptionWords.Meterings.class,
+            description = "where light is metered that motion makes brighter or darker: ${COMPLETION-CANDIDATES}")
+    private Metering metering;
+
     /** The studio with all options that were given. */
     Studio applyTo(Studio studio) {
         Studio changed = studio;
@@ -99,6 +107,9 @@ final class StudioOptions {
         changed = withVelocity(changed);
         if (colours != null) {
             changed = changed.withColours(colours);
+        }
+        if (metering != null) {
+            changed = changed.withMetering(metering);
         }
         Shutter model = changed.camera().shutter();
         if (shutter != null) {

@@ -46,6 +46,7 @@ final class TompkinsCommand implements Callable<Integer>, SceneCommand {
         COMMANDS.put("check", CheckCommand.class);
         COMMANDS.put("explain", ExplainCommand.class);
         COMMANDS.put("trace", TraceCommand.class);
+        COMMANDS.put("measure", MeasureCommand.class);
         COMMANDS.put("study", StudyCommand.class);
     }
 
@@ -96,7 +97,7 @@ final class TompkinsCommand implements Callable<Integer>, SceneCommand {
      * @throws IOException if the program comes without its scenes
      */
     static void openWindow(String problem) throws IOException {
-        openWindow(new FirstScene(BundledScenes.firstStudio(), null, problem));
+        openWindow(FirstScene.ofProgram(BundledScenes.firstStudio(), problem));
     }
 
     private static void openWindow(FirstScene first) {

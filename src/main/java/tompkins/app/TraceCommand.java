@@ -1,28 +1,37 @@
 package tompkins.app;
 
+import java.io.IOException;
 import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.concurrent.Callable;
-import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.joml.Vector3dc;
+import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import tompkins.io.CsvText;
 import tompkins.io.RayLifeWriter;
 import tompkins.io.StudioReader;
+import tompkins.measure.Sighting;
 import tompkins.property.NumberText;
 import tompkins.property.OneLine;
 import tompkins.property.Require;
 import tompkins.spacetime.Event;
+import tompkins.spacetime.IdentityTransformation;
+import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.spacetime.SpeedScale;
-import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
+import tompkins.studio.View;
+import tompkins.trace.Frame;
 import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
 
@@ -30,10 +39,12 @@ import tompkins.trace.RenderPlan;
 @Command(
         mixinStandardHelpOptions = true,
         versionProvider = ProgramVersion.class,
-        description = "Shows the life of a ray: its events and directions in both frames, its hits, its colour. Where"
-                + " it splits, as in glass, all hits of the weaker branch come first, indented; entry and frequency are those of"
-                + " the main branch. The share is the most light of the pixel that the ray of a hit can still add."
-                + " Several --pixel show several rays, each under its pixel, with --json in one list.")
+        description =
+                "Shows the life of a ray: its events and directions in both frames, its hits, its colour. Of what"
+                        + " moves by itself, hits are told in its own frame, too, with its proper time. Where"
+                        + " a ray splits, as in glass, all hits of the weaker branch come first, indented; entry and frequency are those of"
+                        + " the main branch. The share is the most light of the pixel that the ray of a hit can still add."
+                        + " Several --pixel show several rays, each under its pixel, with --json in one list, with --csv in one table.")
 final class TraceCommand implements Callable<Integer>, SceneCommand {
 
     /** Half of the way from the centre of the lens to its right edge. */
@@ -46,7 +57,8 @@ final class TraceCommand implements Callable<Integer>, SceneCommand {
             names = "--pixel",
             required = true,
             paramLabel = "X,Y",
-            description = "column and row of the pixel, from 0 at the upper left; its centre is taken")
+            description = "column and row of the pixel, from 0 at the upper left; its centre is taken. X,Y..X,Y is a"
+                    + " rectangle between two pixels, and \"all\" the whole picture")
     private List<String> pixels;
 
     @Option(
@@ -64,11 +76,17 @@ final class TraceCommand implements Callable<Integer>, SceneCommand {
     private double moment;
 
     @Option(
-            names = "--json",
-            description =
-                    "print JSON with 17 significant digits; null for a ray that never crosses the shutter, and for a number"
-                            + " that is not finite; no \"scene\" for a ray that never enters the scene frame")
-    private boolean json;
+            names = "--every",
+            defaultValue = "1",
+            paramLabel = "N",
+            description = "of the columns and rows of a rectangle, take each N-th; default: all")
+    private int every;
+
+    @ArgGroup
+    private Form form = new Form();
+
+    @Mixin
+    private TextOutput output;
 
     @Mixin
     private StudioOptions options;
@@ -76,59 +94,94 @@ final class TraceCommand implements Callable<Integer>, SceneCommand {
     @Spec
     private CommandSpec spec;
 
+    /** How rays are told, if not in words. */
+    private static final class Form {
+
+        @Option(
+                names = "--json",
+                description =
+                        "print JSON with 17 significant digits; null for a ray that never crosses the shutter, and for a number"
+                                + " that is not finite; no \"scene\" for a ray that never enters the scene frame")
+        private boolean json;
+
+        @Option(
+                names = "--csv",
+                description = "print a table with a row for each pixel: events, directions, what was hit, times and"
+                        + " colour, with 17 significant digits; empty where a ray has no such number")
+        private boolean csv;
+    }
+
     @Override
     public Path scene() {
         return scene;
     }
 
     @Override
-    public Integer call() {
-        List<int[]> places = pixels.stream().map(TraceCommand::place).toList();
+    public Integer call() throws IOException {
         double[] lens = StudioOptions.numbers("--pupil", pupil, PUPIL_EXAMPLE);
         Studio studio = options.applyTo(StudioReader.read(scene));
-        places.forEach(place -> requireInside(place, studio.settings()));
+        PixelChoice places = PixelChoice.of(pixels, every, studio.settings());
         if (Math.hypot(lens[0], lens[1]) > 1) {
             throw new MistakeException(
                     "--pupil must lie in the unit disc, such as --pupil=" + PUPIL_EXAMPLE + ", was " + pupil);
         }
-        double checkedMoment = MistakeException.inOption("--moment", () -> Require.within("moment", moment, 0.0, 1.0));
+        MistakeException.inOption("--moment", () -> Require.within("moment", moment, 0.0, 1.0));
+        output.check();
         RenderPlan plan = ScenePlan.of(studio, scene);
-        List<RayLife> lives = new ArrayList<>();
-        for (int[] place : places) {
-            // null for a ray without events
-            lives.add(RayLife.of(plan, place[0] + 0.5, place[1] + 0.5, lens[0], lens[1], checkedMoment));
-        }
-        PrintWriter out = spec.commandLine().getOut();
-        if (json) {
-            String list = lives.stream().map(life -> json(life, studio)).collect(Collectors.joining(",\n"));
-            out.println(lives.size() == 1 ? list : "[" + list + "]");
-        } else {
-            for (int i = 0; i < lives.size(); i++) {
-                if (lives.size() > 1) {
-                    out.println(format("%sPixel %d, %d", i == 0 ? "" : "\n", places.get(i)[0], places.get(i)[1]));
-                }
-                print(out, lives.get(i), studio);
-            }
-        }
+        Stream<Sighting> sightings = places.stream().map(place -> follow(plan, place[0], place[1], lens));
+        output.write(spec.commandLine().getOut(), lines(sightings, places.isSingle()));
         return 0;
     }
 
-    private static int[] place(String pixel) {
-        return StudioOptions.pair(
-                pixel, ",", "--pixel must be two whole numbers inside the picture with a comma between them");
+    private Sighting follow(RenderPlan plan, int column, int row, double[] lens) {
+        double x = column + 0.5;
+        double y = row + 0.5;
+        return new Sighting(plan.studio(), x, y, RayLife.of(plan, x, y, lens[0], lens[1], moment));
     }
 
-    private static void requireInside(int[] place, RenderSettings settings) {
-        int right = settings.width() - 1;
-        int bottom = settings.height() - 1;
-        if (place[0] < 0 || place[1] < 0 || place[0] > right || place[1] > bottom) {
-            throw new MistakeException(String.format(
-                    Locale.ROOT, "--pixel must be from 0,0 to %d,%d, was %d,%d", right, bottom, place[0], place[1]));
+    private Stream<String> lines(Stream<Sighting> sightings, boolean single) {
+        if (form.csv) {
+            return Stream.concat(Stream.of(CsvText.rayHeadings()), sightings.map(CsvText::rayRow));
         }
+        if (form.json) {
+            return single ? sightings.map(TraceCommand::json) : list(sightings.map(TraceCommand::json));
+        }
+        return single
+                ? sightings.map(TraceCommand::text)
+                : apart(sightings.map(sighting ->
+                        format("Pixel %d, %d%n", (int) Math.floor(sighting.x()), (int) Math.floor(sighting.y()))
+                                + text(sighting)));
     }
 
-    private static String json(RayLife life, Studio studio) {
-        return life == null ? "null" : RayLifeWriter.json(life, studio);
+    /** A list in brackets, each part but the last with a comma behind it; a part is made when it is asked for. */
+    private static Stream<String> list(Stream<String> parts) {
+        Iterator<String> each = parts.iterator();
+        return Stream.iterate(
+                "[" + each.next() + (each.hasNext() ? "," : "]"),
+                Objects::nonNull,
+                before -> each.hasNext() ? each.next() + (each.hasNext() ? "," : "]") : null);
+    }
+
+    /** With an empty line before each but the first. */
+    private static Stream<String> apart(Stream<String> parts) {
+        boolean[] begun = new boolean[1];
+        return parts.sequential().map(part -> {
+            String before = begun[0] ? System.lineSeparator() : "";
+            begun[0] = true;
+            return before + part;
+        });
+    }
+
+    private static String text(Sighting sighting) {
+        StringWriter text = new StringWriter();
+        try (PrintWriter out = new PrintWriter(text)) {
+            print(out, sighting.life(), sighting.studio());
+        }
+        return text.toString().stripTrailing();
+    }
+
+    private static String json(Sighting sighting) {
+        return sighting.life() == null ? "null" : RayLifeWriter.json(sighting.life(), sighting.studio());
     }
 
     private static void print(PrintWriter out, RayLife life, Studio studio) {
@@ -142,21 +195,13 @@ final class TraceCommand implements Callable<Integer>, SceneCommand {
             out.println("Scene frame");
             printStart(out, life.sceneStart(), life.sceneDirection());
         }
-        out.println(format("frequency ratio (camera/scene)  %.12g", life.frequencyRatio()));
+        out.println("frequency ratio (camera/scene)  "
+                + (studio.view() == View.MEASURED
+                        ? "none: measured at one time of the camera, without light"
+                        : format("%.12g", life.frequencyRatio())));
         SpeedScale scale = studio.transformation().speedScale();
         out.println(format("%-30s  %.12g", scale.key(), scale.valueOf(studio.velocity())));
-        for (RayLife.Encounter hit : life.hits()) {
-            out.println(format(
-                    "%shit  %s (%s) in the %s frame at %s, t = %.9g, distance %.9g, share %s",
-                    "  ".repeat(hit.branch()),
-                    OneLine.of(hit.object().description()),
-                    hit.surface().getClass().getSimpleName(),
-                    hit.frame().name().toLowerCase(Locale.ROOT),
-                    text(hit.event().position()),
-                    hit.event().time(),
-                    hit.distance(),
-                    NumberText.plain(hit.share(), 4)));
-        }
+        life.hits().forEach(hit -> print(out, hit, studio));
         if (life.hits().isEmpty()) {
             out.println(
                     life.reachesBackground()
@@ -168,10 +213,47 @@ final class TraceCommand implements Callable<Integer>, SceneCommand {
                 life.colour().red(), life.colour().green(), life.colour().blue()));
     }
 
+    /** A hit in its own frame, then in those that differ from it: that of the camera or the scene, and the object's. */
+    private static void print(PrintWriter out, RayLife.Encounter hit, Studio studio) {
+        String indent = "  ".repeat(hit.branch());
+        out.println(format(
+                "%shit  %s (%s) in the %s frame at %s, distance %.9g, share %s",
+                indent,
+                OneLine.of(hit.object().description()),
+                hit.surface().getClass().getSimpleName(),
+                hit.frame().name().toLowerCase(Locale.ROOT),
+                text(hit.event()),
+                hit.distance(),
+                NumberText.plain(hit.share(), 4)));
+        SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
+        if (!(sceneFromCamera instanceof IdentityTransformation)) {
+            out.println(indent
+                    + (hit.frame() == Frame.SCENE
+                            ? "     in the camera frame at " + text(hit.inCamera(sceneFromCamera))
+                            : "     in the scene frame at " + text(hit.inScene(sceneFromCamera))));
+        }
+        if (hit.movesByItself()) {
+            RayLife.Rest own = hit.rest();
+            out.println(format(
+                    "%s     in its own frame at %s, proper time %.9g, its clocks show %.9g%s",
+                    indent,
+                    text(own.event().position()),
+                    own.event().time(),
+                    own.clockReading(),
+                    Double.isNaN(own.dopplerFactor())
+                            ? ""
+                            : format(", frequency ratio (camera/own) %.9g", own.dopplerFactor())));
+        }
+    }
+
     private static void printStart(PrintWriter out, Event event, Vector3dc direction) {
         out.println("  position   " + text(event.position()));
         out.println(format("  time       %.12g", event.time()));
         out.println("  direction  " + text(direction));
+    }
+
+    private static String text(Event event) {
+        return text(event.position()) + format(", t = %.9g", event.time());
     }
 
     private static String text(Vector3dc vector) {

@@ -21,12 +21,12 @@ import tompkins.studio.Studio;
 public final class BundledScenes {
 
     private static final String FOLDER = "/scenes/";
-    private static final String FIRST = "fig1b.json";
+    private static final String FIRST = "town-square.json";
 
     /**
      * The topics that come first, for they show what the program is for; the others follow in the order of their names.
      */
-    private static final List<String> FIRST_TOPICS = List.of("Figures of the paper", "Relativity", "Motion");
+    private static final List<String> FIRST_TOPICS = List.of("Rides", "Courtial et al. 2016", "Relativity", "Motion");
 
     private BundledScenes() {}
 

@@ -7,6 +7,7 @@ import java.util.Locale;
 import org.joml.Vector3dc;
 import tompkins.ray.Colour;
 import tompkins.spacetime.Event;
+import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
 import tompkins.trace.RayLife;
@@ -27,6 +28,8 @@ public final class RayLifeWriter {
 
     /**
      * The life of a ray in a studio as JSON. The part {@code scene} is missing if the ray never enters the scene frame.
+     * Each hit is told in the frame in which it was found, then in that of the camera and that of the scene, and, if
+     * its object moves by itself, in its own.
      */
     public static String json(RayLife life, Studio studio) {
         StringWriter text = new StringWriter();
@@ -47,7 +50,7 @@ public final class RayLifeWriter {
             write(json, scale.key(), scale.valueOf(studio.velocity()));
             json.writeArrayPropertyStart("hits");
             for (RayLife.Encounter hit : life.hits()) {
-                writeHit(json, hit);
+                writeHit(json, hit, studio.sceneFromCamera());
             }
             json.writeEndArray();
             Colour colour = life.colour();
@@ -59,23 +62,41 @@ public final class RayLifeWriter {
 
     private static void writeStart(JsonGenerator json, String name, Event event, Vector3dc direction) {
         json.writeObjectPropertyStart(name);
-        write(json, "position", event.x(), event.y(), event.z());
-        write(json, "time", event.time());
+        write(json, event, "time");
         write(json, "direction", direction.x(), direction.y(), direction.z());
         json.writeEndObject();
     }
 
-    private static void writeHit(JsonGenerator json, RayLife.Encounter hit) {
+    private static void writeHit(JsonGenerator json, RayLife.Encounter hit, SpaceTimeTransformation sceneFromCamera) {
         json.writeStartObject();
         json.writeStringProperty("object", hit.object().description());
         json.writeStringProperty("frame", hit.frame().name().toLowerCase(Locale.ROOT));
-        write(json, "position", hit.event().x(), hit.event().y(), hit.event().z());
-        write(json, "time", hit.event().time());
+        write(json, hit.event(), "time");
         write(json, "distance", hit.distance());
         write(json, "share", hit.share());
         json.writeNumberProperty("branch", hit.branch());
         json.writeStringProperty("surface", hit.surface().getClass().getSimpleName());
+        writeEvent(json, "camera", hit.inCamera(sceneFromCamera));
+        writeEvent(json, "scene", hit.inScene(sceneFromCamera));
+        if (hit.movesByItself()) {
+            json.writeObjectPropertyStart("own");
+            write(json, hit.rest().event(), "properTime");
+            write(json, "clockReading", hit.rest().clockReading());
+            write(json, "frequencyRatio", hit.rest().dopplerFactor());
+            json.writeEndObject();
+        }
         json.writeEndObject();
+    }
+
+    private static void writeEvent(JsonGenerator json, String name, Event event) {
+        json.writeObjectPropertyStart(name);
+        write(json, event, "time");
+        json.writeEndObject();
+    }
+
+    private static void write(JsonGenerator json, Event event, String time) {
+        write(json, "position", event.x(), event.y(), event.z());
+        write(json, time, event.time());
     }
 
     private static void write(JsonGenerator json, String name, double value) {

@@ -7,6 +7,7 @@ import java.util.Properties;
 import tompkins.image.PhotographInfo;
 import tompkins.property.OneLine;
 import tompkins.studio.Studio;
+import tompkins.studio.View;
 
 /**
  * What the file of a photograph says about itself: its title, the program that took it, and the scene, to take it
@@ -16,6 +17,9 @@ public final class SelfDescription {
 
     private static final String PROPERTIES = "Program.properties";
 
+    /** What the title of a picture begins with that is no photograph. */
+    private static final String MEASURED = "Measured, no photograph: ";
+
     private SelfDescription() {}
 
     /**
@@ -24,7 +28,7 @@ public final class SelfDescription {
      * @throws tompkins.property.InvalidPropertyException if the scene is too long to travel inside
      */
     public static PhotographInfo of(Studio studio) {
-        String title = OneLine.of(studio.title());
+        String title = (studio.view() == View.MEASURED ? MEASURED : "") + OneLine.of(studio.title());
         return new PhotographInfo(title, program(), StudioWriter.writeSelfContained(studio));
     }
 

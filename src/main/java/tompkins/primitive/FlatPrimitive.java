@@ -118,8 +118,8 @@ public final class FlatPrimitive extends Primitive {
     }
 
     /**
-     * By the signs, in one branch instead of three: most triangles of a mesh are missed, at a side that nobody can
-     * foretell. A million of them take 5 % less time.
+     * By the signs, in one branch instead of three: most triangles of a mesh are missed, and a processor guesses
+     * wrongly at which side. A million of them take 5 % less time.
      */
     private static boolean noneIsNegative(double first, double second, double third) {
         // a sum of 0 and -0 is 0

@@ -55,8 +55,8 @@ public abstract class Primitive implements Boundary, Cloneable {
      * The others may hit or miss. It saves most calls of {@link #distance}. Here by a ball around the primitive; by
      * something narrower where a shape knows it.
      *
-     * @param starts where the rays of the block start
-     * @param margins receives a number for each ray of the block, smaller than {@link #LARGEST_MARGIN}
+     * @param starts where the rays of the packet start
+     * @param margins receives a number for each ray of the packet, smaller than {@link #LARGEST_MARGIN}
      * @return false if this primitive has no such margins; nothing is written then
      */
     public boolean missMargins(RayPacket rays, RayStarts starts, double[] margins) {
@@ -158,11 +158,6 @@ public abstract class Primitive implements Boundary, Cloneable {
 
     /** A box that holds the primitive, or null if none does. */
     public abstract Bounds bounds();
-
-    /** Radius of a ball around the centre of {@link #bounds} that holds the primitive. */
-    public double boundingRadius() {
-        return bounds().halfDiagonal();
-    }
 
     /**
      * The least value of n.x over the primitive, or something less: it tells whether the primitive lies beyond a plane

@@ -2,13 +2,13 @@ package tompkins.primitive;
 
 import tompkins.ray.RayPacket;
 
-/** Where rays start. One for each thread, measured again for every block. */
+/** Where rays start. One for each thread, measured again for every packet. */
 public final class RayStarts {
 
     private boolean one;
     private double farthest;
 
-    /** Looks at some rays of a block, from one place to before another. */
+    /** Looks at some rays of a packet, from one place to before another. */
     public void measure(RayPacket rays, int from, int to) {
         double firstX = rays.x[from];
         double firstY = rays.y[from];

@@ -67,11 +67,6 @@ public final class SpherePrimitive extends Primitive {
     }
 
     @Override
-    public double boundingRadius() {
-        return radius;
-    }
-
-    @Override
     public boolean missMargins(RayPacket rays, RayStarts starts, double[] margins) {
         return ballMissMargins(x, y, z, radius, rays, starts, margins);
     }

@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * The rays of neighbouring samples, as arrays of numbers: what is done to all of them is done in short loops, which the
  * compiler turns into instructions for several rays at once. They start on nothing. One for each thread, filled again
- * for each block.
+ * for each packet.
  */
 public final class RayPacket {
 
@@ -54,7 +54,7 @@ public final class RayPacket {
     private int count;
     private boolean measures;
 
-    /** A block without rays, with room for {@code most}. */
+    /** A packet without rays, with room for {@code most}. */
     public RayPacket(int most) {
         x = new double[most];
         y = new double[most];
@@ -108,7 +108,7 @@ public final class RayPacket {
         measures = true;
     }
 
-    /** Makes this hold the same rays as another block. */
+    /** Makes this hold the same rays as another packet. */
     public void set(RayPacket other) {
         count = other.count;
         measures = other.measures;

@@ -6,7 +6,7 @@ import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 
 /**
- * A few primitives that the rays of a block may meet, the nearest first, with a note for each ray which of them. One
+ * A few primitives that the rays of a packet may meet, the nearest first, with a note for each ray which of them. One
  * for each thread, filled again and again.
  */
 final class Candidates {

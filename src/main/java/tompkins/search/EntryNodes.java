@@ -1,6 +1,5 @@
 package tompkins.search;
 
-import java.util.function.Consumer;
 import tompkins.ray.RayPacket;
 
 /**
@@ -16,53 +15,40 @@ public final class EntryNodes {
     /** From this number of nodes on none is opened; more would cost each ray more than they save. */
     private static final int MOST = 16;
 
-    /** Most parts of the tree that the way down begins with; otherwise it begins at the root. */
-    private static final int MOST_PARTS = 128;
-
     /** Most steps down the tree. */
     private static final int MOST_STEPS = 32;
 
     private final PacketFrustum bundle = new PacketFrustum();
-    private final PacketSearch block;
-    private final Consumer<TreeNode> adder = this::add;
-    private final TreeNode[] nodes = new TreeNode[MOST_PARTS];
-    private final double[] distances = new double[MOST_PARTS];
+    private final TreeNode[] nodes = new TreeNode[TreeParts.MOST];
+    private final double[] distances = new double[TreeParts.MOST];
     private int count;
 
     /** What is still to be looked at, the nearest last. */
-    private final TreeNode[] waiting = new TreeNode[MOST_PARTS];
+    private final TreeNode[] waiting = new TreeNode[TreeParts.MOST];
 
-    private final double[] waitingDistances = new double[MOST_PARTS];
+    private final double[] waitingDistances = new double[TreeParts.MOST];
     private int waitingCount;
-
-    /**
-     * Entry nodes of rays of blocks.
-     *
-     * @param block has searched in vain for all rays of the block, before these are looked for; what it has found out
-     *     on its way is used
-     */
-    public EntryNodes(PacketSearch block) {
-        this.block = block;
-    }
 
     /**
      * Looks for the nodes through which some rays enter the tree.
      *
-     * @param rays a block that holds the rays
+     * @param parts what the search for all rays of the packet has found out on its way
+     * @param rays a packet that holds the rays
      * @param from place of the first ray
      * @param to place behind the last ray
      * @return false if there is no tree, or if the rays spread too widely
      */
-    public boolean find(ObjectTree objects, RayPacket rays, int from, int to) {
+    public boolean find(ObjectTree objects, TreeParts parts, RayPacket rays, int from, int to) {
         count = 0;
         waitingCount = 0;
         if (objects.root() == null || !bundle.enclose(rays, from, to)) {
             return false;
         }
-        if (block.partCount() == 0 || block.partCount() > MOST_PARTS) {
+        if (parts.count() == 0) {
             add(objects.root());
-        } else {
-            block.forEachPart(adder);
+        }
+        for (int i = 0; i < parts.count(); i++) {
+            add(parts.node(i));
         }
         int steps = 0;
         // the nearest are opened first, since most rays end there

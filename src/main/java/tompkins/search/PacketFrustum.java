@@ -39,12 +39,12 @@ final class PacketFrustum {
     private double farthestStart;
 
     /**
-     * Bounds some of a block's rays, from one place to before another.
+     * Bounds some of a packet's rays, from one place to before another.
      *
      * @return false if they spread too widely; the bundle must not be used then
      */
     boolean enclose(RayPacket rays, int from, int to) {
-        // any axis does that no ray is far from; of a whole block the first and the last ray lie in opposite corners
+        // any axis does that no ray is far from; of a whole packet the first and the last ray lie in opposite corners
         double ax = rays.dx[from] + rays.dx[to - 1];
         double ay = rays.dy[from] + rays.dy[to - 1];
         double az = rays.dz[from] + rays.dz[to - 1];

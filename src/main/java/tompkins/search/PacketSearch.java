@@ -2,16 +2,15 @@ package tompkins.search;
 
 import java.util.ArrayDeque;
 import java.util.Iterator;
-import java.util.function.Consumer;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 
 /**
- * Searches for all rays of a block at once, several times faster than for each, with the same result. Where the rays
+ * Searches for all rays of a packet at once, several times faster than for each, with the same result. Where the rays
  * can meet a few primitives only, these are found once for all. Where they are more, they are taken in batches, the
  * nearest first, until all rays but a few have met something nearer than what waits. One for each thread, used again
- * for every block.
+ * for every packet.
  */
 public final class PacketSearch {
 
@@ -57,16 +56,22 @@ public final class PacketSearch {
 
     private int openCount;
     private final Ray rayMemory = Ray.blank();
+    private final TreeParts parts = new TreeParts();
 
     /**
-     * Searches for the rays of a block.
+     * Searches for the rays of a packet.
      *
      * @param objects all primitives of the frame
      * @param rays the rays; at most {@link RayPacket#MOST}
      * @param scratch memory for the search, and its counts
-     * @return false if the rays spread too widely, or can meet too many primitives; search the tree for each instead
+     * @return null if what each ray meets was found: ask {@link #nearest} for it. Otherwise the rays spread too widely,
+     *     or can meet too many primitives; search the tree for each, from these parts on if there are any.
      */
-    public boolean find(ObjectTree objects, RayPacket rays, NearestHit scratch) {
+    public TreeParts find(ObjectTree objects, RayPacket rays, NearestHit scratch) {
+        return findAll(objects, rays, scratch) ? null : partsFound();
+    }
+
+    private boolean findAll(ObjectTree objects, RayPacket rays, NearestHit scratch) {
         inBatches = false;
         clearCandidates();
         waiting.clear();
@@ -174,18 +179,13 @@ public final class PacketSearch {
         putOff(lowFirst ? node.low : node.high);
     }
 
-    /** Number of {@link #forEachPart parts}. */
-    int partCount() {
-        return candidateLeaves.size() + waiting.size();
-    }
-
-    /**
-     * Where {@link #find} has returned false: parts of the tree that hold all of it that the rays can meet; none if
-     * that is not known.
-     */
-    void forEachPart(Consumer<TreeNode> taker) {
-        candidateLeaves.forEach(taker);
-        waiting.forEach(taker);
+    private TreeParts partsFound() {
+        parts.clear();
+        if (candidateLeaves.size() + waiting.size() <= TreeParts.MOST) {
+            candidateLeaves.forEach(parts::add);
+            waiting.forEach(parts::add);
+        }
+        return parts;
     }
 
     private void openAll(int rayCount) {
@@ -275,7 +275,7 @@ public final class PacketSearch {
     /**
      * The nearest that a ray hits.
      *
-     * @param ray one of the rays of the block
+     * @param ray one of the rays of the packet
      * @param place its place
      * @param nearest gets the result
      * @return whether there is one

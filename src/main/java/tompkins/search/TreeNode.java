@@ -80,9 +80,9 @@ final class TreeNode {
 
     /**
      * Distance at which a ray enters the box (below 0 if it starts inside), or {@link #MISSED} (Kay and Kajiya 1986).
-     * Which side of the box it is, nobody can foretell, so that the largest and the smallest are found without a
-     * branch: a million triangles take 6 % less time. A ray along a plane of the box itself gives 0 times infinity,
-     * which no comparison refuses: the box then counts as met, at a distance that is no number.
+     * The largest and the smallest are found without a branch, since a processor guesses wrongly which side of the box
+     * they belong to: a million triangles take 6 % less time. A ray along a plane of the box itself gives 0 times
+     * infinity, which no comparison refuses: the box then counts as met, at a distance that is no number.
      */
     double entry(double x, double y, double z, double inverseX, double inverseY, double inverseZ, double limit) {
         double enterX = ((inverseX > 0 ? minX : maxX) - x) * inverseX;

@@ -52,6 +52,16 @@ public record FrameMotion(FrameMotion outer, Velocity velocity, Event start) {
         return new Vector3d(second).fma(first.dot(second) / (outer.gamma() + 1) + velocity.gamma(), first);
     }
 
+    /** How place and time in the scene frame change with the own time of what rests in this frame, in a unit of it. */
+    public Event worldLine(TransformationLaw law) {
+        return step(law, new Event(0, 0, 0, 1));
+    }
+
+    private Event step(TransformationLaw law, Event own) {
+        Event moved = law.sceneFromCamera(velocity).transform(own);
+        return outer == null ? moved : outer.step(law, moved);
+    }
+
     /** An event of this frame, in the scene frame. */
     public Event inScene(TransformationLaw law, Event own) {
         Event moved = law.sceneFromCamera(velocity).transform(own);

@@ -32,7 +32,7 @@ public sealed interface SpaceTimeTransformation
     /** The same, in memory that is used again; it may be the ray itself. */
     Ray transform(Ray ray, Ray memory);
 
-    /** Takes each ray of a block into the other frame. */
+    /** Takes each ray of a packet into the other frame. */
     default void transform(RayPacket rays) {
         for (int i = 0; i < rays.count(); i++) {
             rays.set(i, transform(rays.ray(i)));

@@ -8,6 +8,7 @@ import tompkins.lesson.NoLesson;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
+import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.property.Meaning;
@@ -54,6 +55,9 @@ public record Studio(
         @Meaning("What the motion does to brightness and colours, under the Lorentz transformation")
         ColourLaw colours,
 
+        @Meaning("How the photograph is exposed where motion changes the brightness of the scene")
+        Metering metering,
+
         @Meaning("Size and quality of the picture") RenderSettings settings,
 
         @Meaning("A ride with the camera that begins with this photograph, in legs that follow each other")
@@ -75,6 +79,7 @@ public record Studio(
             TransformationLaw.LORENTZ,
             View.SEEN,
             ColourLaw.UNCHANGED,
+            Metering.MIDDLE,
             RenderSettings.DEFAULT,
             List.of(),
             NoLesson.DEFAULT);
@@ -96,6 +101,7 @@ public record Studio(
         Require.present("transformation", transformation);
         Require.present("view", view);
         Require.present("colours", colours);
+        Require.present("metering", metering);
         Require.present("settings", settings);
         ride = Require.list("ride", ride);
         Require.present("lesson", lesson);
@@ -136,47 +142,52 @@ public record Studio(
 
     /** The same studio with another scene. */
     public Studio withScene(List<SceneObject> objects) {
-        return with(objects, cameraFrame, camera, velocity, transformation, view, colours, settings, ride);
+        return with(objects, cameraFrame, camera, velocity, transformation, view, colours, metering, settings, ride);
     }
 
     /** The same studio with other objects that move with the camera. */
     public Studio withCameraFrame(List<SceneObject> objects) {
-        return with(scene, objects, camera, velocity, transformation, view, colours, settings, ride);
+        return with(scene, objects, camera, velocity, transformation, view, colours, metering, settings, ride);
     }
 
     /** The same studio with another camera. */
     public Studio withCamera(Camera other) {
-        return with(scene, cameraFrame, other, velocity, transformation, view, colours, settings, ride);
+        return with(scene, cameraFrame, other, velocity, transformation, view, colours, metering, settings, ride);
     }
 
     /** The same studio with another velocity of the camera. */
     public Studio withVelocity(Velocity other) {
-        return with(scene, cameraFrame, camera, other, transformation, view, colours, settings, ride);
+        return with(scene, cameraFrame, camera, other, transformation, view, colours, metering, settings, ride);
     }
 
     /** The same studio under another law. */
     public Studio withTransformation(TransformationLaw law) {
-        return with(scene, cameraFrame, camera, velocity, law, view, colours, settings, ride);
+        return with(scene, cameraFrame, camera, velocity, law, view, colours, metering, settings, ride);
     }
 
     /** The same studio in another view. */
     public Studio withView(View other) {
-        return with(scene, cameraFrame, camera, velocity, transformation, other, colours, settings, ride);
+        return with(scene, cameraFrame, camera, velocity, transformation, other, colours, metering, settings, ride);
     }
 
     /** The same studio under another law of colours. */
     public Studio withColours(ColourLaw law) {
-        return with(scene, cameraFrame, camera, velocity, transformation, view, law, settings, ride);
+        return with(scene, cameraFrame, camera, velocity, transformation, view, law, metering, settings, ride);
+    }
+
+    /** The same studio, exposed in another way. */
+    public Studio withMetering(Metering other) {
+        return with(scene, cameraFrame, camera, velocity, transformation, view, colours, other, settings, ride);
     }
 
     /** The same studio with other settings of the picture. */
     public Studio withSettings(RenderSettings other) {
-        return with(scene, cameraFrame, camera, velocity, transformation, view, colours, other, ride);
+        return with(scene, cameraFrame, camera, velocity, transformation, view, colours, metering, other, ride);
     }
 
     /** The same studio with another ride that begins with it. */
     public Studio withRide(List<RideLeg> legs) {
-        return with(scene, cameraFrame, camera, velocity, transformation, view, colours, settings, legs);
+        return with(scene, cameraFrame, camera, velocity, transformation, view, colours, metering, settings, legs);
     }
 
     private Studio with(
@@ -187,6 +198,7 @@ public record Studio(
             TransformationLaw newTransformation,
             View newView,
             ColourLaw newColours,
+            Metering newMetering,
             RenderSettings newSettings,
             List<RideLeg> newRide) {
         return new Studio(
@@ -202,6 +214,7 @@ public record Studio(
                 newTransformation,
                 newView,
                 newColours,
+                newMetering,
                 newSettings,
                 newRide,
                 lesson);

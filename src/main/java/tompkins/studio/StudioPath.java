@@ -13,6 +13,7 @@ import tompkins.primitive.Described;
 import tompkins.property.Descriptions;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.ImagePointGrid;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.SceneObject;
 import tompkins.spacetime.SpeedScale;
@@ -66,6 +67,9 @@ public record StudioPath(List<Object> steps) {
         }
         if (part instanceof Group group) {
             return then(step).then("objects").to(group.objects(), wanted);
+        }
+        if (part instanceof Moving moving) {
+            return then(step).then("objects").to(moving.objects(), wanted);
         }
         if (part instanceof Placed placed) {
             return then(step).toPart("object", placed.object(), wanted);

@@ -11,7 +11,7 @@ interface Beyond {
     /** The light that comes back. */
     Colour colour(Ray ray);
 
-    /** The same for a ray of a block. */
+    /** The same for a ray of a packet. */
     default Colour colour(RayPacket rays, int place) {
         return colour(rays.ray(place));
     }

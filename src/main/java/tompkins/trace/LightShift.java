@@ -1,10 +1,11 @@
 package tompkins.trace;
 
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.ray.Colour;
 
 /**
- * What becomes of the light of the scene on its way into the camera frame. It is metered: white light keeps its
+ * What becomes of the light of the scene on its way into the camera frame. Where it is metered, white light keeps its
  * luminance in the middle of the picture, since a fast camera would see all things ahead thousands of times too bright.
  * What moves with the camera is left as it is. Immutable, shared by all threads.
  */
@@ -17,14 +18,16 @@ final class LightShift {
     private static final double BRIGHTEST = 0x1p80;
 
     private final ColourLaw law;
+    private final Metering metering;
     private final double middle;
     private final double gain;
 
     /** The shift under a law, for a picture with the given Doppler factor in its middle. */
-    LightShift(ColourLaw law, double middle) {
+    LightShift(ColourLaw law, Metering metering, double middle) {
         this.law = law;
+        this.metering = metering;
         this.middle = middle;
-        gain = Math.min(MOST_GAIN, 1 / law.brightness(middle));
+        gain = metering == Metering.NONE ? 1 : Math.min(MOST_GAIN, 1 / law.brightness(middle));
     }
 
     /**
@@ -62,6 +65,11 @@ final class LightShift {
     /** The law. */
     ColourLaw law() {
         return law;
+    }
+
+    /** How the light is metered. */
+    Metering metering() {
+        return metering;
     }
 
     /** The Doppler factor in the middle of the picture. */

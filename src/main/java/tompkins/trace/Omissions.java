@@ -27,10 +27,10 @@ final class Omissions {
     /** Searches of a primitive that a sentence may cost: some milliseconds. */
     private static final double MOST_SEARCHES = 100_000;
 
+    private final RenderPlan plan;
     private final Studio studio;
     private final Camera camera;
     private final CameraRays cameraRays;
-    private final boolean atRest;
     private final Set<Surface> inScene;
     private final Set<Surface> beforeLens;
     private final boolean hasImagePoints;
@@ -38,22 +38,20 @@ final class Omissions {
     /**
      * The omissions of a picture.
      *
-     * @param atRest whether the camera and the scene share one frame
      * @param inScene the surfaces of the scene
      * @param beforeLens the surfaces that move with the camera
      * @param hasImagePoints whether the scene holds points where the camera photographs others
      */
     Omissions(
-            Studio studio,
+            RenderPlan plan,
             CameraRays cameraRays,
-            boolean atRest,
             Set<Surface> inScene,
             Set<Surface> beforeLens,
             boolean hasImagePoints) {
-        this.studio = studio;
+        this.plan = plan;
+        this.studio = plan.studio();
         this.camera = studio.camera();
         this.cameraRays = cameraRays;
-        this.atRest = atRest;
         this.inScene = inScene;
         this.beforeLens = beforeLens;
         this.hasImagePoints = hasImagePoints;
@@ -78,7 +76,7 @@ final class Omissions {
         if (!has(inScene, isWindow) && !has(beforeLens, isWindow)) {
             return;
         }
-        boolean manyTimes = !atRest && !(camera.shutter() instanceof AperturePlaneShutter);
+        boolean manyTimes = !plan.isAtRest() && !(camera.shutter() instanceof AperturePlaneShutter);
         if (camera.hasWideAperture() || manyTimes) {
             sentences.add("Windows give light the right directions, but not the right places: "
                     + (camera.hasWideAperture()
@@ -137,7 +135,7 @@ final class Omissions {
     }
 
     private void addShutter(List<String> sentences) {
-        if (!atRest) {
+        if (!plan.isStill() && !plan.blursInTime()) {
             sentences.add("The shutter opens for an instant: nothing is blurred by motion.");
         }
     }

@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import tompkins.camera.CameraRays;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.property.NumberText;
 import tompkins.ray.Ray;
 import tompkins.search.ObjectTree;
@@ -22,6 +23,7 @@ import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
+import tompkins.studio.View;
 import tompkins.surface.Surface;
 import tompkins.world.World;
 
@@ -55,19 +57,36 @@ final class PlanSentences {
                 .flatMap(Set::stream)
                 .collect(Collectors.toSet());
         Set<Surface> beforeLens = surfaces(cameraFrame);
+        boolean isMeasured = studio.view() == View.MEASURED;
+        if (isMeasured) {
+            sentences.add(measured());
+        }
         sentences.add(motion());
         sentences.add(lens());
-        sentences.add(shutter());
+        if (!isMeasured) {
+            sentences.add(shutter());
+        }
         rolling().ifPresent(sentences::add);
         exposure().ifPresent(sentences::add);
         sentences.add(colours());
         sentences.add(cameraObjects());
         sentences.add(search());
         sentences.add(recursion(Stream.of(inScene, beforeLens).flatMap(Set::stream)));
-        sentences.addAll(
-                new Omissions(studio, cameraRays, plan.isAtRest(), inScene, beforeLens, hasImagePoints).sentences());
+        sentences.addAll(new Omissions(plan, cameraRays, inScene, beforeLens, hasImagePoints).sentences());
         warnings().forEach(warning -> sentences.add("Warning: " + warning + "."));
         return sentences;
+    }
+
+    private String measured() {
+        boolean together = studio.camera().shutter() instanceof AperturePlaneShutter
+                && !studio.camera().rollingShutter().rolls()
+                && !plan.blursInTime();
+        String time = together
+                ? "at the time " + NumberText.of(studio.camera().shutter().openingTime()) + " of the camera's frame"
+                : "in the camera's frame, for each ray at the time that the shutter gives";
+        return "Measured, no photograph: it shows where things are " + time
+                + ", as rulers and clocks find them there; light needs no time on its way to the camera, but as long as ever"
+                + " from the lamps, and behind mirrors and glass.";
     }
 
     /** What the picture may suffer from, in clauses. */
@@ -237,20 +256,31 @@ final class PlanSentences {
 
     private String colours() {
         if (shift == null) {
-            return "Colours stay as they are in the scene: no Doppler shift, no searchlight effect"
-                    + (studio.colours() == ColourLaw.UNCHANGED
-                                    || studio.velocity().isRest()
-                            ? "."
-                            : "; these are worked out under the Lorentz transformation only.");
+            return "Colours stay as they are in the scene: no Doppler shift, no searchlight effect" + reason();
         }
         String change = shift.law() == ColourLaw.DOPPLER
                 ? "Colours and brightness shift with the Doppler factor D (frequency in the camera/scene), as in the light"
                         + " of a black body"
                 : "The searchlight effect alone: brightness changes with the fourth power of the Doppler factor D (frequency"
                         + " in the camera/scene)";
+        if (shift.metering() == Metering.NONE) {
+            return change + ". The light of the scene is taken as it comes, without metering.";
+        }
         return format(
                 "%s. The light of the scene is metered in the middle of the picture, where D is %s: %+.1f stops.",
                 change, NumberText.plain(shift.middle(), 4), Math.round(10 * shift.stops()) / 10.0);
+    }
+
+    /** Why colours stay as they are, if the scene wants something else; ends the sentence. */
+    private String reason() {
+        boolean unwanted =
+                studio.colours() == ColourLaw.UNCHANGED || studio.velocity().isRest() && !studio.hasMotion();
+        if (unwanted) {
+            return ".";
+        }
+        return studio.transformation() == TransformationLaw.LORENTZ
+                ? "; what is measured has no Doppler factor."
+                : "; these are worked out under the Lorentz transformation only.";
     }
 
     private static String format(String pattern, Object... values) {

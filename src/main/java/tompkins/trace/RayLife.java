@@ -26,7 +26,7 @@ import tompkins.surface.Surface;
  *     splits, the main branch goes on with most of the light
  * @param sceneDirection unit direction in the scene frame, or null
  * @param frequencyRatio frequency of the light that the camera sees divided by that in the scene frame; 1 without
- *     crossing
+ *     crossing, and no number where the scene is measured without light
  * @param hits everything that was hit, in the order of tracing: where a ray splits, first all of its weaker branch
  * @param lastDirection unit direction in the scene frame in which the main branch goes on after all hits and meets
  *     nothing more, or null if it ends at its last hit
@@ -65,6 +65,11 @@ public record RayLife(
             int branch,
             Surface surface,
             Rest rest) {
+
+        /** Whether the object moves by itself, so that it rests in a frame of its own. */
+        public boolean movesByItself() {
+            return rest.motion() != null;
+        }
 
         /** Where and when in the scene frame. */
         public Event inScene(SpaceTimeTransformation sceneFromCamera) {
@@ -153,16 +158,16 @@ public record RayLife(
 
         @Override
         public void starts(Ray ray) {
-            start = inFrame(Frame.CAMERA, ray.x, ray.y, ray.z, ray.time);
+            start = start(ray);
             startDirection = new Vector3d(ray.dx, ray.dy, ray.dz);
         }
 
         @Override
         public void crosses(Ray ray) {
             if (branch == 0) {
-                crossing = inFrame(Frame.SCENE, ray.x, ray.y, ray.z, ray.time);
+                crossing = plan.inScene(0, start(ray));
                 crossingDirection = new Vector3d(ray.dx, ray.dy, ray.dz);
-                frequencyRatio = 1 / ray.frequency;
+                frequencyRatio = ratio(ray);
             }
         }
 
@@ -170,21 +175,31 @@ public record RayLife(
         public void hits(Frame frame, int index, Ray ray, Hit hit, Primitive primitive, Hit event, int eventIndex) {
             Event traced = new Event(hit.x, hit.y, hit.z, hit.time);
             RestFrame rest = primitive.restFrame();
+            Event met = frame == Frame.CAMERA
+                    ? traced
+                    : plan.inScene(eventIndex, new Event(event.x, event.y, event.z, event.time));
             hits.add(new Encounter(
                     primitive.object(),
                     frame,
-                    frame == Frame.CAMERA
-                            ? traced
-                            : plan.inScene(eventIndex, new Event(event.x, event.y, event.z, event.time)),
-                    hit.distance,
+                    met,
+                    index == 0 ? hit.distance : distance(plan.inScene(index, start(ray)), met),
                     ray.throughput,
                     branch,
                     primitive.surface(),
-                    new Rest(
-                            rest.motion(),
-                            rest.own(traced),
-                            hit.clockReading(),
-                            ray.measures ? Double.NaN : 1 / ray.frequency)));
+                    new Rest(rest.motion(), rest.own(traced), hit.clockReading(), ratio(ray))));
+        }
+
+        private static Event start(Ray ray) {
+            return new Event(ray.x, ray.y, ray.z, ray.time);
+        }
+
+        private static double distance(Event from, Event to) {
+            return from.position().distance(to.position());
+        }
+
+        /** Frequency in the camera frame divided by that in the frame of a ray. */
+        private static double ratio(Ray ray) {
+            return ray.measures ? Double.NaN : 1 / ray.frequency;
         }
 
         @Override
@@ -193,11 +208,6 @@ public record RayLife(
                 lastDirection = new Vector3d(ray.dx, ray.dy, ray.dz);
                 lastSlowness = ray.slowness;
             }
-        }
-
-        private Event inFrame(Frame frame, double x, double y, double z, double time) {
-            Event event = new Event(x, y, z, time);
-            return frame == Frame.CAMERA ? event : plan.inScene(0, event);
         }
 
         RayLife life(Colour colour) {

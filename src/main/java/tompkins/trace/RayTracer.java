@@ -17,6 +17,7 @@ import tompkins.search.LampShadows;
 import tompkins.search.NearestHit;
 import tompkins.search.ObjectTree;
 import tompkins.search.PacketSearch;
+import tompkins.search.TreeParts;
 import tompkins.surface.Response;
 import tompkins.surface.Surface;
 import tompkins.surface.Tracer;
@@ -44,10 +45,6 @@ final class RayTracer implements Tracer, Lighting {
     private final Hit hitMemory = Hit.blank();
     private final Ray startMemory = Ray.blank();
     private final Ray shadowMemory = Ray.blank();
-
-    // of the ray followed last
-    private Colour sum = Colour.BLACK;
-    private Colour factor = Colour.WHITE;
 
     /** What threw the last shadow: it often throws the next one, too. */
     private Primitive lastShadow;
@@ -94,7 +91,7 @@ final class RayTracer implements Tracer, Lighting {
         this.observer = observer;
     }
 
-    /** Begins a block of rays: forgets what was seen before, so that the work for a block depends on nothing else. */
+    /** Begins a packet: forgets what was seen before, so that the work for a packet depends on nothing else. */
     void beginBlock() {
         lastShadow = null;
         nearest.forgetLeaf();
@@ -153,28 +150,18 @@ final class RayTracer implements Tracer, Lighting {
     }
 
     /**
-     * Follows a ray of a block until it ends or leaves the objects of this frame.
+     * Follows a ray of a packet until it ends or leaves the objects of this frame.
      *
-     * @return what leaves, in memory that is used again, or null; {@link #sum()} and {@link #factor()} tell of the way
+     * @return what it has brought; the ray that leaves is memory that is used again
      */
-    Ray follow(RayPacket rays, int index) {
+    Followed follow(RayPacket rays, int index) {
         counts.rays++;
         frame = 0;
         Ray start = rays.copy(index, startMemory);
         return follow(start, search(start), hitMemory);
     }
 
-    /** The light that the ray followed last has brought by itself. */
-    Colour sum() {
-        return sum;
-    }
-
-    /** What becomes of the light that comes back to where that ray has left. */
-    Colour factor() {
-        return factor;
-    }
-
-    /** The light that comes back along the ray at a place of the block for which the search was made. */
+    /** The light that comes back along the ray at a place of the packet for which the search was made. */
     Colour packetColour(RayPacket rays, int index, PacketSearch search) {
         counts.rays++;
         if (!search.mayMeet(index)) {
@@ -191,7 +178,7 @@ final class RayTracer implements Tracer, Lighting {
         return withBeyond(follow(start, objects.nearest(start, entries, nearest), hitMemory));
     }
 
-    /** The light that comes back along a ray of the block for which all frames are searched. */
+    /** The light that comes back along a ray of the packet for which all frames are searched. */
     Colour movingColour(RayPacket rays, int index) {
         counts.rays++;
         frame = 0;
@@ -200,38 +187,36 @@ final class RayTracer implements Tracer, Lighting {
         return withBeyond(follow(start, movingWorld.search().nearest(index, start), hitMemory));
     }
 
-    /** The light that comes back along a ray of a block, which is searched for alone. */
+    /** The light that comes back along a ray of a packet, which is searched for alone. */
     Colour singleColour(RayPacket rays, int index) {
         return withBeyond(follow(rays, index));
     }
 
     /** Looks for the nodes through which some rays enter the tree; false if each must search from its root. */
-    boolean find(EntryNodes entries, RayPacket rays, int from, int to) {
-        return entries.find(objects, rays, from, to);
+    boolean find(EntryNodes entries, TreeParts parts, RayPacket rays, int from, int to) {
+        return entries.find(objects, parts, rays, from, to);
     }
 
-    /** Looks for the primitives that the rays of a block can meet; false if all must be searched. */
-    boolean find(PacketSearch search, RayPacket rays) {
+    /** Looks for what the rays of a packet meet; null if it was found, otherwise where each ray must search. */
+    TreeParts find(PacketSearch search, RayPacket rays) {
         return search.find(objects, rays, nearest);
     }
 
-    /** The colour of the ray followed last: of what has left the objects, or null, in memory that is used again. */
-    private Colour withBeyond(Ray left) {
+    /** The colour of a ray that was followed, with what comes from beyond the objects. */
+    private Colour withBeyond(Followed path) {
+        Ray left = path.left();
         if (left == null) {
-            return sum;
+            return path.light();
         }
-        // what stands in sum and factor is taken before anything else is followed
-        Colour light = sum;
-        Colour share = factor;
-        Colour far = beyond.colour(left);
-        return light.plus(shifts() ? movingWorld.seen(share.times(far), left, 1) : share.times(far));
+        Colour far = path.factor().times(beyond.colour(left));
+        return path.light().plus(shifts() ? movingWorld.seen(far, left, 1) : far);
     }
 
     /**
      * Follows a ray whose nearest hit has just been searched. The memory is for its hits, of which each is over before
      * the next.
      */
-    private Ray follow(Ray start, boolean startHits, Hit memory) {
+    private Followed follow(Ray start, boolean startHits, Hit memory) {
         Ray ray = start;
         boolean hits = startHits;
         Colour light = Colour.BLACK;
@@ -268,8 +253,7 @@ final class RayTracer implements Tracer, Lighting {
             first = false;
             ray = response.next();
             if (ray == null || isGivenUp(ray)) {
-                sum = light;
-                return null;
+                return new Followed(light, share, null);
             }
             share = share.times(response.factor());
             counts.rays++;
@@ -282,9 +266,7 @@ final class RayTracer implements Tracer, Lighting {
         if (observer != null) {
             observer.leaves(place, ray);
         }
-        sum = light;
-        factor = share;
-        return ray;
+        return new Followed(light, share, ray);
     }
 
     private boolean isGivenUp(Ray ray) {

@@ -75,7 +75,9 @@ public final class RenderPlan {
                 : null;
         cameraLights = World.atRest(studio.lights());
         // last, for it follows a ray by this plan
-        shift = studio.shiftsColours() ? new LightShift(studio.colours(), middleDopplerFactor()) : null;
+        shift = studio.shiftsColours()
+                ? new LightShift(studio.colours(), studio.metering(), middleDopplerFactor())
+                : null;
     }
 
     /**

@@ -11,6 +11,7 @@ import tompkins.ray.RayCounts;
 import tompkins.ray.RayPacket;
 import tompkins.search.EntryNodes;
 import tompkins.search.PacketSearch;
+import tompkins.search.TreeParts;
 
 /** Takes samples of a picture. One for each thread. */
 public final class SampleTracer {
@@ -42,7 +43,7 @@ public final class SampleTracer {
     private final Colour[] sums = new Colour[RayPacket.MOST];
     private final Colour[] factors = new Colour[RayPacket.MOST];
     private final PacketSearch search = new PacketSearch();
-    private final EntryNodes entries = new EntryNodes(search);
+    private final EntryNodes entries = new EntryNodes();
     private double narrowing = 1;
     private int column;
     private int row;
@@ -189,13 +190,13 @@ public final class SampleTracer {
     private void followInCameraFrame(SampleSink taker) {
         int leaving = 0;
         for (int i = 0; i < rays.count() && goesTo(i, taker); i++) {
-            Ray left = cameraTracer.follow(rays, i);
-            if (left == null) {
-                take(i, cameraTracer.sum());
+            Followed path = cameraTracer.follow(rays, i);
+            if (path.left() == null) {
+                take(i, path.light());
             } else {
-                sums[leaving] = cameraTracer.sum();
-                factors[leaving] = cameraTracer.factor();
-                rays.move(i, leaving, left);
+                sums[leaving] = path.light();
+                factors[leaving] = path.factor();
+                rays.move(i, leaving, path.left());
                 leaving++;
             }
         }
@@ -212,7 +213,8 @@ public final class SampleTracer {
             }
             return;
         }
-        if (tracer.find(search, rays)) {
+        TreeParts parts = tracer.find(search, rays);
+        if (parts == null) {
             for (int i = 0; i < count && goesTo(i, taker); i++) {
                 takeFromScene(i, tracer.packetColour(rays, i, search));
             }
@@ -221,7 +223,7 @@ public final class SampleTracer {
         boolean found = false;
         for (int i = 0; i < count && goesTo(i, taker); i++) {
             if (i % EntryNodes.RAYS == 0) {
-                found = tracer.find(entries, rays, i, Math.min(count, i + EntryNodes.RAYS));
+                found = tracer.find(entries, parts, rays, i, Math.min(count, i + EntryNodes.RAYS));
             }
             takeFromScene(i, found ? tracer.entryColour(rays, i, entries) : colourWithoutHelp(i, tracer));
         }

@@ -13,6 +13,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.RideMoment;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
+import tompkins.studio.View;
 import tompkins.ui.panel.NumberProperty;
 import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.Numbers;
@@ -30,18 +31,20 @@ public final class Captions {
 
     private final PictureCanvas canvas;
     private final Settings settings;
+    private final boolean usual;
     private NumberProperty animated;
 
-    /** Captions on a canvas, if the settings say so. */
-    Captions(PictureCanvas canvas, Settings settings) {
+    /** Captions on a canvas, if the settings say so; where they do not say it, if it is usual. */
+    Captions(PictureCanvas canvas, Settings settings, boolean usual) {
         this.canvas = canvas;
         this.settings = settings;
+        this.usual = usual;
         update();
     }
 
     /** Whether pictures have captions. */
     boolean areShown() {
-        return settings.number(SETTING, 0) != 0;
+        return settings.number(SETTING, usual ? 1 : 0) != 0;
     }
 
     /** Gives pictures captions from now on, or none. */
@@ -58,23 +61,32 @@ public final class Captions {
     }
 
     private void update() {
-        canvas.setCaptions(areShown() ? this::of : null);
+        canvas.setCaptions(this::shown);
     }
 
-    /** The caption of a picture now. */
-    String of(Studio studio) {
-        return of(studio, animated);
+    /**
+     * What is written into a picture now: its caption, or if none is wanted at least that it is no photograph; empty if
+     * it is one.
+     */
+    String shown(Studio studio) {
+        return areShown() ? of(studio, animated) : view(studio);
     }
 
-    /** Writes the captions of the pictures of an animation; empty ones, if none are wanted. */
+    /** What a picture is that is no photograph; empty if it is one. */
+    private static String view(Studio studio) {
+        return studio.view() == View.MEASURED ? Texts.get("caption.MEASURED") : "";
+    }
+
+    /** Writes the captions of the pictures of an animation; if none are wanted, only what is no photograph says so. */
     public static Film.Caption ofPictures(Studio studio, StudioNumber animated, boolean wanted) {
         NumberProperty number = NumberProperty.of(animated, studio);
-        return (moment, frame) -> wanted ? of(moment, number) : "";
+        return (moment, frame) -> wanted ? of(moment, number) : view(moment);
     }
 
-    /** Writes the captions of the pictures of a ride; empty ones, if none are wanted. */
+    /** Writes the captions of the pictures of a ride; if none are wanted, only what is no photograph says so. */
     public static Film.Caption ofPictures(RideFilm film, boolean wanted) {
-        return (moment, frame) -> wanted ? of(film.moment(frame)) : "";
+        return (moment, frame) ->
+                wanted ? of(film.moment(frame)) : view(film.moment(frame).studio());
     }
 
     /** The caption of a moment of a ride: the motion, and the time on board and in the scene since its beginning. */
@@ -109,13 +121,16 @@ public final class Captions {
         return String.join(", ", words);
     }
 
-    /** The speed, and the laws if they are not the usual ones: {@code beta = 0.97, gamma = 4.113}. */
+    /** The speed, and the view and the laws if they are not the usual ones: {@code beta = 0.97, gamma = 4.113}. */
     static String motion(Studio studio) {
         return motion(studio, studio.velocity(), SpeedScale.GAMMA.reading(studio.velocity()));
     }
 
     private static String motion(Studio studio, Velocity velocity, String gamma) {
         List<String> words = new ArrayList<>();
+        if (studio.view() == View.MEASURED) {
+            words.add(view(studio));
+        }
         words.add(Texts.get("caption.beta", SpeedText.of(velocity, SpeedScale.BETA)));
         if (studio.transformation() == TransformationLaw.LORENTZ) {
             words.add(Texts.get("caption.gamma", gamma));

@@ -49,7 +49,7 @@ final class ClipboardActions {
     void copyPicture() {
         Studio studio = model.studio();
         Picture onScreen = view.canvas().shown().now();
-        String caption = captions.areShown() ? captions.of(studio) : null;
+        String caption = captions.shown(studio);
         AtomicReference<BufferedImage> copy = new AtomicReference<>();
         BackgroundTask.start(
                 frame,
@@ -64,7 +64,7 @@ final class ClipboardActions {
 
     private static BufferedImage levels(LinearImage image, ToneCurve curve, String caption) {
         BufferedImage levels = BufferedImages.toBufferedImage(image, curve);
-        if (caption != null) {
+        if (!caption.isEmpty()) {
             PictureLabel.paint(levels, caption);
         }
         return levels;

@@ -11,12 +11,22 @@ import tompkins.ui.widget.Messages;
  * @param studio the scene
  * @param file where it was read from, or null
  * @param problem why it is not the scene that was asked for; empty if it is
+ * @param besideRest whether the photograph is seen beside that of a camera at rest, and both tell their speed
  */
-public record FirstScene(Studio studio, Path file, String problem) {
+public record FirstScene(Studio studio, Path file, String problem, boolean besideRest) {
 
-    /** The scene that was asked for, from a file or, with null, from the program. */
+    /** The scene that was asked for, alone. */
     public FirstScene(Studio studio, Path file) {
-        this(studio, file, "");
+        this(studio, file, "", false);
+    }
+
+    /**
+     * The scene of the program, which nobody asked for: it shows at once what motion does.
+     *
+     * @param problem why it is not the scene that was asked for; empty if there was none
+     */
+    public static FirstScene ofProgram(Studio studio, String problem) {
+        return new FirstScene(studio, null, problem, true);
     }
 
     /** Says over a window what the problem is, if there is one. */

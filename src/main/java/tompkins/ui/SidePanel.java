@@ -31,6 +31,7 @@ import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.widget.Column;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Section;
 import tompkins.ui.widget.Texts;
 
@@ -60,13 +61,22 @@ final class SidePanel {
     /**
      * The panel for a photograph.
      *
+     * @param besideRest whether the photograph is compared with that of a camera at rest from the beginning
      * @param teller says in a line what becomes of a click
      * @param editor opens the editor for a part of the studio
      */
-    SidePanel(StudioModel model, PhotographView view, Consumer<String> teller, Consumer<StudioPath> editor) {
+    SidePanel(
+            StudioModel model,
+            PhotographView view,
+            boolean besideRest,
+            Consumer<String> teller,
+            Consumer<StudioPath> editor) {
         shutter = new ShutterPanel(model);
         lens = new LensPanel(model, picking -> pick(model, view, teller, picking));
         ComparePanel compare = new ComparePanel(model, view::compare, view.canvas()::setOtherAlone, view::keepPicture);
+        if (besideRest) {
+            compare.choose(ComparePanel.Other.AT_REST);
+        }
         ray = new RaySection(model, () -> view.setPin(null), editor);
         Note remarks = new Note(model.studio().remarks());
         title.component().setName("remarks.title");
@@ -80,8 +90,8 @@ final class SidePanel {
         add("section.shutter", shutter.component(), true);
         add("section.shutterDetails", shutter.details(), false);
         add("section.lens", lens.component(), false);
-        add("section.compare", compare.component(), false);
-        add("section.transformation", LawPanel.ofTransformation(model).component(), false);
+        add("section.compare", compare.component(), besideRest);
+        add("section.transformation", transformation(model), false);
         add("section.colours", LawPanel.ofColours(model).component(), false);
         add("section.window", new WindowPanel(model).component(), false);
         add("section.quality", new QualityPanel(model).component(), false);
@@ -95,6 +105,13 @@ final class SidePanel {
         for (String key : List.of("F6", "F8")) {
             split.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(key), "none");
         }
+    }
+
+    private static JComponent transformation(StudioModel model) {
+        JPanel laws = Rows.column();
+        laws.add(LawPanel.ofTransformation(model).component(), "wmin 0");
+        laws.add(LawPanel.ofView(model).component(), "wmin 0");
+        return laws;
     }
 
     private static JScrollPane scroll(String name, JComponent content) {

@@ -12,6 +12,7 @@ import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 import tompkins.studio.PanoramaBackground;
 import tompkins.studio.Studio;
+import tompkins.trace.RayLife;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PixelProbe;
 import tompkins.ui.picture.RenderController;
@@ -161,12 +162,17 @@ final class StatusBar {
 
     private static String details(PixelProbe.Reading reading) {
         List<String> details = new ArrayList<>();
-        if (Double.isFinite(reading.angleDegrees())) {
+        if (Double.isFinite(reading.angleDegrees()) && !Double.isNaN(reading.frequencyRatio())) {
             details.add(Texts.get("probe.ratio", Numbers.brief(reading.frequencyRatio(), 4)));
         }
         if (reading.inScene() != null) {
             details.add(
                     Texts.get("status.events", Numbers.brief(reading.inScene()), Numbers.brief(reading.inCamera())));
+            RayLife.Encounter end = reading.life().end();
+            if (end.movesByItself()) {
+                details.add(
+                        Texts.get("status.ownEvent", Numbers.brief(end.rest().event())));
+            }
         }
         return details.isEmpty() ? " " : String.join("   \u00b7   ", details);
     }

@@ -57,19 +57,19 @@ public final class TompkinsWindow {
 
     private final Motion motion;
 
-    private TompkinsWindow(Studio studio, Path file, CommandLineWriter commandLine) {
+    private TompkinsWindow(FirstScene first, CommandLineWriter commandLine) {
         settings.look().install();
-        Path place = file == null ? null : PlainPath.of(file);
-        model = new StudioModel(studio, place);
+        Path place = first.file() == null ? null : PlainPath.of(first.file());
+        model = new StudioModel(first.studio(), place);
         view = new PhotographView(model, new PictureListener(), this::pace);
         // the window is built while it is worked on
         view.render();
         status = new StatusBar(view.controller());
-        side = new SideRoom(() -> new SidePanel(model, view, status::report, this::edit));
+        side = new SideRoom(() -> new SidePanel(model, view, first.besideRest(), status::report, this::edit));
         dialogs = new FileDialogs(frame, model, status, settings);
         saver = new SceneSaver(frame, model, status, dialogs);
         opener = new SceneOpener(frame, model, view, status, settings, dialogs, saver, this::pause);
-        captions = new Captions(view.canvas(), settings);
+        captions = new Captions(view.canvas(), settings, first.besideRest());
         Signs signs = new Signs(view.canvas(), settings);
         motion = new Motion(frame, model, view, status, new AnimationExport(frame, dialogs, captions), captions);
         frame.setContentPane(content());
@@ -140,15 +140,14 @@ public final class TompkinsWindow {
         }
         SwingUtilities.invokeLater(() -> {
             Thread.currentThread().setUncaughtExceptionHandler(new LastResort());
-            TompkinsWindow window = opened(first.studio(), first.file(), examples, commandLine);
+            TompkinsWindow window = opened(first, examples, commandLine);
             first.tellProblem(window.frame);
         });
     }
 
     /** Opens a window at once; called by the event thread. */
-    static TompkinsWindow opened(
-            Studio studio, Path file, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
-        TompkinsWindow window = new TompkinsWindow(studio, file, commandLine);
+    static TompkinsWindow opened(FirstScene first, Supplier<List<Studio>> examples, CommandLineWriter commandLine) {
+        TompkinsWindow window = new TompkinsWindow(first, commandLine);
         window.frame.setVisible(true);
         window.late.prepare(examples);
         return window;

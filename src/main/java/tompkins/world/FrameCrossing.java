@@ -109,7 +109,7 @@ public final class FrameCrossing {
         return step().transform(event);
     }
 
-    /** Takes each ray of a block into the scene frame, as {@link #cross(Ray)}. */
+    /** Takes each ray of a packet into the scene frame, as {@link #cross(Ray)}. */
     public void cross(RayPacket rays) {
         if (step == null) {
             sceneFromCamera.transform(rays);

@@ -68,7 +68,7 @@ public final class FrameRoutes {
         return memory;
     }
 
-    /** Takes each ray of a block into another frame. */
+    /** Takes each ray of a packet into another frame. */
     void transform(int from, int to, RayPacket rays) {
         for (FrameStep step : routes[from][to]) {
             step.transform(rays);

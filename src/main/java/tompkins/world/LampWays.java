@@ -47,7 +47,7 @@ public final class LampWays {
         lastShadows = new Primitive[world.frameCount()];
     }
 
-    /** Forgets what was seen before, so that the work for a block depends on nothing else. */
+    /** Forgets what was seen before, so that the work for a packet depends on nothing else. */
     public void beginBlock() {
         Arrays.fill(lastShadows, null);
     }

@@ -8,6 +8,7 @@ import tompkins.search.EntryNodes;
 import tompkins.search.NearestHit;
 import tompkins.search.ObjectTree;
 import tompkins.search.PacketSearch;
+import tompkins.search.TreeParts;
 
 /**
  * The search for the nearest hit in several frames. A ray is taken into each of them; its distances there are told in
@@ -44,12 +45,14 @@ public final class WorldSearch {
         }
     }
 
-    /** The rays of a block in one frame, and what was found for all of them together. */
+    /** The rays of a packet in one frame, and what was found for all of them together. */
     private static final class FramePacket {
         final RayPacket rays = new RayPacket(RayPacket.MOST);
         final PacketSearch search = new PacketSearch();
-        final EntryNodes entries = new EntryNodes(search);
-        boolean isFound;
+        final EntryNodes entries = new EntryNodes();
+        /** Where each ray must search; null if what they meet was found for all together. */
+        TreeParts parts;
+
         boolean hasEntries;
     }
 
@@ -78,7 +81,7 @@ public final class WorldSearch {
         return end();
     }
 
-    /** Begins to search for the rays of a block, which are in the scene frame. */
+    /** Begins to search for the rays of a packet, which are in the scene frame. */
     public void begin(RayPacket rays) {
         sceneRays = rays;
         for (int i = 0; i < packets.length; i++) {
@@ -91,12 +94,12 @@ public final class WorldSearch {
             FramePacket packet = packets[i];
             packet.rays.set(rays);
             routes.transform(0, i, packet.rays);
-            packet.isFound = packet.search.find(world.objects(i), packet.rays, nearest);
+            packet.parts = packet.search.find(world.objects(i), packet.rays, nearest);
             packet.hasEntries = false;
         }
     }
 
-    /** As {@link #nearest(Ray, int)}, for a ray of that block; asked in the order of the places. */
+    /** As {@link #nearest(Ray, int)}, for a ray of that packet; asked in the order of the places. */
     public boolean nearest(int place, Ray start) {
         begin(start, 0);
         for (int i = 0; i < packets.length; i++) {
@@ -108,16 +111,21 @@ public final class WorldSearch {
     }
 
     private void search(FramePacket packet, int index, int place, Ray start) {
-        if (!packet.isFound && place % EntryNodes.RAYS == 0) {
+        boolean isFound = packet.parts == null;
+        if (!isFound && place % EntryNodes.RAYS == 0) {
             packet.hasEntries = packet.entries.find(
-                    world.objects(index), packet.rays, place, Math.min(packet.rays.count(), place + EntryNodes.RAYS));
+                    world.objects(index),
+                    packet.parts,
+                    packet.rays,
+                    place,
+                    Math.min(packet.rays.count(), place + EntryNodes.RAYS));
         }
-        if (packet.isFound && !packet.search.mayMeet(place) || Double.isNaN(packet.rays.dx[place])) {
+        if (isFound && !packet.search.mayMeet(place) || Double.isNaN(packet.rays.dx[place])) {
             return;
         }
         Ray inFrame = index == 0 ? start : packet.rays.copy(place, mapped[index]);
         double limit = limit(inFrame);
-        if (packet.isFound) {
+        if (isFound) {
             packet.search.nearest(inFrame, place, limit, nearest);
         } else if (packet.hasEntries) {
             world.objects(index).nearest(inFrame, limit, packet.entries, nearest);
@@ -127,7 +135,7 @@ public final class WorldSearch {
         compare(inFrame, index);
     }
 
-    /** The rays of the block, in the scene frame. */
+    /** The rays of the packet, in the scene frame. */
     public RayPacket sceneRays() {
         return sceneRays;
     }

@@ -23,6 +23,7 @@ import tompkins.spacetime.Event;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
 import tompkins.surface.LorentzWindow;
+import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
 
 class AnimateCommandTest {
@@ -65,6 +66,29 @@ class AnimateCommandTest {
                 .mapToDouble(studio -> studio.velocity().components().z())
                 .toArray();
         assertThat(speeds).containsExactly(new double[] {0, 0.2, 0.4, 0.6, 0.8}, within(1e-15));
+    }
+
+    /** Its front at z = 5 + beta t - 1 is seen straight ahead at the age 4/(1 + beta). */
+    @Test
+    void theVelocityOfWhatMovesRuns() throws IOException {
+        Files.writeString(scene, """
+                {
+                  "scene": [{ "type": "Moving", "velocity": { "beta": 0, "direction": [0, 0, 1] }, "place": [0, 0, 4],
+                    "objects": [{ "type": "Plane", "point": [0, 0, 0], "normal": [0, 0, 1] }] }],
+                  "settings": { "width": 32, "height": 24, "samples": 1 }
+                }
+                """);
+        ProgramRun run = animate("frames", "--number", "scene[0].velocity.beta", "--from", "0", "--to", "0.8");
+        assertThat(run.err()).isEmpty();
+        List<Studio> moments = moments("frames");
+        for (int i = 0; i < moments.size(); i++) {
+            RayLife middle = RayLife.of(RenderPlan.of(moments.get(i)), 16, 12, 0, 0);
+            assertThat(middle.end().event().time()).isCloseTo(-4 / (1 + 0.2 * i), within(1e-12));
+        }
+        ProgramRun tooFast = animate("never", "--number", "scene[0].velocity.beta", "--from", "0", "--to", "1");
+        assertThat(tooFast.code()).isEqualTo(2);
+        assertThat(tooFast.err().lines()).hasSize(1);
+        assertThat(folder.resolve("never")).doesNotExist();
     }
 
     /** From rest, for one unit of proper time at a = 1: 0.2 s are five steps, of a rapidity of 0.2 each. */

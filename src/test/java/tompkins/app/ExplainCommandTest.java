@@ -147,6 +147,14 @@ class ExplainCommandTest {
             | 'scene': [{'type': 'Sphere'}]
             no cos^4 law | | 'camera': {'type': 'PanoramicCamera'}
             nothing is blurred by motion | 'velocity': [0, 0, 0.5] | 'velocity': [0, 0, 0]
+            nothing is blurred by motion | 'velocity': [0, 0, 0.5] | 'velocity': [0, 0, 0.5], 'camera': {'exposureTime': 1}
+            nothing is blurred by motion | 'scene': [{'type': 'Moving'}] | 'scene': [{'type': 'Moving', 'velocity': [0, 0, 0]}]
+            Measured, no photograph: it shows where things are at the time 0 of | 'view': 'measured' | 'view': 'seen'
+            where things are in the camera's frame, for each ray | 'view': 'measured', \
+            'camera': {'rollingShutter': {'sweep': 1}} | 'view': 'measured'
+            no searchlight effect; what is measured has no Doppler | 'view': 'measured', 'colours': 'doppler', 'velocity': [0, 0, 0.5] \
+            | 'view': 'measured', 'velocity': [0, 0, 0.5]
+            All light crosses the | 'velocity': [0, 0, 0.5] | 'view': 'measured', 'velocity': [0, 0, 0.5]
             """)
     void explainTellsWhatIsLeftOutWhereItMatters(String said, String with, String without) throws IOException {
         assertThat(explained(with)).contains(said);
@@ -200,6 +208,16 @@ class ExplainCommandTest {
                         law,
                         speed));
         assertThat(ProgramRun.of("explain", scene, "--size", "8x6").out()).contains(said);
+    }
+
+    @Test
+    void explainTellsThatLightIsNotMetered() throws IOException {
+        Path scene = Files.writeString(
+                folder.resolve("colours.json"), "{\"colours\": \"searchlight\", \"velocity\": [0, 0, 0.6]}");
+
+        assertThat(ProgramRun.of("explain", scene, "--size", "8x6", "--metering", "none")
+                        .out())
+                .contains("The light of the scene is taken as it comes, without metering.");
     }
 
     /**

@@ -144,7 +144,7 @@ class LimitsTest {
                 new Case("100 MB of nesting", 2, "check", large()),
                 new Case("photograph that is cut", 2, "check", cutPhotograph(good)),
                 new Case("photograph that is damaged", 2, "check", damagedPhotograph(good)),
-                scene("picture that is none", surface("text.png")),
+                scene("file that is not a picture", surface("text.png")),
                 scene("picture that claims 100000 x 100000", surface("bomb.png")),
                 scene("picture outside the scene's folder", surface("../other.png")),
                 scene("picture with an absolute path", surface("/etc/hostname")),

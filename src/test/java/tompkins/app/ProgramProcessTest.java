@@ -66,7 +66,7 @@ class ProgramProcessTest {
         assertThat(run.out().lines()).hasSize(2);
         assertThat(ImageIO.read(folder.resolve("small.png").toFile()).getWidth())
                 .isEqualTo(32);
-        assertThat(PhotographFile.readScene(folder.resolve("fig1b.png"))).isPresent();
+        assertThat(PhotographFile.readScene(folder.resolve("town-square.png"))).isPresent();
     }
 
     /** Ctrl-C, while the picture is written. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static tompkins.app.ProgramRun.FIG1B;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
@@ -173,5 +174,21 @@ class RenderCommandTest {
         assertThat(run.code()).isZero();
         assertThat(run.err()).isEmpty();
         assertThat(ProgramRun.of("explain", scene, "--size", "48x36").out()).contains("camera");
+    }
+
+    /** The command says it, and so does the title in the file. */
+    @Test
+    void whatIsNoPhotographSaysSo() throws IOException {
+        Path picture = folder.resolve("measured.png");
+        ProgramRun run = ProgramRun.of(
+                "render", "scenes/motion-barn-measured.json", "--size", "8x6", "--samples", "1", "-o", picture);
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(run.out()).contains("(measured, no photograph; ");
+        assertThat(Files.readString(picture, StandardCharsets.ISO_8859_1))
+                .contains("Measured, no photograph: A rod fits into a shorter barn");
+        Path seen = folder.resolve("seen.png");
+        assertThat(ProgramRun.of("render", "scenes/motion-barn.json", "--size", "8x6", "--samples", "1", "-o", seen)
+                        .out())
+                .doesNotContain("photograph");
     }
 }

@@ -250,6 +250,83 @@ class TraceCommandTest {
         assertThat(text).contains("Camera frame", "Scene frame", "Lorentz window", "floor", "gamma", "10.48");
     }
 
+    private Path approachingWall(String more) throws IOException {
+        return Files.writeString(folder.resolve("wall.json"), """
+                {
+                  "velocity": [0, 0, 0.6], "settings": { "width": 1, "height": 1 }, MORE
+                  "scene": [
+                    { "type": "Plane", "description": "far", "point": [0, 0, 1000], "normal": [0, 0, 1] },
+                    { "type": "Moving", "velocity": [0, 0, -0.8], "place": [0, 0, 9], "clockOffset": 100,
+                      "objects": [{ "type": "Plane", "description": "wall", "point": [0, 0, 0], "normal": [0, 0, 1] }] }
+                  ]
+                }
+                """.replace("MORE", more));
+    }
+
+    /**
+     * The wall z = 9 - 0.8 t is seen at z = 45, t = -45. Boosts: z' = gamma (z - beta t), tau = gamma (t + 0.8 (z -
+     * 9)). Doppler: twice for the camera, three times for the wall.
+     */
+    @Test
+    void whatMovesIsToldInItsOwnFrameToo() throws IOException {
+        Path scene = approachingWall("");
+
+        String text = ProgramRun.of("trace", scene, "--pixel", "0,0").out();
+        String json = ProgramRun.of("trace", scene, "--pixel", "0,0", "--json").out();
+
+        assertThat(text)
+                .contains("in the scene frame at (0.00000000, 0.00000000, 45.0000000), t = -45.0000000, distance 45.0")
+                .contains("in the camera frame at (0.00000000, 0.00000000, 90.0000000), t = -90.0000000\n")
+                .contains("proper time -27.0000000, its clocks show 73.0000000, frequency ratio (camera/own) 6.00");
+        assertThat(numbers(json, "wall", "position").get(2)).isCloseTo(45, within(1e-12));
+        assertThat(numbers(json, "wall", "distance").get(0)).isCloseTo(45, within(1e-12));
+        assertThat(numbers(json, "wall", "camera", "position").get(2)).isCloseTo(90, within(1e-12));
+        assertThat(numbers(json, "wall", "camera", "time").get(0)).isCloseTo(-90, within(1e-12));
+        assertThat(numbers(json, "wall", "scene", "position").get(2)).isCloseTo(45, within(1e-12));
+        assertThat(numbers(json, "wall", "own", "position").get(2)).isCloseTo(0, within(1e-12));
+        assertThat(numbers(json, "wall", "own", "properTime").get(0)).isCloseTo(-27, within(1e-12));
+        assertThat(numbers(json, "wall", "own", "clockReading").get(0)).isCloseTo(73, within(1e-12));
+        assertThat(numbers(json, "wall", "own", "frequencyRatio").get(0)).isCloseTo(6, within(1e-12));
+    }
+
+    /** Where the wall is at the time 2 of the camera, and no light tells it. */
+    @Test
+    void whatIsMeasuredHasTheTimeOfTheCamera() throws IOException {
+        Path scene = approachingWall(
+                "\"view\": \"measured\", \"camera\": { \"shutter\": { \"type\": \"AperturePlaneShutter\", \"openingTime\": 2 } },");
+
+        String text = ProgramRun.of("trace", scene, "--pixel", "0,0").out();
+        String json = ProgramRun.of("trace", scene, "--pixel", "0,0", "--json").out();
+
+        assertThat(text).contains("(camera/scene)  none: measured").doesNotContain("NaN", "(camera/own)");
+        assertThat(json).contains("\"frequencyRatio\" : null").doesNotContain("NaN");
+        // z = gamma (z' + beta t'), t = gamma (t' + beta z') with t' = 2 lies on z = 9 - 0.8 t
+        double place = ((9 / 1.25) - 2 * (0.6 + 0.8)) / (1 + 0.8 * 0.6);
+        assertThat(numbers(json, "wall", "camera", "position").get(2)).isCloseTo(place, within(1e-12));
+        assertThat(numbers(json, "wall", "camera", "time").get(0)).isCloseTo(2, within(1e-12));
+    }
+
+    /** The mirror sends the ray back from z = 10 at t = -10; the wall z = -9 + 0.8 t was there 135 before. */
+    @Test
+    void distancesToWhatMovesAreThoseOfTheScene() throws IOException {
+        Path scene = Files.writeString(folder.resolve("mirror.json"), """
+                {
+                  "settings": { "width": 1, "height": 1 },
+                  "scene": [
+                    { "type": "Plane", "description": "glass", "point": [0, 0, 10], "normal": [0, 0, 1],
+                      "surface": { "type": "Mirror" } },
+                    { "type": "Moving", "velocity": [0, 0, 0.8], "place": [0, 0, -9],
+                      "objects": [{ "type": "Plane", "description": "wall", "point": [0, 0, 0], "normal": [0, 0, 1] }] }
+                  ]
+                }
+                """);
+
+        String json = ProgramRun.of("trace", scene, "--pixel", "0,0", "--json").out();
+
+        assertThat(numbers(json, "wall", "distance").get(0)).isCloseTo(135, within(1e-10));
+        assertThat(json.substring(0, json.indexOf("wall"))).doesNotContain("\"own\"");
+    }
+
     /** The numbers behind the last of some keys, each searched behind the one before. */
     private static List<Double> numbers(String json, String... keys) {
         int place = 0;

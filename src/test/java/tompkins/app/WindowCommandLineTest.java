@@ -26,6 +26,7 @@ import tompkins.image.ToneCurve;
 import tompkins.io.StudioReader;
 import tompkins.io.StudioWriter;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.sceneobject.Sphere;
 import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.shutter.FixedPointSurfaceShutter;
@@ -75,6 +76,7 @@ class WindowCommandLineTest {
                 OPENED.withSettings(OPENED.settings().withToneCurve(ToneCurve.SRGB)),
                 OPENED.withVelocity(Velocity.of(-0.1, 0.2, 1.0 / 3)),
                 OPENED.withColours(ColourLaw.SEARCHLIGHT),
+                OPENED.withMetering(Metering.NONE),
                 with(OPENED.camera().shutter().openedAt(-1.5)),
                 with(FocusSurfaceShutter.DEFAULT),
                 exposed(0.25, RollingShutter.DEFAULT),

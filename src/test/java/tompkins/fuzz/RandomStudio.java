@@ -32,6 +32,7 @@ import tompkins.lesson.WithShutter;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
+import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.property.InvalidPropertyException;
@@ -181,6 +182,7 @@ public final class RandomStudio {
                 pick(TransformationLaw.values()),
                 random.nextInt(5) == 0 ? View.MEASURED : View.SEEN,
                 pick(ColourLaw.values()),
+                pick(Metering.values()),
                 new RenderSettings(
                         16, 12, 1 + random.nextInt(2), 0, random.nextLong(), pick(10, 100, 1000), ToneCurve.LINEAR),
                 several(2, this::leg),

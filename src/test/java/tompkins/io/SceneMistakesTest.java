@@ -37,7 +37,7 @@ class SceneMistakesTest {
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '~', textBlock = """
             {"titel": 1}                  | f:1:2: unknown key "titel"; allowed are version, title, topic, remarks, scene, \
-            cameraFrame, lights, background, camera, velocity, transformation, view, colours, settings, ride, lesson; \
+            cameraFrame, lights, background, camera, velocity, transformation, view, colours, metering, settings, ride, lesson; \
             did you mean "title"?
             {"settings": {"xyzzy": 1}}    | f:1:15: settings: unknown key "xyzzy"; allowed are width, height, samples, \
             targetError, seed, maximumDepth, toneCurve

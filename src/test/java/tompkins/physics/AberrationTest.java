@@ -40,6 +40,7 @@ class AberrationTest {
                 dark.transformation(),
                 dark.view(),
                 dark.colours(),
+                dark.metering(),
                 dark.settings(),
                 List.of(),
                 NoLesson.DEFAULT));

@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.fuzz.RandomStudio;
 import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.ray.Colour;
 import tompkins.ray.MeshData;
 import tompkins.render.RenderReport;
@@ -148,6 +149,7 @@ class EnergyTest {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 ColourLaw.UNCHANGED,
+                Metering.MIDDLE,
                 Studio.DEFAULT.settings().withSize(size, size),
                 List.of(),
                 NoLesson.DEFAULT));

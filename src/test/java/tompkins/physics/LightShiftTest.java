@@ -16,6 +16,7 @@ import tompkins.camera.Camera;
 import tompkins.camera.PanoramicCamera;
 import tompkins.image.LinearImage;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.SceneObject;
@@ -71,6 +72,23 @@ class LightShiftTest {
         // straight ahead, in the middle of the picture, D^2 is (1 + beta)/(1 - beta), and the metering makes D^4 to 1
         double unmetered = Math.pow((1 + beta) / (1 - beta), 2) * energy / solidAngle;
         assertThat(unmetered).isCloseTo((1 + beta * beta / 3) / (1 - beta * beta), within(0.005 * unmetered));
+    }
+
+    /** Turned by a right angle, the camera sees a wall as bright as before. */
+    @Test
+    void withoutMeteringLightIsTakenAsItComes() {
+        for (Vector3d view : List.of(new Vector3d(0, 0, 1), new Vector3d(1, 0, 0))) {
+            Studio studio = shell(Photograph.pinhole(view, 60, 0), Velocity.of(0, 0, 0.6), ColourLaw.SEARCHLIGHT)
+                    .withMetering(Metering.NONE);
+            Photograph photograph = new Photograph(studio);
+            for (int column = 0; column < WIDTH; column += 13) {
+                double cosine = photograph.cameraDirection(new Vector2d(column + 0.5, 20.5)).z;
+                // gamma = 1.25, D = 1/(gamma (1 - beta cos a'))
+                double expected = Math.pow(1 / (1.25 * (1 - 0.6 * cosine)), 4);
+                assertThat(photograph.image().value(column, 20, 0))
+                        .isCloseTo((float) expected, within((float) (1e-6 * expected)));
+            }
+        }
     }
 
     @Test

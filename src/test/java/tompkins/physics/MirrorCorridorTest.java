@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.ThinLensCamera;
 import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.ray.Colour;
 import tompkins.render.RenderReport;
 import tompkins.sceneobject.Plane;
@@ -54,6 +55,7 @@ class MirrorCorridorTest {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 ColourLaw.UNCHANGED,
+                Metering.MIDDLE,
                 settings,
                 List.of(),
                 NoLesson.DEFAULT));

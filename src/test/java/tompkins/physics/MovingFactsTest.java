@@ -14,6 +14,7 @@ import tompkins.camera.ThinLensCamera;
 import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
+import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.ray.Colour;
@@ -57,6 +58,7 @@ class MovingFactsTest {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 ColourLaw.UNCHANGED,
+                Metering.MIDDLE,
                 Studio.DEFAULT.settings().withSize(size, size),
                 List.of(),
                 NoLesson.DEFAULT);

@@ -12,6 +12,7 @@ import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
 import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.ray.Colour;
 import tompkins.render.RenderJob;
 import tompkins.render.Renderer;
@@ -60,6 +61,7 @@ final class Photograph {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 ColourLaw.UNCHANGED,
+                Metering.MIDDLE,
                 Studio.DEFAULT.settings().withSize(width, height),
                 List.of(),
                 NoLesson.DEFAULT));

@@ -18,6 +18,7 @@ import tompkins.lesson.NoLesson;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
+import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.ray.Colour;
@@ -113,6 +114,7 @@ class ReciprocityTest {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 colours,
+                Metering.MIDDLE,
                 Studio.DEFAULT.settings().withSize(160, 120),
                 List.of(),
                 NoLesson.DEFAULT);

@@ -127,6 +127,7 @@ class RenderWorkTest {
                 studio.transformation(),
                 studio.view(),
                 studio.colours(),
+                studio.metering(),
                 studio.settings(),
                 List.of(),
                 NoLesson.DEFAULT);

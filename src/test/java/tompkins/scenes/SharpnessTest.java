@@ -108,6 +108,7 @@ class SharpnessTest {
                 studio.transformation(),
                 studio.view(),
                 studio.colours(),
+                studio.metering(),
                 studio.settings(),
                 List.of(),
                 NoLesson.DEFAULT);

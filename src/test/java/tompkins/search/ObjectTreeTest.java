@@ -58,7 +58,7 @@ class ObjectTreeTest {
         List<Primitive> primitives = spheres(count, new Random(count));
         ObjectTree tree = new ObjectTree(primitives, 1);
         ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
-        EntryNodes entries = new EntryNodes(new PacketSearch());
+        EntryNodes entries = new EntryNodes();
         NearestHit inTree = new NearestHit(new RayCounts());
         NearestHit inList = new NearestHit(new RayCounts());
         Random random = new Random(11);
@@ -66,7 +66,8 @@ class ObjectTreeTest {
         int hits = 0;
         for (int i = 0; i < 100; i++) {
             Ray[] rays = neighbours(ray(random), random.nextDouble(0.1), random);
-            assertThat(entries.find(tree, block(rays), 0, rays.length)).isTrue();
+            assertThat(entries.find(tree, new TreeParts(), block(rays), 0, rays.length))
+                    .isTrue();
             for (Ray ray : rays) {
                 boolean hit = list.nearest(ray, inList);
                 hits += hit ? 1 : 0;
@@ -95,7 +96,7 @@ class ObjectTreeTest {
         ObjectTree tree = new ObjectTree(rods, 1);
         ObjectTree list = new ObjectTree(rods, Integer.MAX_VALUE);
         PacketSearch search = new PacketSearch();
-        EntryNodes entries = new EntryNodes(search);
+        EntryNodes entries = new EntryNodes();
         NearestHit inTree = new NearestHit(new RayCounts());
         NearestHit inList = new NearestHit(new RayCounts());
         Random random = new Random(12);
@@ -109,13 +110,14 @@ class ObjectTreeTest {
                     .flatMap(Stream::of)
                     .toArray(Ray[]::new);
             RayPacket block = block(rays);
-            if (search.find(tree, block, inTree)) {
+            TreeParts parts = search.find(tree, block, inTree);
+            if (parts == null) {
                 continue;
             }
-            gaveUp += search.partCount() > 0 ? 1 : 0;
+            gaveUp += parts.count() > 0 ? 1 : 0;
             for (int place = 0; place < rays.length; place++) {
                 if (place % EntryNodes.RAYS == 0) {
-                    assertThat(entries.find(tree, block, place, place + EntryNodes.RAYS))
+                    assertThat(entries.find(tree, parts, block, place, place + EntryNodes.RAYS))
                             .isTrue();
                 }
                 boolean hit = list.nearest(rays[place], inList);
@@ -172,7 +174,7 @@ class ObjectTreeTest {
         ObjectTree tree = new ObjectTree(spheres(100, new Random(1)), 1);
         Ray[] opposite = {Ray.from(0, 0, 0, 0, 0, 1, 0), Ray.from(0, 0, 0, 0, 0, -1, 0)};
 
-        assertThat(new EntryNodes(new PacketSearch()).find(tree, block(opposite), 0, 2))
+        assertThat(new EntryNodes().find(tree, new TreeParts(), block(opposite), 0, 2))
                 .isFalse();
     }
 

@@ -24,6 +24,7 @@ public final class Lighting {
                 studio.transformation(),
                 studio.view(),
                 studio.colours(),
+                studio.metering(),
                 studio.settings(),
                 List.of(),
                 NoLesson.DEFAULT);

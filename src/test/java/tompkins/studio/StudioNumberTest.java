@@ -9,9 +9,11 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.light.MovingLights;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.sceneobject.Group;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.SpeedScale;
@@ -43,6 +45,32 @@ class StudioNumberTest {
         Studio changed = number.with(STUDIO, 0.3 + number.in(STUDIO));
         assertThat(number.in(changed)).isCloseTo(0.3 + value, within(1e-15));
         assertThat(number.with(changed, number.in(STUDIO)).scene()).isEqualTo(STUDIO.scene());
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "scene[0].velocity.beta, 0.6, 0.8",
+        "scene[0].velocity.gamma, 1.25, 3",
+        "scene[0].velocity.rapidity, 0.6931471805599453, 2",
+        "scene[0].velocity.oneMinusBeta, 0.4, 1e-6",
+        "scene[0].place.y, 2, -7",
+        "scene[0].clockOffset, 4, 5.5",
+        "scene[0].objects[0].objects[0].radius, 1, 0.5",
+        "scene[0].objects[0].velocity.beta, 0.3, 0.9",
+        "lights[0].velocity.beta, 0.5, 0.25",
+        "lights[0].place.z, 0, 3"
+    })
+    void numbersOfWhatMovesAreReached(String place, double value, double next) {
+        Velocity fast = Velocity.of(SpeedScale.BETA, 0.6, new Vector3d(1, 0, 0));
+        Velocity slow = Velocity.of(SpeedScale.BETA, 0.3, new Vector3d(0, 1, 0));
+        Moving inner = new Moving("inner", slow, new Vector3d(), 0, List.of(Sphere.DEFAULT));
+        Moving outer = new Moving("outer", fast, new Vector3d(1, 2, 3), 4, List.of(inner));
+        Studio studio = Descriptions.with(STUDIO.withScene(List.of(outer)), "lights", List.of(MovingLights.DEFAULT));
+        StudioNumber number = StudioNumber.at(place, studio);
+        assertThat(number.in(studio)).isCloseTo(value, within(1e-15));
+        Studio changed = number.with(studio, next);
+        assertThat(number.in(changed)).isEqualTo(next);
+        assertThat(changed.velocity()).as("that of the camera").isEqualTo(studio.velocity());
     }
 
     @Test

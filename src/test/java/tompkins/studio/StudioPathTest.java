@@ -9,6 +9,7 @@ import tompkins.property.Descriptions;
 import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.ImagePointGrid;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
@@ -63,6 +64,9 @@ class StudioPathTest {
         Studio studio = BEFORE.withScene(List.of(equal, new Group("outer", List.of(PAIR, placed))));
         StudioPath inner = SCENE.then(1).then("objects").then(1).then("object");
         assertThat(StudioPath.to(studio, wanted)).contains(inner.then("objects").then(1));
+        Moving moving = Descriptions.with(Moving.DEFAULT, "objects", List.of(equal, wanted));
+        assertThat(StudioPath.to(BEFORE.withScene(List.of(moving)), wanted))
+                .contains(SCENE.then(0).then("objects").then(1));
         ImagePointGrid grid = Descriptions.with(ImagePointGrid.DEFAULT, "object", wanted);
         assertThat(StudioPath.to(BEFORE.withCameraFrame(List.of(BALL, grid)), wanted))
                 .contains(StudioPath.ROOT.then("cameraFrame").then(1).then("object"));

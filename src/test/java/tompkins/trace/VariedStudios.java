@@ -14,6 +14,7 @@ import tompkins.camera.ThinLensCamera;
 import tompkins.lesson.NoLesson;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.ray.Colour;
@@ -217,6 +218,7 @@ public final class VariedStudios {
                 TransformationLaw.LORENTZ,
                 View.SEEN,
                 ColourLaw.UNCHANGED,
+                Metering.MIDDLE,
                 Studio.DEFAULT.settings(),
                 List.of(),
                 NoLesson.DEFAULT);

@@ -13,6 +13,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
 import tompkins.studio.Studios;
+import tompkins.studio.View;
 import tompkins.ui.panel.NumberProperty;
 import tompkins.ui.picture.PictureCanvas;
 
@@ -34,6 +35,21 @@ class CaptionsTest {
                 .isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25, Doppler shift");
     }
 
+    /** No one shall take for a photograph what none is, whatever captions are wanted. */
+    @Test
+    void whatIsNoPhotographAlwaysSaysSo() {
+        Studio measured = FAST.withView(View.MEASURED);
+        Captions captions =
+                new Captions(new PictureCanvas(size -> {}), new Settings(folder.resolve("window.properties")), false);
+        assertThat(captions.shown(FAST)).isEmpty();
+        assertThat(captions.shown(measured)).isEqualTo("Measured, no photograph");
+        captions.setShown(true);
+        assertThat(captions.shown(measured)).isEqualTo("Measured, no photograph, \u03b2 = 0.6, \u03b3 = 1.25");
+        assertThat(Captions.ofPictures(measured, StudioNumber.OPENING_TIME, false)
+                        .of(measured, 0))
+                .isEqualTo("Measured, no photograph");
+    }
+
     @Test
     void theyTellTheNumberThatIsAnimated() {
         Studio later = StudioNumber.OPENING_TIME.with(FAST, 1.5);
@@ -51,11 +67,11 @@ class CaptionsTest {
     @Test
     void theWishIsRemembered() {
         Settings settings = new Settings(folder.resolve("window.properties"));
-        Captions captions = new Captions(new PictureCanvas(size -> {}), settings);
+        Captions captions = new Captions(new PictureCanvas(size -> {}), settings, false);
         assertThat(captions.areShown()).isFalse();
         captions.setShown(true);
         Settings again = new Settings(folder.resolve("window.properties"));
-        assertThat(new Captions(new PictureCanvas(size -> {}), again).areShown())
+        assertThat(new Captions(new PictureCanvas(size -> {}), again, false).areShown())
                 .isTrue();
     }
 }

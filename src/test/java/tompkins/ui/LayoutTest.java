@@ -105,7 +105,7 @@ class LayoutTest {
 
     private SidePanel sidePanel() {
         view = new PhotographView(model, new SilentListener(), () -> Pace.HAND);
-        return new SidePanel(model, view, message -> {}, part -> {});
+        return new SidePanel(model, view, false, message -> {}, part -> {});
     }
 
     @ParameterizedTest

@@ -133,7 +133,7 @@ class PhotographViewTest {
     void aClickBesideAllObjectsLeavesThePickingOn() {
         List<String> told = new ArrayList<>();
         Container panel =
-                (Container) WindowDriver.onEventThread(() -> new SidePanel(model, view, told::add, part -> {}))
+                (Container) WindowDriver.onEventThread(() -> new SidePanel(model, view, false, told::add, part -> {}))
                         .component();
         WindowDriver.onEventThread(() -> {
             model.set(Studios.sphere());

@@ -43,7 +43,7 @@ class SideRoomTest {
     }
 
     private void open() {
-        window = TompkinsWindow.opened(SCENE, null, List::of, new NamedCommands());
+        window = TompkinsWindow.opened(new FirstScene(SCENE, null), List::of, new NamedCommands());
     }
 
     @Test

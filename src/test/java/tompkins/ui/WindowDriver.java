@@ -59,6 +59,11 @@ public final class WindowDriver implements AutoCloseable {
      * @param settings the folder of the settings
      */
     WindowDriver(Path settings, Studio studio, Path file, List<Studio> examples) {
+        this(settings, new FirstScene(studio, file), examples);
+    }
+
+    /** Opens a window, as above, with what it shows first. */
+    WindowDriver(Path settings, FirstScene first, List<Studio> examples) {
         System.setProperty("tompkins.settings", settings.toString());
         try {
             robot = new Robot();
@@ -67,7 +72,7 @@ public final class WindowDriver implements AutoCloseable {
         }
         robot.setAutoDelay(8);
         Toolkit.getDefaultToolkit().addAWTEventListener(listener, AWTEvent.KEY_EVENT_MASK | AWTEvent.MOUSE_EVENT_MASK);
-        window = onEventThread(() -> TompkinsWindow.opened(studio, file, () -> examples, new NamedCommands()));
+        window = onEventThread(() -> TompkinsWindow.opened(first, () -> examples, new NamedCommands()));
         await("a picture on the screen", () -> picture() != null);
         await("the panel", () -> window.side().isFurnished());
         // which keys reach only then

@@ -50,6 +50,7 @@ final class MovingRow {
                 law,
                 plain.view(),
                 plain.colours(),
+                plain.metering(),
                 plain.settings(),
                 List.of(),
                 NoLesson.DEFAULT);

@@ -38,6 +38,10 @@ public final class ComparePanel {
         GALILEAN_CAMERA,
         /** Brightness and colours do not change with the speed. */
         UNCHANGED_COLOURS,
+        /** What the camera sees, if the picture shows where things are. */
+        SEEN,
+        /** Where things are at the time of the picture: no photograph. */
+        MEASURED,
         /** The camera has a shutter of another model. */
         OTHER_SHUTTER,
         /** A picture that was on the screen before. */
@@ -114,7 +118,12 @@ public final class ComparePanel {
             others.addItem(Other.KEPT_PICTURE);
         }
         keptName = name;
-        others.setSelectedItem(Other.KEPT_PICTURE);
+        choose(Other.KEPT_PICTURE);
+    }
+
+    /** Chooses what to compare with, as the user does. */
+    public void choose(Other other) {
+        others.setSelectedItem(other);
     }
 
     private void choose() {

@@ -6,6 +6,7 @@ import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
+import tompkins.studio.View;
 import tompkins.ui.model.Shutters;
 import tompkins.ui.picture.Comparison;
 
@@ -29,6 +30,8 @@ public record Compared(ComparePanel.Other other, Class<?> shutter, Comparison vi
             case AT_REST -> FrontWindow.withVelocity(now, Velocity.of(new Vector3d()));
             case GALILEAN_CAMERA -> now.withTransformation(TransformationLaw.GALILEAN);
             case UNCHANGED_COLOURS -> now.withColours(ColourLaw.UNCHANGED);
+            case SEEN -> now.withView(View.SEEN);
+            case MEASURED -> now.withView(View.MEASURED);
             case OTHER_SHUTTER -> Shutters.replaced(now, shutter);
         };
     }
@@ -38,7 +41,7 @@ public record Compared(ComparePanel.Other other, Class<?> shutter, Comparison vi
         return switch (other) {
             case NOTHING, KEPT_PICTURE -> false;
             case AT_REST -> now.velocity().isRest();
-            case GALILEAN_CAMERA, UNCHANGED_COLOURS, OTHER_SHUTTER ->
+            case GALILEAN_CAMERA, UNCHANGED_COLOURS, SEEN, MEASURED, OTHER_SHUTTER ->
                 studio(now).equals(now);
         };
     }

@@ -109,6 +109,9 @@ final class DiagramPane extends JPanel {
             Point2D at = place(new Point2D.Double(0, tick));
             g.draw(new Line2D.Double(at.getX() - gap, at.getY(), at.getX() + gap, at.getY()));
         });
+        g.setColor(UIManager.getColor("Component.accentColor"));
+        g.setStroke(new BasicStroke(1.2f));
+        object().forEach(g::draw);
         drawRay(g);
         g.dispose();
     }
@@ -125,9 +128,16 @@ final class DiagramPane extends JPanel {
         return List.of(through(diagram.otherTime()), through(diagram.otherSpace()));
     }
 
+    /** The world line of what the ray ends at, if it does. */
+    List<Line2D> object() {
+        return diagram.object() == null
+                ? List.of()
+                : List.of(through(diagram.path().get(diagram.path().size() - 1), diagram.object()));
+    }
+
     /** All lines, in pixels. */
     List<Line2D> lines() {
-        return Stream.of(ownAxes(), light(), otherAxes(), ray())
+        return Stream.of(ownAxes(), light(), otherAxes(), object(), ray())
                 .flatMap(List::stream)
                 .toList();
     }
@@ -250,8 +260,18 @@ final class DiagramPane extends JPanel {
 
     /** A line through the event at the lens, from edge to edge, in pixels. */
     private Line2D through(Point2D direction) {
+        return through(new Point2D.Double(), direction);
+    }
+
+    /** A line through an event, from edge to edge, in pixels. */
+    private Line2D through(Point2D event, Point2D direction) {
         double length = 2.0 * (getWidth() + getHeight()) / (scale() * direction.distance(0, 0));
-        return new Line2D.Double(place(times(direction, -length)), place(times(direction, length)));
+        return new Line2D.Double(
+                place(sum(event, times(direction, -length))), place(sum(event, times(direction, length))));
+    }
+
+    private static Point2D sum(Point2D first, Point2D second) {
+        return new Point2D.Double(first.getX() + second.getX(), first.getY() + second.getY());
     }
 
     private static Point2D times(Point2D point, double factor) {

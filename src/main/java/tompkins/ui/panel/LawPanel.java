@@ -3,12 +3,15 @@ package tompkins.ui.panel;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import javax.swing.ButtonGroup;
+import javax.swing.JCheckBox;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JRadioButton;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
+import tompkins.studio.View;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.Naming;
@@ -17,7 +20,7 @@ import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Wording;
 
-/** A choice between a few laws of nature. */
+/** A choice between a few laws of nature, or between the views of it. */
 public final class LawPanel {
 
     private final JPanel panel = Rows.column();
@@ -46,14 +49,34 @@ public final class LawPanel {
         return new LawPanel(model, TransformationLaw.values(), Studio::transformation, Studio::withTransformation);
     }
 
+    /** Whether the picture of the studio in a model shows what is seen, or what is measured. */
+    public static LawPanel ofView(StudioModel model) {
+        return new LawPanel(model, View.values(), Studio::view, Studio::withView);
+    }
+
     /** What the motion does to the colours of the studio in a model. */
     public static LawPanel ofColours(StudioModel model) {
         LawPanel colours = new LawPanel(model, ColourLaw.values(), Studio::colours, Studio::withColours);
         Note note = Note.ofLines(2);
         note.setText(missingEffectOnColours(model.studio()));
         model.addListener(() -> note.setText(missingEffectOnColours(model.studio())));
+        colours.panel.add(meter(model));
         colours.panel.add(note.component(), "wmin 0");
         return colours;
+    }
+
+    private static JCheckBox meter(StudioModel model) {
+        JCheckBox meter = new JCheckBox(Texts.get("colours.meter"));
+        Naming.name(meter, meter.getText(), Texts.get("colours.meterTip"));
+        meter.addActionListener(
+                event -> model.set(model.studio().withMetering(meter.isSelected() ? Metering.MIDDLE : Metering.NONE)));
+        Runnable update = () -> {
+            meter.setSelected(model.studio().metering() == Metering.MIDDLE);
+            meter.setEnabled(model.studio().shiftsColours());
+        };
+        model.addListener(update);
+        update.run();
+        return meter;
     }
 
     private static String missingEffectOnColours(Studio studio) {

@@ -111,8 +111,9 @@ record PicturePainter(
     }
 
     private void caption(Graphics2D g, Picture picture, Rectangle bounds, Corner corner) {
-        if (captions != null) {
-            label(g, captions.apply(picture.studio()), bounds, corner);
+        String text = captions == null ? "" : captions.apply(picture.studio());
+        if (!text.isEmpty()) {
+            label(g, text, bounds, corner);
         }
     }
 

@@ -71,16 +71,22 @@ public final class RayStory {
     }
 
     private static Step crossing(RayLife life) {
+        String frequency = Double.isNaN(life.frequencyRatio())
+                ? Texts.get("ray.measured")
+                : Texts.get("ray.ratio", Numbers.brief(life.frequencyRatio()));
         return new Step(
                 Texts.get("ray.sceneStart"),
                 0,
                 List.of(
                         fact("at", Numbers.brief(life.sceneStart())),
                         fact("direction", Numbers.brief(life.sceneDirection())),
-                        fact("frequency", Texts.get("ray.ratio", Numbers.brief(life.frequencyRatio())))));
+                        fact("frequency", frequency)));
     }
 
-    /** A hit in its own frame, or in both frames if it is the end of what was read. */
+    /**
+     * A hit in the frame in which it was found, or in that of the scene and that of the camera if it is the end of what
+     * was read; of what moves by itself in its own, too.
+     */
     private static Step hit(RayLife.Encounter hit, PixelProbe.Reading read) {
         List<Fact> facts = new ArrayList<>();
         facts.add(fact("distance", Numbers.brief(hit.distance())));
@@ -90,10 +96,27 @@ public final class RayStory {
         } else {
             facts.add(fact(hit.frame() == Frame.SCENE ? "inScene" : "inCamera", Numbers.brief(hit.event())));
         }
+        if (hit.movesByItself()) {
+            facts.addAll(ownFrame(hit.rest()));
+        }
         if (hit.share() < 1) {
             facts.add(fact("share", Texts.get("ray.atMost", Numbers.brief(hit.share(), 4))));
         }
         return new Step(Texts.get("ray.hits", hit.object().description()), hit.branch(), facts);
+    }
+
+    /** A hit in the frame in which its object rests; what clocks show is told only if they were set. */
+    private static List<Fact> ownFrame(RayLife.Rest rest) {
+        List<Fact> facts = new ArrayList<>();
+        facts.add(fact("inOwn", Numbers.brief(rest.event().position())));
+        facts.add(fact("properTime", Numbers.brief(rest.event().time())));
+        if (rest.clockReading() != rest.event().time()) {
+            facts.add(fact("clock", Numbers.brief(rest.clockReading())));
+        }
+        if (!Double.isNaN(rest.dopplerFactor())) {
+            facts.add(fact("frequency", Texts.get("ray.ownRatio", Numbers.brief(rest.dopplerFactor()))));
+        }
+        return facts;
     }
 
     private static Fact fact(String label, String value) {

@@ -15,17 +15,25 @@ import tompkins.trace.RayLife;
 
 /**
  * What a space-time (Minkowski) diagram of a ray shows, in one of the frames: x is the place along the camera's
- * velocity, y the time, both counted from the event at which the ray starts at the lens.
+ * velocity, or if that rests along the velocity of the object that the ray ends at; y is the time. Both are counted
+ * from the event at which the ray starts at the lens.
  *
  * @param frame the frame whose axes are upright
  * @param path the events of the main branch of the ray, from the lens on, backwards in time
  * @param onwards how x and y change along the ray after its last event, to the background; null if it ends there
+ * @param object how x and y change along the world line of the object at the last event; null if it ends at none
  * @param light how x and y change along light that runs with the camera's velocity, and along light against it
  * @param otherTime how x and y change along the time axis of the other frame: the way of what rests in it
  * @param otherSpace how x and y change along its axis of space: events that are simultaneous in it
  */
 public record SpaceTimeDiagram(
-        Frame frame, List<Point2D> path, Point2D onwards, List<Point2D> light, Point2D otherTime, Point2D otherSpace) {
+        Frame frame,
+        List<Point2D> path,
+        Point2D onwards,
+        Point2D object,
+        List<Point2D> light,
+        Point2D otherTime,
+        Point2D otherSpace) {
 
     /** Where the origins of both frames meet, whatever the transformation. */
     private static final Event ZERO = new Event(0, 0, 0, 0);
@@ -35,7 +43,7 @@ public record SpaceTimeDiagram(
         boolean ofScene = frame == Frame.SCENE;
         SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
         SpaceTimeTransformation fromOther = ofScene ? sceneFromCamera : sceneFromCamera.inverse();
-        Vector3dc along = Vectors.unit(studio.velocity().givenDirection());
+        Vector3dc along = along(life.end(), studio);
         Event origin = ofScene ? sceneFromCamera.transform(life.cameraStart()) : life.cameraStart();
         List<Point2D> path = new ArrayList<>(List.of(new Point2D.Double()));
         for (RayLife.Encounter hit : life.mainHits()) {
@@ -58,9 +66,30 @@ public record SpaceTimeDiagram(
                 frame,
                 path,
                 onwards,
+                life.end() == null ? null : place(worldLine(life.end(), studio, frame), ZERO, along),
                 light,
                 place(fromOther.transform(time), ZERO, along),
                 place(fromOther.transform(space), ZERO, along));
+    }
+
+    /** The direction of x: where the camera flies, or else what the ray ends at. */
+    private static Vector3dc along(RayLife.Encounter end, Studio studio) {
+        boolean objectAlone = studio.velocity().isRest() && end != null && end.movesByItself();
+        return Vectors.unit(
+                objectAlone
+                        ? end.rest().motion().worldLine(studio.transformation()).position()
+                        : studio.velocity().givenDirection());
+    }
+
+    /** How place and time in a frame change with the own time of what was hit. */
+    private static Event worldLine(RayLife.Encounter hit, Studio studio, Frame frame) {
+        Event time = new Event(0, 0, 0, 1);
+        SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();
+        if (hit.frame() == Frame.CAMERA) {
+            return frame == Frame.CAMERA ? time : sceneFromCamera.transform(time);
+        }
+        Event inScene = hit.movesByItself() ? hit.rest().motion().worldLine(studio.transformation()) : time;
+        return frame == Frame.SCENE ? inScene : sceneFromCamera.inverse().transform(inScene);
     }
 
     private static Point2D place(Event event, Event origin, Vector3dc along) {

@@ -1,6 +1,7 @@
 package tompkins.ui.editor;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import java.awt.Container;
 import java.awt.Rectangle;
@@ -19,7 +20,9 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.LightSource;
@@ -36,6 +39,7 @@ import tompkins.sceneobject.Disc;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.ImagePointGrid;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.Plane;
@@ -44,6 +48,7 @@ import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Silhouette;
 import tompkins.sceneobject.Sphere;
 import tompkins.sceneobject.Triangle;
+import tompkins.spacetime.Velocity;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
@@ -346,6 +351,88 @@ class SceneEditorTest {
         assertThat(types.getItemCount()).isEqualTo(objects().size() - 1);
     }
 
+    /** In every way in which the camera's can be given: speed, factor, rapidity, rest to 1, and kilometres a second. */
+    @ParameterizedTest
+    @CsvSource({
+        "0.6, 1.25",
+        "gamma 5, 5",
+        "rapidity 0.6931471805599453, 1.25",
+        "1-1e-8, 7071.067811865475",
+        "179875.4748 km/s, 1.25"
+    })
+    void theVelocityOfWhatMovesIsGivenInEveryWay(String typed, double gamma) {
+        editor.addElement(Moving.class);
+        Studio before = model.studio();
+        Components.enter(panel, "Speed", typed);
+        assertThat(moving().velocity().gamma()).isCloseTo(gamma, withinPercentage(1e-6));
+        assertThat(moving().velocity().components().y()).isZero();
+        assertThat(model.studio().velocity()).as("that of the camera").isEqualTo(before.velocity());
+        Components.enter(panel, "Direction x", "0");
+        Components.enter(panel, "Direction y", "-1");
+        assertThat(moving().velocity().gamma()).isCloseTo(gamma, withinPercentage(1e-6));
+        assertThat(moving().velocity().components().y()).isNegative();
+        for (int i = 0; i < 10 && !model.studio().equals(before); i++) {
+            model.undo();
+        }
+        assertThat(model.studio()).isEqualTo(before);
+    }
+
+    private Moving moving() {
+        return (Moving) model.studio().scene().get(2);
+    }
+
+    @Test
+    void placeAndClocksOfWhatMovesAreEditedAndUndone() {
+        editor.addElement(Moving.class);
+        Moving before = moving();
+        Components.enter(panel, "Place z", "7.5");
+        Components.enter(panel, "Clock offset", "-3");
+        Vector3d place = new Vector3d(before.place().x(), before.place().y(), 7.5);
+        assertThat(moving())
+                .isEqualTo(new Moving(before.description(), before.velocity(), place, -3, before.objects()));
+        model.undo();
+        assertThat(moving().clockOffset()).isZero();
+        model.undo();
+        assertThat(moving()).isEqualTo(before);
+        model.redo();
+        assertThat(moving().place()).isEqualTo(place);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"1", "-1", "1.5", "gamma 0.5", "NaN", "300000 km/s"})
+    void asFastAsLightIsRefusedInTheForm(String typed) {
+        editor.addElement(Moving.class);
+        Studio before = model.studio();
+        JTextField speed = Components.enter(panel, "Speed", typed);
+        assertThat(Components.isMarked(speed)).isTrue();
+        assertThat(model.studio()).isEqualTo(before);
+    }
+
+    /** What moves is a branch of the tree, as a group is. */
+    @Test
+    void objectsThatMoveAreReachedAndMore() {
+        model.set(model.studio().withScene(List.of(Moving.DEFAULT)));
+        choose("Scene");
+        choose("moving");
+        choose("Objects");
+        choose("sphere");
+        Components.enter(panel, "Radius", "0.25");
+        Sphere smaller = Descriptions.with(Sphere.DEFAULT, "radius", 0.25);
+        assertThat(((Moving) model.studio().scene().get(0)).objects()).containsExactly(smaller);
+        choose("Objects");
+        editor.addElement(Box.class);
+        assertThat(((Moving) model.studio().scene().get(0)).objects()).hasSize(2);
+    }
+
+    @Test
+    void anObjectThatMovesIsChosenFromOutside() {
+        Moving inner = new Moving("inner", Velocity.of(0.5, 0, 0), new Vector3d(), 0, List.of(Sphere.DEFAULT));
+        Moving outer = new Moving("outer", Velocity.of(0, 0.5, 0), new Vector3d(), 0, List.of(Disc.DEFAULT, inner));
+        model.set(model.studio().withScene(List.of(outer)));
+        editor.choose(StudioPath.to(model.studio(), inner.objects().get(0)).orElseThrow());
+        assertThat(tree.getSelectionPath().getLastPathComponent()).hasToString("sphere");
+    }
+
     @Test
     void anObjectIsChosenFromOutside() {
         StudioPath box = StudioPath.to(
@@ -378,6 +465,7 @@ class SceneEditorTest {
                 Parallelogram.class,
                 Silhouette.class,
                 CylinderLattice.class,
+                Moving.class,
                 Placed.class);
     }
 

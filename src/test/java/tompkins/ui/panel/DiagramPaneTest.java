@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
@@ -38,7 +39,7 @@ class DiagramPaneTest {
 
     private static SpaceTimeDiagram along(List<Point2D> path, Point2D onwards) {
         return new SpaceTimeDiagram(
-                Frame.SCENE, path, onwards, LIGHT, new Point2D.Double(0, 1), new Point2D.Double(1, 0));
+                Frame.SCENE, path, onwards, null, LIGHT, new Point2D.Double(0, 1), new Point2D.Double(1, 0));
     }
 
     private static BufferedImage painted(DiagramPane pane) {
@@ -81,6 +82,39 @@ class DiagramPaneTest {
         assertThat(isRay(image, SIZE / 2 + 98, row + 98)).as("behind its end").isFalse();
     }
 
+    /** It passes the end of the ray, 40 pixels below and to the right of the lens, with half the speed of light. */
+    @Test
+    void theWorldLineOfTheObjectRunsThroughTheEnd() {
+        DiagramPane pane = pane(new SpaceTimeDiagram(
+                Frame.SCENE,
+                List.of(HERE, new Point2D.Double(9, -9)),
+                null,
+                new Point2D.Double(-0.5, 1),
+                LIGHT,
+                new Point2D.Double(0, 1),
+                new Point2D.Double(1, 0)));
+        BufferedImage image = painted(pane);
+        Line2D worldLine = pane.object().get(0);
+        int row = lens(image);
+        // the ray at 45 degrees ends where both meet
+        int end = IntStream.range(0, SIZE / 2)
+                .filter(i -> worldLine.ptLineDist(SIZE / 2.0 + i, row + i) < 1)
+                .findFirst()
+                .orElseThrow();
+        assertThat(isRay(image, SIZE / 2 + end - 6, row + end - 6)).isTrue();
+        assertThat(isAccent(image, SIZE / 2 + end - 20, row + end - 40)).isTrue();
+        assertThat(isAccent(image, SIZE / 2 + end - 4, row + end - 40))
+                .as("upright")
+                .isFalse();
+    }
+
+    /** Whether the colour of the ray is seen at a place or beside it, mixed with white where a line is thin. */
+    private static boolean isAccent(BufferedImage image, int x, int y) {
+        return IntStream.range(0, 9)
+                .map(i -> image.getRGB(x - 1 + i % 3, y - 1 + i / 3))
+                .anyMatch(colour -> (colour & 255) - (colour >> 16 & 255) > 60);
+    }
+
     @Test
     void aRayToTheBackgroundRunsToTheEdge() {
         BufferedImage image = painted(pane(along(List.of(HERE), new Point2D.Double(-0.5, -1))));
@@ -96,6 +130,7 @@ class DiagramPaneTest {
         BufferedImage image = painted(pane(new SpaceTimeDiagram(
                 Frame.CAMERA,
                 List.of(HERE, new Point2D.Double(0, -9)),
+                null,
                 null,
                 LIGHT,
                 new Point2D.Double(-0.3 * gamma, gamma),
@@ -118,6 +153,7 @@ class DiagramPaneTest {
                             frame,
                             List.of(HERE, new Point2D.Double(x, -9)),
                             null,
+                            new Point2D.Double(0.1 * x, 1),
                             LIGHT,
                             new Point2D.Double(sign * gamma * beta, gamma),
                             new Point2D.Double(gamma, sign * gamma * beta)));

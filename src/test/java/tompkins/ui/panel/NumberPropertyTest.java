@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Sphere;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
@@ -25,6 +26,18 @@ class NumberPropertyTest {
             Studio same = property.number().with(Studios.sphere(), value);
             assertThat(property.number().in(same)).as(property.name()).isEqualTo(value);
         }
+    }
+
+    @Test
+    void theNumbersOfWhatMovesCanRun() {
+        Studio studio = Studios.sphere().withScene(List.of(Moving.DEFAULT));
+        assertThat(NumberProperty.of(studio))
+                .extracting(NumberProperty::name)
+                .contains(
+                        "Scene \u203a moving \u203a Velocity",
+                        "Scene \u203a moving \u203a Place x",
+                        "Scene \u203a moving \u203a Clock offset",
+                        "Scene \u203a moving \u203a Objects \u203a sphere \u203a Radius");
     }
 
     @Test

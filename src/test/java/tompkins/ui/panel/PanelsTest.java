@@ -13,6 +13,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.accessibility.AccessibleValue;
 import javax.swing.JButton;
+import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
 import javax.swing.JList;
 import javax.swing.JPanel;
@@ -31,9 +32,11 @@ import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
 import tompkins.light.ColourLaw;
+import tompkins.light.Metering;
 import tompkins.property.Descriptions;
 import tompkins.ray.MeshData;
 import tompkins.render.Quality;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -51,10 +54,12 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
+import tompkins.studio.View;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.GalileoWindow;
 import tompkins.surface.LorentzWindow;
 import tompkins.surface.Surface;
+import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.Components;
 import tompkins.ui.model.Shutters;
@@ -577,6 +582,38 @@ class PanelsTest {
         assertThat(model.studio().transformation()).isEqualTo(TransformationLaw.GALILEAN);
     }
 
+    /** The ball passes a camera at rest: at another time it is elsewhere. */
+    @Test
+    void theOpeningTimeIsOfferedWhereOnlyTheSceneMoves() {
+        Moving far = Descriptions.with(Moving.DEFAULT, "place", new Vector3d(-40, 0, 0));
+        Studio studio = Studios.lattice().withVelocity(Velocity.REST).withScene(List.of(far));
+        model.set(studio);
+        assertThat(RenderPlan.of(studio).isStill()).isFalse();
+        Container panel = (Container) new ShutterPanel(model).component();
+        JTextField time = Components.find(panel, JTextField.class, "Opens at");
+        assertThat(time.getParent().isVisible()).isTrue();
+        // it passes the middle at time 80, its light comes 10 later
+        Components.enter(panel, "Opens at", "89");
+        assertThat(model.studio().camera().shutter().openingTime()).isEqualTo(89);
+        RayLife before = RayLife.of(RenderPlan.of(studio), 320, 240, 0, 0);
+        RayLife now = RayLife.of(RenderPlan.of(model.studio()), 320, 240, 0, 0);
+        assertThat(before.end()).isNull();
+        assertThat(now.end().object().description()).isEqualTo("sphere");
+        assertThat(new SceneSize().times(studio).maximum()).isGreaterThanOrEqualTo(40);
+    }
+
+    @Test
+    void whatIsMeasuredIsChosen() {
+        Container panel = (Container) LawPanel.ofView(model).component();
+        JRadioButton measured = Components.find(panel, JRadioButton.class, "Measured: no photograph");
+        assertThat(measured.isSelected()).isFalse();
+        Studio before = model.studio();
+        measured.doClick();
+        assertThat(model.studio()).isEqualTo(before.withView(View.MEASURED));
+        model.set(before);
+        assertThat(measured.isSelected()).isFalse();
+    }
+
     @Test
     void theLawOfColoursIsChosen() {
         Container panel = (Container) LawPanel.ofColours(model).component();
@@ -586,7 +623,12 @@ class PanelsTest {
         Components.find(panel, JRadioButton.class, "Doppler shift").doClick();
         assertThat(model.studio()).isEqualTo(before.withColours(ColourLaw.DOPPLER));
         assertThat(Components.notes(panel)).noneMatch(text -> text.startsWith("No effect here"));
+        JCheckBox meter = Components.find(panel, JCheckBox.class, "Meter in the middle");
+        meter.doClick();
+        assertThat(model.studio())
+                .isEqualTo(before.withColours(ColourLaw.DOPPLER).withMetering(Metering.NONE));
         model.set(model.studio().withVelocity(Velocity.REST));
+        assertThat(meter.isEnabled()).as("where it would change nothing").isFalse();
         assertThat(Components.notes(panel)).anyMatch(text -> text.startsWith("No effect here"));
         model.set(before.withColours(ColourLaw.SEARCHLIGHT).withTransformation(TransformationLaw.GALILEAN));
         assertThat(Components.notes(panel)).anyMatch(text -> text.startsWith("No effect here"));
@@ -606,6 +648,11 @@ class PanelsTest {
                 .isTrue();
         compareWith(panel, ComparePanel.Other.GALILEAN_CAMERA);
         assertThat(compared.studio(now)).isEqualTo(now.withTransformation(TransformationLaw.GALILEAN));
+        compareWith(panel, ComparePanel.Other.MEASURED);
+        assertThat(compared.studio(now)).isEqualTo(now.withView(View.MEASURED));
+        assertThat(compared.name()).contains("no photograph");
+        compareWith(panel, ComparePanel.Other.SEEN);
+        assertThat(compared.studio(now.withView(View.MEASURED))).isEqualTo(now);
         compareWith(panel, ComparePanel.Other.UNCHANGED_COLOURS);
         assertThat(compared.studio(now.withColours(ColourLaw.DOPPLER))).isEqualTo(now);
         Components.find((Container) panel.component(), JComboBox.class, "Shutter to compare with")
@@ -647,7 +694,7 @@ class PanelsTest {
     }
 
     @ParameterizedTest
-    @EnumSource(names = {"AT_REST", "GALILEAN_CAMERA", "UNCHANGED_COLOURS"})
+    @EnumSource(names = {"AT_REST", "GALILEAN_CAMERA", "UNCHANGED_COLOURS", "MEASURED"})
     void theSamePictureTwiceIsSaidToBe(ComparePanel.Other other) {
         Studio moving = Studios.lattice().withVelocity(Velocity.of(0, 0, 0.5));
         ComparePanel panel = comparePanel();
@@ -658,6 +705,7 @@ class PanelsTest {
         model.set(
                 switch (other) {
                     case AT_REST -> moving.withVelocity(Velocity.of(SpeedScale.BETA, 0, new Vector3d(0, 1, 0)));
+                    case MEASURED -> moving.withView(View.MEASURED);
                     case GALILEAN_CAMERA -> moving.withTransformation(TransformationLaw.GALILEAN);
                     default -> moving.withColours(ColourLaw.UNCHANGED);
                 });
@@ -670,7 +718,7 @@ class PanelsTest {
         JComboBox<?> others = Components.find(panel, JComboBox.class, "Compare with");
         assertThat(items(others))
                 .doesNotContain(ComparePanel.Other.KEPT_PICTURE)
-                .hasSize(5);
+                .hasSize(7);
         for (int round = 0; round < 2; round++) {
             Components.find(panel, JButton.class, "Keep this picture").doClick();
             assertThat(others.getSelectedItem()).isEqualTo(ComparePanel.Other.KEPT_PICTURE);

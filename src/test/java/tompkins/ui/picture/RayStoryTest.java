@@ -7,12 +7,15 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import tompkins.camera.Camera;
 import tompkins.sceneobject.Box;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
+import tompkins.studio.View;
 import tompkins.surface.ColouredSurface;
 import tompkins.surface.Mirror;
 import tompkins.surface.Refractive;
@@ -52,6 +55,39 @@ class RayStoryTest {
         assertThat(fact(story.get(3), "In scene")).isEqualTo("(0, 0, 9; t\u00a0=\u00a0-9)");
         assertThat(fact(story.get(3), "In camera")).isEqualTo("(0, 0, 27; t\u00a0=\u00a0-27)");
         assertThat(fact(story.get(3), "Light")).isNull();
+    }
+
+    /** The wall z = 9 - 0.8 t is seen at z = 45, t = -45, its own time gamma (t + 0.8 (z - 9)) = -27. */
+    @Test
+    void whatMovesIsToldInItsOwnFrameToo() {
+        Plane wall = new Plane("wall", new Vector3d(1, 2, 0), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT);
+        Moving moving = new Moving("moving", Velocity.of(0, 0, -0.8), new Vector3d(0, 0, 9), 100, List.of(wall));
+        Studio studio = Studios.sphere().withScene(List.of(moving));
+        List<RayStory.Step> story = story(studio, 32, 24);
+        RayStory.Step hit = story.get(story.size() - 1);
+        assertThat(hit.heading()).isEqualTo("Hits wall");
+        assertThat(fact(hit, "Distance")).isEqualTo("45");
+        assertThat(fact(hit, "In scene")).isEqualTo("(0, 0, 45; t\u00a0=\u00a0-45)");
+        assertThat(fact(hit, "In its own")).startsWith("(0, 0, ");
+        assertThat(fact(hit, "Proper time")).isEqualTo("-27");
+        assertThat(fact(hit, "Its clocks")).isEqualTo("73");
+        assertThat(fact(hit, "Frequency")).isEqualTo("camera/object 3");
+        RayStory.Step resting = story(Studios.sphere(), 32, 24).get(3);
+        assertThat(fact(resting, "Proper time")).isNull();
+    }
+
+    /** At the time 5 of the camera the wall is at z = 9 - 0.8 x 5, whatever light brings of it. */
+    @Test
+    void whatIsMeasuredHasNoFrequency() {
+        Plane wall = new Plane("wall", new Vector3d(), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT);
+        Moving moving = new Moving("moving", Velocity.of(0, 0, -0.8), new Vector3d(0, 0, 9), 0, List.of(wall));
+        Studio studio = Studios.sphere().withScene(List.of(moving)).withView(View.MEASURED);
+        Camera later = studio.camera().withShutter(studio.camera().shutter().openedAt(5));
+        List<RayStory.Step> story = story(studio.withCamera(later), 32, 24);
+        assertThat(fact(story.get(2), "Frequency")).isEqualTo("none: measured, without light");
+        assertThat(fact(story.get(3), "In scene")).isEqualTo("(0, 0, 5; t\u00a0=\u00a05)");
+        assertThat(fact(story.get(3), "Frequency")).isNull();
+        assertThat(fact(story.get(3), "Its clocks")).isNull();
     }
 
     @Test

@@ -8,6 +8,7 @@ import java.util.List;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import tompkins.camera.Camera;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
@@ -131,6 +132,49 @@ class SpaceTimeDiagramTest {
     void whatMovesWithTheCameraIsShownInTheSceneFrame() {
         Studio studio = Studios.sphere().withVelocity(FORWARDS).withCameraFrame(List.of(wall(2)));
         assertPlaces(diagram(studio).path(), 0, 0, 2 / 3.0, -2 / 3.0);
+    }
+
+    private static void assertSlope(Point2D direction, double speed) {
+        assertThat(direction.getX() / direction.getY()).isEqualTo(speed, within(1e-12));
+        assertThat(direction.getY()).isPositive();
+    }
+
+    /** Speeds along one line add to (u + v)/(1 + u v), or to u + v for Newton. */
+    @Test
+    void theWorldLineOfWhatMovesIsSlanted() {
+        Moving wall = new Moving("moving", Velocity.of(0, 0, 0.5), new Vector3d(0, 0, 6), 0, List.of(wall(0)));
+        Studio atRest = Studios.sphere().withScene(List.of(wall));
+        assertSlope(diagram(atRest).object(), 0.5);
+        // z = 6 + 0.5 t meets z = -t
+        assertPlaces(diagram(atRest).path(), 0, 0, 4, -4);
+        Studio moving = atRest.withVelocity(FORWARDS);
+        assertSlope(diagram(moving).object(), 0.5);
+        assertSlope(diagram(moving, Frame.CAMERA).object(), (0.5 - 0.8) / (1 - 0.5 * 0.8));
+        Moving inner = new Moving("inner", Velocity.of(0, 0, 0.5), new Vector3d(), 0, List.of(wall(1)));
+        Moving outer = new Moving("outer", Velocity.of(0, 0, 0.5), new Vector3d(0, 0, 6), 0, List.of(inner));
+        assertSlope(diagram(atRest.withScene(List.of(outer))).object(), 0.8);
+        Studio newton = atRest.withScene(List.of(outer)).withTransformation(TransformationLaw.GALILEAN);
+        assertSlope(diagram(newton).object(), 1);
+    }
+
+    @Test
+    void theWorldLineOfWhatRestsInAFrameIsItsTime() {
+        Studio scene = Studios.sphere().withVelocity(FORWARDS);
+        assertSlope(diagram(scene).object(), 0);
+        assertSlope(diagram(scene, Frame.CAMERA).object(), -0.8);
+        Studio held = scene.withCameraFrame(List.of(wall(2)));
+        assertSlope(diagram(held).object(), 0.8);
+        assertSlope(diagram(held, Frame.CAMERA).object(), 0);
+        assertThat(diagram(scene.withScene(List.of())).object()).isNull();
+    }
+
+    /** Of a camera at rest nobody wants to see how things move across what is drawn. */
+    @Test
+    void theObjectSaysWhatIsAlongXIfTheCameraRests() {
+        Moving wall = new Moving("moving", Velocity.of(-0.6, 0, 0), new Vector3d(0, 0, 6), 0, List.of(wall(0)));
+        SpaceTimeDiagram diagram = diagram(Studios.sphere().withScene(List.of(wall)));
+        assertSlope(diagram.object(), 0.6);
+        assertPlaces(diagram.path(), 0, 0, 0, -6);
     }
 
     @Test

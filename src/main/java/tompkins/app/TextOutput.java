@@ -1,0 +1,53 @@
+package tompkins.app;
+
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.io.OutputStreamWriter;
+import java.io.PrintWriter;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Iterator;
+import java.util.stream.Stream;
+import picocli.CommandLine.Option;
+import tompkins.image.PendingFile;
+
+/** Where a command that prints text can write it instead. */
+final class TextOutput {
+
+    @Option(
+            names = {"-o", "--output"},
+            paramLabel = "FILE",
+            description = "write into this file what would be printed, and print its name")
+    private Path file;
+
+    @Option(names = "--force", description = "replace a file that is there")
+    private boolean force;
+
+    /** Refuses a file that is there or that cannot be written, before there is work. */
+    void check() {
+        if (file != null) {
+            if (!force) {
+                Photographer.requireFree(file);
+            }
+            Photographer.requireWritable(file);
+        }
+    }
+
+    /** Prints lines, or writes them into the file, which is there only when all are. */
+    void write(PrintWriter printed, Stream<String> lines) throws IOException {
+        if (file == null) {
+            lines.forEachOrdered(printed::println);
+            return;
+        }
+        try (PendingFile pending = PendingFile.replacing(file)) {
+            try (Writer out = new BufferedWriter(new OutputStreamWriter(pending.open(), StandardCharsets.UTF_8))) {
+                for (Iterator<String> each = lines.iterator(); each.hasNext(); ) {
+                    out.write(each.next());
+                    out.write('\n');
+                }
+            }
+            printed.println(pending.commit().toAbsolutePath());
+        }
+    }
+}

@@ -1,0 +1,59 @@
+package tompkins.measure;
+
+import tompkins.spacetime.Event;
+
+/** What lies between two sightings: an angle in each frame, and, where both hit something, lengths and times. */
+public record Separation(Sighting first, Sighting second) {
+
+    /** The angle between both look directions in the camera frame, in radians; NaN if a ray is missing. */
+    public double cameraAngle() {
+        return Angles.between(first.cameraDirection(), second.cameraDirection());
+    }
+
+    /** The same angle in the scene frame, in radians; the difference is aberration. */
+    public double sceneAngle() {
+        return Angles.between(first.sceneDirection(), second.sceneDirection());
+    }
+
+    /** Whether both hit something. */
+    public boolean hasHits() {
+        return first.hit() != null && second.hit() != null;
+    }
+
+    /** From the first event of emission to the second, in the scene frame; null without two hits. */
+    public Event inScene() {
+        return hasHits() ? second.inScene().minus(first.inScene()) : null;
+    }
+
+    /** From the first event of emission to the second, in the camera frame; null without two hits. */
+    public Event inCamera() {
+        return hasHits() ? second.inCamera().minus(first.inCamera()) : null;
+    }
+
+    /**
+     * From the first event of emission to the second, in the frame in which both objects rest; null if they do not rest
+     * in one.
+     */
+    public Event inObject() {
+        return first.sharesFrame(second)
+                ? second.hit().rest().event().minus(first.hit().rest().event())
+                : null;
+    }
+
+    /** The length of a difference of events; NaN without one. */
+    public static double length(Event difference) {
+        return difference == null ? Double.NaN : difference.position().length();
+    }
+
+    /** The time of a difference of events; NaN without one. */
+    public static double time(Event difference) {
+        return difference == null ? Double.NaN : difference.time();
+    }
+
+    /** |dP|² - dt² of a difference of events, the same in all frames of relativity; NaN without one. */
+    public static double interval(Event difference) {
+        return difference == null
+                ? Double.NaN
+                : difference.position().lengthSquared() - difference.time() * difference.time();
+    }
+}

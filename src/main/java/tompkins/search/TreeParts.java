@@ -1,0 +1,30 @@
+package tompkins.search;
+
+/** Parts of a tree that hold all of it that some rays can meet. Memory that is used again. */
+public final class TreeParts {
+
+    /** From more parts on it is quicker to begin at the root. */
+    static final int MOST = 128;
+
+    private final TreeNode[] nodes = new TreeNode[MOST];
+    private int count;
+
+    TreeParts() {}
+
+    void clear() {
+        count = 0;
+    }
+
+    void add(TreeNode node) {
+        nodes[count++] = node;
+    }
+
+    /** How many there are; 0 if nothing is known of what the rays can meet. */
+    int count() {
+        return count;
+    }
+
+    TreeNode node(int place) {
+        return nodes[place];
+    }
+}

@@ -1,0 +1,13 @@
+package tompkins.trace;
+
+import tompkins.ray.Colour;
+import tompkins.ray.Ray;
+
+/**
+ * What came of following a ray among the objects of a frame.
+ *
+ * @param light what the ray has brought by itself
+ * @param factor what becomes of the light that comes back to where the ray has left the objects
+ * @param left the ray that has left the objects; null if it has ended there
+ */
+record Followed(Colour light, Colour factor, Ray left) {}

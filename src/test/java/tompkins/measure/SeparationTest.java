@@ -1,0 +1,98 @@
+package tompkins.measure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.joml.Vector2dc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.camera.ThinLensCamera;
+import tompkins.property.Descriptions;
+import tompkins.sceneobject.Moving;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.Sphere;
+import tompkins.spacetime.Event;
+import tompkins.spacetime.FrameMotion;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.surface.LuminousSurface;
+import tompkins.trace.RenderPlan;
+
+class SeparationTest {
+
+    /** Lampa's rod of rest length 1: the ends are seen 2 apart as it comes, and 0.5 apart as it goes. */
+    @ParameterizedTest
+    @CsvSource({"-0.6, 2", "0.6, 0.5"})
+    void rodAlongTheLineOfSightIsSeenLongerOrShorter(double speed, double seen) {
+        Velocity velocity = Velocity.of(0, 0, speed);
+        Vector3d place = new Vector3d(0, 0, 10);
+        // both ends as small balls, a little beside the line of sight
+        Sphere near = new Sphere("near", new Vector3d(0.001, 0, 0), 1e-4, LuminousSurface.DEFAULT);
+        Sphere far = new Sphere("far", new Vector3d(-0.001, 0, 1), 1e-4, LuminousSurface.DEFAULT);
+        Studio studio = Studio.DEFAULT
+                .withCamera(Descriptions.with(ThinLensCamera.DEFAULT, "horizontalAngleDegrees", 0.5))
+                .withScene(List.of(new Moving("rod", velocity, place, 0, List.of(near, far))));
+        SeenFrame frame = new SeenFrame(studio, new FrameMotion(null, velocity, new Event(0, 0, 10, 0)));
+        Separation rod = between(studio, frame, near.centre(), far.centre());
+
+        assertThat(rod.first().hit().object().description()).isEqualTo("near");
+        assertThat(rod.second().hit().object().description()).isEqualTo("far");
+        assertThat(Separation.length(rod.inScene())).isCloseTo(seen, within(1e-3));
+        assertThat(Separation.length(rod.inObject())).isCloseTo(1, within(1e-3));
+        // light of the far end left earlier by the way
+        assertThat(Separation.time(rod.inScene())).isCloseTo(-seen, within(1e-3));
+        assertThat(Separation.interval(rod.inObject())).isCloseTo(Separation.interval(rod.inScene()), within(1e-9));
+    }
+
+    private static Separation between(Studio studio, SeenFrame frame, Vector3dc first, Vector3dc second) {
+        Projection projection = Projection.of(studio);
+        RenderPlan plan = RenderPlan.of(studio);
+        Vector2dc from = projection.place(frame, first);
+        Vector2dc to = projection.place(frame, second);
+        return new Separation(Sighting.of(plan, from.x(), from.y()), Sighting.of(plan, to.x(), to.y()));
+    }
+
+    /**
+     * tan(a/2) in the scene is tan(a'/2) sqrt((1 + beta)/(1 - beta)) about the motion; the interval is that of both.
+     */
+    @Test
+    void anglesIntervalsAndLengthsOfBothFramesAgreeWithTheLorentzTransformation() {
+        Studio studio = Studio.DEFAULT
+                .withVelocity(Velocity.of(0, 0, 0.8))
+                .withScene(List.of(
+                        new Plane("wall", new Vector3d(0, 0, 10), new Vector3d(0, 0, -1), LuminousSurface.DEFAULT)));
+        RenderPlan plan = RenderPlan.of(studio);
+        Sighting middle = Sighting.of(plan, 320, 240);
+        Sighting side = Sighting.of(plan, 500, 240);
+        Separation both = new Separation(middle, side);
+
+        assertThat(Math.tan(both.sceneAngle() / 2)).isCloseTo(3 * Math.tan(both.cameraAngle() / 2), within(1e-12));
+        assertThat(both.sceneAngle()).isCloseTo(side.sceneAngle(), within(1e-12));
+        assertThat(both.cameraAngle()).isCloseTo(side.cameraAngle(), within(1e-12));
+        // the wall is met beside the axis
+        double across = 10 * Math.tan(both.sceneAngle());
+        assertThat(Separation.length(both.inScene())).isCloseTo(across, within(1e-9));
+        double later = 10 - 10 / Math.cos(both.sceneAngle());
+        assertThat(Separation.time(both.inScene())).isCloseTo(later, within(1e-9));
+        assertThat(Separation.interval(both.inCamera())).isCloseTo(across * across - later * later, within(1e-9));
+        assertThat(Separation.interval(both.inScene())).isCloseTo(across * across - later * later, within(1e-9));
+        // D = sqrt((1 + beta)/(1 - beta)) straight ahead, and the camera places the wall D times as far
+        assertThat(middle.dopplerFactor()).isCloseTo(3, within(1e-12));
+        assertThat(middle.cameraDistance()).isCloseTo(30, within(1e-11));
+    }
+
+    @Test
+    void withoutHitsThereAreAnglesAlone() {
+        RenderPlan plan = RenderPlan.of(Studio.DEFAULT);
+        Separation sky = new Separation(Sighting.of(plan, 100, 240), Sighting.of(plan, 500, 240));
+
+        assertThat(sky.cameraAngle()).isPositive();
+        assertThat(sky.inScene()).isNull();
+        assertThat(sky.inObject()).isNull();
+        assertThat(Separation.interval(sky.inCamera())).isNaN();
+    }
+}
