@@ -3,8 +3,8 @@ package tompkins.experiment;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import tompkins.measure.Sighting;
 import tompkins.ray.Colour;
-import tompkins.trace.RayLife;
 
 /**
  * Finds edges on straight ways through a picture: places where two rays that lie ever closer together still see
@@ -41,9 +41,9 @@ final class Edges {
     List<Place> on(Place from, Place to, int most) {
         List<Place> found = new ArrayList<>();
         int steps = steps(from, to);
-        RayLife before = rays.life(from);
+        Sighting before = rays.at(from);
         for (int i = 1; i <= steps && found.size() < most; i++) {
-            RayLife next = rays.life(from.towards(to, (double) i / steps));
+            Sighting next = rays.at(from.towards(to, (double) i / steps));
             edge(from, to, (i - 1.0) / steps, before, (double) i / steps, next).ifPresent(found::add);
             before = next;
         }
@@ -57,14 +57,14 @@ final class Edges {
     }
 
     /** The place just behind the edge between two rays that follow each other: where they differ most. */
-    private Optional<Place> edge(Place from, Place to, double start, RayLife atStart, double end, RayLife atEnd) {
+    private Optional<Place> edge(Place from, Place to, double start, Sighting atStart, double end, Sighting atEnd) {
         double here = start;
         double there = end;
-        RayLife first = atStart;
-        RayLife second = atEnd;
+        Sighting first = atStart;
+        Sighting second = atEnd;
         for (int i = 0; i < HALVINGS && difference(first, second) > JUMP; i++) {
             double middle = (here + there) / 2;
-            RayLife between = rays.life(from.towards(to, middle));
+            Sighting between = rays.at(from.towards(to, middle));
             if (difference(first, between) >= difference(between, second)) {
                 there = middle;
                 second = between;
@@ -77,12 +77,12 @@ final class Edges {
     }
 
     /** How much two rays differ, from 0 to 1. */
-    private static double difference(RayLife one, RayLife other) {
+    private static double difference(Sighting one, Sighting other) {
         if (object(one) != object(other)) {
             return OTHER_OBJECT;
         }
-        Colour first = one.colour();
-        Colour second = other.colour();
+        Colour first = one.life().colour();
+        Colour second = other.life().colour();
         return Math.max(
                 difference(first.red(), second.red()),
                 Math.max(difference(first.green(), second.green()), difference(first.blue(), second.blue())));
@@ -92,7 +92,7 @@ final class Edges {
         return Math.abs(one - other) / (DARK + Math.max(one, other));
     }
 
-    private static Object object(RayLife life) {
-        return life.end() == null ? null : life.end().object();
+    private static Object object(Sighting sighting) {
+        return sighting.hit() == null ? null : sighting.hit().object();
     }
 }
