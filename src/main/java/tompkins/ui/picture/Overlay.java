@@ -12,6 +12,7 @@ public interface Overlay {
      * @param picture the picture on the screen
      * @param bounds where that lies; beyond the canvas where it is enlarged
      * @param visible the part of it that is seen
+     * @param free the part of that at whose edges nothing is written, where two pictures are compared
      */
-    void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible);
+    void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible, Rectangle free);
 }

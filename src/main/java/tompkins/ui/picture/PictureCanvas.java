@@ -251,7 +251,7 @@ public final class PictureCanvas extends JPanel {
         if (shown.nowImage() != null) {
             PicturePainter painter = painter();
             painter.paint(g);
-            paintOverlays(g);
+            paintOverlays(g, painter.free(g));
             if (pin != null) {
                 painter.paintPin(g, pin);
             }
@@ -262,14 +262,14 @@ public final class PictureCanvas extends JPanel {
         g.dispose();
     }
 
-    private void paintOverlays(Graphics2D g) {
+    private void paintOverlays(Graphics2D g, Rectangle free) {
         Rectangle bounds = pictureBounds();
         Rectangle visible =
                 bounds.intersection(PicturePainter.inUnits(arrangement().room(), scale()));
         Graphics2D clipped = (Graphics2D) g.create();
         clipped.clip(visible);
         for (Overlay overlay : overlays) {
-            overlay.paint(clipped, shown.now(), bounds, visible);
+            overlay.paint(clipped, shown.now(), bounds, visible, free);
         }
         clipped.dispose();
     }
