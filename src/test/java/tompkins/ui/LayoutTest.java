@@ -49,6 +49,8 @@ import tompkins.ui.model.Shutters;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.panel.PlayPanel;
+import tompkins.ui.panel.RidePanel;
+import tompkins.ui.panel.RidePilot;
 import tompkins.ui.picture.Pace;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
@@ -208,6 +210,21 @@ class LayoutTest {
             int menusStatusAndFrame = 23 + 46 + 30;
             int twoMoreLinesOfRemarks = 28;
             assertThat(height(column)).isLessThan(Look.pixels(60) - menusStatusAndFrame - twoMoreLinesOfRemarks);
+        });
+    }
+
+    /** In a window of 800 x 600 the panel leaves it 450 pixels. */
+    @ParameterizedTest
+    @MethodSource("looks")
+    void rideBarHasRoomForAll(Look look, float size, Locale locale) {
+        WindowDriver.onEventThread(() -> {
+            use(look, size, locale);
+            RidePanel ride = new RidePanel(model, new RidePilot(model, message -> {}), () -> {}, studio -> {});
+            ride.setShown(true);
+            boolean usual = look != Look.PROJECTOR && size == 1 && locale.equals(Locale.ENGLISH);
+            int needed = ride.component().getMinimumSize().width;
+            Components.layOut(ride.component(), usual ? 450 : Math.max(needed, Look.pixels(40)));
+            assertThat(problems(ride.component())).isEmpty();
         });
     }
 

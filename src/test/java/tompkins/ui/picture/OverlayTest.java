@@ -24,12 +24,19 @@ class OverlayTest {
     private static final int WIDTH = 640;
     private static final int HEIGHT = 480;
 
+    /** Lines are written above and below it. */
+    private static final Rectangle FREE = new Rectangle(0, 30, WIDTH, HEIGHT - 60);
+
     @BeforeEach
     void install() {
         WindowDriver.onEventThread(() -> Look.LIGHT.install());
     }
 
     private static BufferedImage painted(Overlay overlay, Studio studio) {
+        return painted(overlay, studio, new Rectangle(WIDTH, HEIGHT));
+    }
+
+    private static BufferedImage painted(Overlay overlay, Studio studio, Rectangle free) {
         Studio large = studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT));
         LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
         Picture picture = new Picture(large, RenderPlan.of(large), image, true, Duration.ZERO, 1, 0, List.of());
@@ -37,7 +44,7 @@ class OverlayTest {
         Graphics2D g = canvas.createGraphics();
         g.setColor(Color.GRAY);
         g.fillRect(0, 0, WIDTH, HEIGHT);
-        overlay.paint(g, picture, new Rectangle(WIDTH, HEIGHT), new Rectangle(WIDTH, HEIGHT));
+        overlay.paint(g, picture, new Rectangle(WIDTH, HEIGHT), new Rectangle(WIDTH, HEIGHT), free);
         g.dispose();
         return canvas;
     }
@@ -92,6 +99,16 @@ class OverlayTest {
         assertThat(marked(painted(new VelocityArrow(), flying(0, 0, 0.5))).isEmpty())
                 .isTrue();
         assertThat(marked(painted(new SideMap(), flying(0, 0, 0.5))).isEmpty()).isTrue();
+    }
+
+    @Test
+    void mapAndLineLeaveRoomForWhatIsWritten() {
+        SideMap map = new SideMap();
+        map.setShown(true);
+        assertThat(FREE.contains(marked(painted(map, Studios.sphere(), FREE)))).isTrue();
+        Rectangle line = marked(painted(new RideHeadUp(() -> "on board"), Studios.sphere(), FREE));
+        assertThat(line.isEmpty()).isFalse();
+        assertThat(FREE.contains(line)).isTrue();
     }
 
     /** The sphere lies in front of the camera: in the map to the right of the lens, which is white. */
