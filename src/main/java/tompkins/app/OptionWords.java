@@ -7,6 +7,7 @@ import tompkins.image.PictureFormat;
 import tompkins.image.ToneCurve;
 import tompkins.light.ColourLaw;
 import tompkins.shutter.SweepDirection;
+import tompkins.studio.View;
 
 /** The words that an option takes for the values of an enum, as they are typed: in small letters. */
 abstract class OptionWords implements Iterable<String> {
@@ -48,6 +49,14 @@ abstract class OptionWords implements Iterable<String> {
 
         SweepDirections() {
             super(SweepDirection.values());
+        }
+    }
+
+    /** The words of {@code --view}. */
+    static final class Views extends OptionWords {
+
+        Views() {
+            super(View.values());
         }
     }
 

@@ -25,6 +25,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
+import tompkins.studio.View;
 
 /** Options that change a studio before its picture is taken. */
 final class StudioOptions {
@@ -90,6 +91,14 @@ final class StudioOptions {
             description = "what the motion does to brightness and colours: ${COMPLETION-CANDIDATES}")
     private ColourLaw colours;
 
+    @Option(
+            names = "--view",
+            paramLabel = "VIEW",
+            completionCandidates = OptionWords.Views.class,
+            description = "what light brings to the camera, or where things are, which is no photograph:"
+                    + " ${COMPLETION-CANDIDATES}")
+    private View view;
+
     /** The studio with all options that were given. */
     Studio applyTo(Studio studio) {
         Studio changed = studio;
@@ -99,6 +108,9 @@ final class StudioOptions {
         changed = withVelocity(changed);
         if (colours != null) {
             changed = changed.withColours(colours);
+        }
+        if (view != null) {
+            changed = changed.withView(view);
         }
         Shutter model = changed.camera().shutter();
         if (shutter != null) {

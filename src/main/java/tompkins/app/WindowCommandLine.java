@@ -110,6 +110,9 @@ final class WindowCommandLine implements CommandLineWriter {
         if (studio.colours() != opened.colours()) {
             line.append(" --colours ").append(OptionWords.of(studio.colours()));
         }
+        if (studio.view() != opened.view()) {
+            line.append(" --view ").append(OptionWords.of(studio.view()));
+        }
         if (settings.toneCurve() != before.toneCurve()) {
             line.append(" --tone ").append(OptionWords.of(settings.toneCurve()));
         }
@@ -179,6 +182,7 @@ final class WindowCommandLine implements CommandLineWriter {
         RenderSettings settings = studio.settings();
         Studio said = FrontWindow.withVelocity(opened, studio.velocity())
                 .withColours(studio.colours())
+                .withView(studio.view())
                 .withCamera(opened.camera()
                         .withShutter(start.openedAt(now.openingTime()))
                         .withExposureTime(studio.camera().exposureTime())

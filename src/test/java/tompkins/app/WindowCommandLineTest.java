@@ -39,6 +39,7 @@ import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
+import tompkins.studio.View;
 
 class WindowCommandLineTest {
 
@@ -75,6 +76,7 @@ class WindowCommandLineTest {
                 OPENED.withSettings(OPENED.settings().withToneCurve(ToneCurve.SRGB)),
                 OPENED.withVelocity(Velocity.of(-0.1, 0.2, 1.0 / 3)),
                 OPENED.withColours(ColourLaw.SEARCHLIGHT),
+                OPENED.withView(View.MEASURED),
                 with(OPENED.camera().shutter().openedAt(-1.5)),
                 with(FocusSurfaceShutter.DEFAULT),
                 exposed(0.25, RollingShutter.DEFAULT),
