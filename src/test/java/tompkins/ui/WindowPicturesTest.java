@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.image.BufferedImage;
@@ -18,14 +19,21 @@ import javax.swing.JComboBox;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButton;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTextPane;
 import javax.swing.JToggleButton;
+import org.joml.Vector2dc;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import tompkins.io.StudioReader;
+import tompkins.measure.MeasureKind;
+import tompkins.measure.OverlayKind;
+import tompkins.measure.Overlays;
+import tompkins.measure.Projection;
+import tompkins.measure.SceneShapes;
 import tompkins.studio.Studio;
 import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.picture.PictureCanvas;
@@ -49,6 +57,7 @@ class WindowPicturesTest {
         SPLIT("fig1b"),
         SIDE_BY_SIDE("terrell-cube"),
         PINNED_RAY("terrell-cube"),
+        MEASURING("penrose-sphere"),
         ERROR("fig1b");
 
         private final String scene;
@@ -134,9 +143,37 @@ class WindowPicturesTest {
                         "the pinned ray",
                         () -> story.isShowing() && story.getText().contains("Hits cube"));
             }
+            case MEASURING -> measure(driver);
             case ERROR -> driver.type(driver.find(JTextField.class, "Speed"), "1.2");
             default -> {}
         }
+    }
+
+    /** Overlays, and a circle through four points on the outline of the red ball. */
+    private static void measure(WindowDriver driver) {
+        for (String overlay : List.of("OUTLINES", "PLACES", "CAMERA_GRID", "HORIZON", "LABELS")) {
+            press(driver, JMenuItem.class, "menu.overlay." + overlay);
+        }
+        press(driver, JMenuItem.class, "menu.measure");
+        JComboBox<?> kinds = driver.find(JComboBox.class, "What to measure");
+        WindowDriver.onEventThread(() -> kinds.setSelectedItem(MeasureKind.CIRCLE));
+        driver.completePicture();
+        Projection projection = Projection.of(driver.studioOnScreen());
+        Overlays overlays =
+                new Overlays(projection, SceneShapes.of(driver.picture().plan().sceneFrames()));
+        List<Vector2dc> outline = overlays.draw(OverlayKind.OUTLINES).lines().get(0);
+        Rectangle bounds =
+                WindowDriver.onEventThread(() -> driver.window().view().canvas().pictureBounds());
+        Point corner =
+                WindowDriver.onEventThread(() -> driver.window().view().canvas().getLocationOnScreen());
+        for (int i = 0; i < 4; i++) {
+            Vector2dc place = outline.get(i * outline.size() / 4);
+            driver.click(new Point(
+                    corner.x + bounds.x + (int) (place.x() * bounds.width / projection.width()),
+                    corner.y + bounds.y + (int) (place.y() * bounds.height / projection.height())));
+        }
+        JTextArea results = driver.find(JTextArea.class, "measure.results");
+        WindowDriver.await("the circle", () -> results.getText().startsWith("half-angle"));
     }
 
     private static void compareWithRest(WindowDriver driver) {

@@ -71,6 +71,7 @@ public final class MeasurePanel {
         panel.add(results.component(), "span, growx, wmin 0");
         panel.setVisible(false);
         panel.setName("measure");
+        results.component().setName("measure.results");
     }
 
     private static JButton button(String key, Runnable action) {
