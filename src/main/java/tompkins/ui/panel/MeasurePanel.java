@@ -45,7 +45,9 @@ public final class MeasurePanel {
     private final JComboBox<MeasureKind> kinds = new JComboBox<>(MeasureKind.values());
     private final JComboBox<ProfileChart.Content> contents = new JComboBox<>(ProfileChart.Content.values());
     private final ProfileChart chart = new ProfileChart();
-    private final Note results = new Note("");
+    /** With room for all numbers of a circle: the picture must not move under a click that adds a point. */
+    private final Note results = Note.ofLines(2);
+
     private final JButton copy;
     private Measured measured;
 
