@@ -3,8 +3,8 @@ package tompkins.experiment;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import tompkins.measure.Sighting;
 import tompkins.ray.Colour;
-import tompkins.trace.RayLife;
 
 /**
  * Finds edges on straight ways through a picture: places where two rays that lie ever closer together still see
@@ -21,10 +21,14 @@ final class Edges {
     /** Halvings of the way between two rays, of half a pixel at first. */
     private static final int HALVINGS = 36;
 
+    /** The least difference of colours at an edge; see {@link #difference}. */
     private static final double JUMP = 0.1;
 
-    /** Differences below this are no jump, however dark it is; white is 1. */
-    private static final double SMALLEST_JUMP = 0.005;
+    /** Added to the brightness to which a difference is compared, so that nothing jumps in the dark; white is 1. */
+    private static final double DARK = 0.02;
+
+    /** Of different objects, whatever their colours: more than of any colours. */
+    private static final double OTHER_OBJECT = 1;
 
     private final PictureRays rays;
 
@@ -37,9 +41,9 @@ final class Edges {
     List<Place> on(Place from, Place to, int most) {
         List<Place> found = new ArrayList<>();
         int steps = steps(from, to);
-        RayLife before = rays.life(from);
+        Sighting before = rays.at(from);
         for (int i = 1; i <= steps && found.size() < most; i++) {
-            RayLife next = rays.life(from.towards(to, (double) i / steps));
+            Sighting next = rays.at(from.towards(to, (double) i / steps));
             edge(from, to, (i - 1.0) / steps, before, (double) i / steps, next).ifPresent(found::add);
             before = next;
         }
@@ -52,19 +56,16 @@ final class Edges {
         return (int) Math.max(1, Math.min(MOST_RAYS, Math.ceil(RAYS_PER_PIXEL * Math.hypot(x, y))));
     }
 
-    /** The place just behind the first edge between two rays that follow each other. */
-    private Optional<Place> edge(Place from, Place to, double start, RayLife atStart, double end, RayLife atEnd) {
+    /** The place just behind the edge between two rays that follow each other: where they differ most. */
+    private Optional<Place> edge(Place from, Place to, double start, Sighting atStart, double end, Sighting atEnd) {
         double here = start;
         double there = end;
-        RayLife first = atStart;
-        RayLife second = atEnd;
-        for (int i = 0; i < HALVINGS; i++) {
-            if (!differ(first, second)) {
-                return Optional.empty();
-            }
+        Sighting first = atStart;
+        Sighting second = atEnd;
+        for (int i = 0; i < HALVINGS && difference(first, second) > JUMP; i++) {
             double middle = (here + there) / 2;
-            RayLife between = rays.life(from.towards(to, middle));
-            if (differ(first, between)) {
+            Sighting between = rays.at(from.towards(to, middle));
+            if (difference(first, between) >= difference(between, second)) {
                 there = middle;
                 second = between;
             } else {
@@ -72,23 +73,26 @@ final class Edges {
                 first = between;
             }
         }
-        return differ(first, second) ? Optional.of(from.towards(to, there)) : Optional.empty();
+        return difference(first, second) > JUMP ? Optional.of(from.towards(to, there)) : Optional.empty();
     }
 
-    private static boolean differ(RayLife one, RayLife other) {
-        return object(one) != object(other) || jumps(one.colour(), other.colour());
+    /** How much two rays differ, from 0 to 1. */
+    private static double difference(Sighting one, Sighting other) {
+        if (object(one) != object(other)) {
+            return OTHER_OBJECT;
+        }
+        Colour first = one.life().colour();
+        Colour second = other.life().colour();
+        return Math.max(
+                difference(first.red(), second.red()),
+                Math.max(difference(first.green(), second.green()), difference(first.blue(), second.blue())));
     }
 
-    private static Object object(RayLife life) {
-        return life.end() == null ? null : life.end().object();
+    private static double difference(double one, double other) {
+        return Math.abs(one - other) / (DARK + Math.max(one, other));
     }
 
-    private static boolean jumps(Colour one, Colour other) {
-        return jumps(one.red(), other.red()) || jumps(one.green(), other.green()) || jumps(one.blue(), other.blue());
-    }
-
-    private static boolean jumps(double one, double other) {
-        double difference = Math.abs(one - other);
-        return difference > SMALLEST_JUMP && difference > JUMP * Math.max(one, other);
+    private static Object object(Sighting sighting) {
+        return sighting.hit() == null ? null : sighting.hit().object();
     }
 }

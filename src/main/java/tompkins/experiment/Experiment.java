@@ -1,7 +1,6 @@
 package tompkins.experiment;
 
 import java.util.List;
-import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.lesson.AngleBetween;
 import tompkins.lesson.CircleRadius;
@@ -15,6 +14,7 @@ import tompkins.lesson.RatioOf;
 import tompkins.lesson.RayReading;
 import tompkins.lesson.WithNumber;
 import tompkins.lesson.WithShutter;
+import tompkins.measure.Angles;
 import tompkins.property.InvalidPropertyException;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
@@ -55,7 +55,7 @@ public final class Experiment {
             return rays.read(place(reading.point()), reading.value());
         }
         if (measurement instanceof AngleBetween angle) {
-            return Math.toDegrees(angle(rays.direction(place(angle.first())), rays.direction(place(angle.second()))));
+            return Math.toDegrees(Angles.between(direction(angle.first()), direction(angle.second())));
         }
         if (measurement instanceof CircleRadius circle) {
             return new Outline(rays, edges).angularRadiusDegrees(new Place(circle.across(), circle.down()));
@@ -78,9 +78,8 @@ public final class Experiment {
         return new Experiment(changed).measure(other.measurement());
     }
 
-    /** The angle between two directions, in radians, with all its digits. */
-    static double angle(Vector3dc one, Vector3dc other) {
-        return Math.atan2(one.cross(other, new Vector3d()).length(), one.dot(other));
+    private Vector3dc direction(MeasuringPoint point) {
+        return rays.at(place(point)).cameraDirection();
     }
 
     private Place place(MeasuringPoint point) {

@@ -31,7 +31,7 @@ final class LensWays {
      * @throws InvalidPropertyException if they meet nowhere
      */
     double spread(Place place) {
-        Vector3dc focus = meeting(rays.life(place), rays.life(place, 1, 0));
+        Vector3dc focus = meeting(rays.life(place, 0, 0), rays.life(place, 1, 0));
         SpaceTimeTransformation sceneFromCamera = rays.plan().studio().sceneFromCamera();
         List<Vector3d> passed = new ArrayList<>();
         for (int i = 0; i < RIM_POINTS; i++) {

@@ -41,6 +41,18 @@ public record LessonStudio(Studio studio, Lesson lesson, StudioNumber number) {
         return Optional.of(new LessonStudio(studio, lesson, number));
     }
 
+    /** A studio with the number that its lesson moves as it is in an earlier one; as it is if there is none in both. */
+    public static Studio unmoved(Studio studio, Studio earlier) {
+        try {
+            return of(studio)
+                    .filter(lesson -> lesson.number.isIn(earlier))
+                    .map(lesson -> lesson.number.with(studio, lesson.number.in(earlier)))
+                    .orElse(studio);
+        } catch (InvalidPropertyException lessonDoesNotFit) {
+            return studio;
+        }
+    }
+
     /** The studio in which everything is measured. */
     public Studio measured() {
         return number.with(studio, lesson.control().measuredAt());

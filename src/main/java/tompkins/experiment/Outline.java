@@ -2,8 +2,8 @@ package tompkins.experiment;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.measure.CircleFit;
 import tompkins.property.InvalidPropertyException;
 
 /** The outline of something in a picture: where the first edge is met on the way outwards, all round. */
@@ -26,16 +26,7 @@ final class Outline {
      * @throws InvalidPropertyException if there is no edge in some direction
      */
     double angularRadiusDegrees(Place inside) {
-        List<Vector3dc> directions = directions(inside);
-        Vector3d axis = new Vector3d();
-        for (int i = 0; i < WAYS; i++) {
-            axis.add(directions.get(i).cross(directions.get((i + 1) % WAYS), new Vector3d()));
-        }
-        return directions.stream()
-                .mapToDouble(direction -> Math.toDegrees(Experiment.angle(axis, direction)))
-                .map(angle -> Math.min(angle, 180 - angle))
-                .average()
-                .orElseThrow();
+        return Math.toDegrees(CircleFit.of(directions(inside)).circle().halfAngle());
     }
 
     /** The directions in which the camera sees points of the outline. */
@@ -50,7 +41,7 @@ final class Outline {
                 throw new InvalidPropertyException(
                         "across", "inside an outline that ends in the picture", inside.across());
             }
-            directions.add(rays.direction(found.get(0)));
+            directions.add(rays.at(found.get(0)).cameraDirection());
         }
         return directions;
     }

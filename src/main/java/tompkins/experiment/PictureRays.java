@@ -1,9 +1,10 @@
 package tompkins.experiment;
 
-import org.joml.Vector3dc;
 import tompkins.lesson.RayValue;
+import tompkins.measure.Sighting;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Colour;
+import tompkins.spacetime.Event;
 import tompkins.studio.Studio;
 import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
@@ -27,33 +28,13 @@ final class PictureRays {
         return plan;
     }
 
-    /** The direction in which the camera looks at a place, a unit vector of the camera frame. */
-    Vector3dc direction(Place place) {
-        return plan.chiefDirection(place.x(plan.width()), place.y(plan.height()));
-    }
-
     /**
-     * What a ray tells.
+     * What a place shows.
      *
-     * @throws InvalidPropertyException if it does not meet what could tell it
+     * @throws InvalidPropertyException if no ray comes there through the shutter
      */
-    double read(Place place, RayValue value) {
-        RayLife life = life(place);
-        return switch (value) {
-            case X -> seen(life).inScene(plan.studio().sceneFromCamera()).x();
-            case Y -> seen(life).inScene(plan.studio().sceneFromCamera()).y();
-            case Z -> seen(life).inScene(plan.studio().sceneFromCamera()).z();
-            case TIME -> seen(life).inScene(plan.studio().sceneFromCamera()).time();
-            case OWN_TIME -> seen(life).rest().event().time();
-            case FREQUENCY_RATIO ->
-                life.end() == null ? life.frequencyRatio() : life.end().rest().dopplerFactor();
-            case BRIGHTNESS -> brightness(life.colour());
-        };
-    }
-
-    /** The life of the ray of a place. */
-    RayLife life(Place place) {
-        return life(place, 0, 0);
+    Sighting at(Place place) {
+        return new Sighting(plan.studio(), place.x(plan.width()), place.y(plan.height()), life(place, 0, 0));
     }
 
     /**
@@ -71,15 +52,40 @@ final class PictureRays {
         return life;
     }
 
-    private static RayLife.Encounter seen(RayLife life) {
-        if (life.end() == null) {
+    /**
+     * What a ray tells.
+     *
+     * @throws InvalidPropertyException if it does not meet what could tell it
+     */
+    double read(Place place, RayValue value) {
+        Sighting sighting = at(place);
+        return switch (value) {
+            case X -> emission(sighting).x();
+            case Y -> emission(sighting).y();
+            case Z -> emission(sighting).z();
+            case TIME -> emission(sighting).time();
+            case OWN_TIME -> seen(sighting).rest().event().time();
+            case FREQUENCY_RATIO ->
+                sighting.hit() == null
+                        ? sighting.dopplerFactor()
+                        : sighting.hit().rest().dopplerFactor();
+            case BRIGHTNESS -> brightness(sighting.life().colour());
+        };
+    }
+
+    private static RayLife.Encounter seen(Sighting sighting) {
+        if (sighting.hit() == null) {
             throw new InvalidPropertyException("point", "where an object is seen", "one where none is");
         }
-        return life.end();
+        return sighting.hit();
+    }
+
+    private static Event emission(Sighting sighting) {
+        return seen(sighting).inScene(sighting.studio().sceneFromCamera());
     }
 
     /** The luminance of linear light, by the primaries of screens (ITU-R BT.709). */
-    static double brightness(Colour colour) {
+    private static double brightness(Colour colour) {
         return 0.2126 * colour.red() + 0.7152 * colour.green() + 0.0722 * colour.blue();
     }
 }

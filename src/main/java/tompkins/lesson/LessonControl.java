@@ -36,8 +36,8 @@ public record LessonControl(
         LessonText.required("name", name, LONGEST_NAME);
         Require.coordinate("from", from);
         Require.coordinate("to", to);
-        if (from == to) {
-            throw new InvalidPropertyException("to", "another number than from", NumberText.of(to));
+        if (!(from < to)) {
+            throw new InvalidPropertyException("to", "above from, which is " + NumberText.of(from), to);
         }
         Require.coordinate("measuredAt", measuredAt);
     }

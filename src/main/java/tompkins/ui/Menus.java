@@ -17,6 +17,7 @@ import javax.swing.JRadioButtonMenuItem;
 import javax.swing.JRootPane;
 import javax.swing.event.MenuEvent;
 import javax.swing.event.MenuListener;
+import tompkins.lesson.Lesson;
 import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
 import tompkins.ui.panel.NumberProperty;
@@ -54,6 +55,7 @@ final class Menus {
 
     private final JMenuBar bar = new JMenuBar();
     private final JMenu examples = menu("menu.examples");
+    private final JMenu lessons = menu("menu.lessons");
     private final SceneOpener opener;
     private final SceneSaver saver;
     private final ClipboardActions clipboard;
@@ -92,6 +94,8 @@ final class Menus {
         bar.add(fileMenu());
         bar.add(examples);
         examples.setEnabled(false);
+        bar.add(lessons);
+        lessons.setEnabled(false);
         bar.add(editMenu());
         bar.add(playMenu());
         bar.add(viewMenu());
@@ -123,7 +127,9 @@ final class Menus {
     /** Some items have several keys, of which a menu shows one. */
     void bindOtherKeys(JRootPane window) {
         Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl Y"), history::redo);
+        // where + is on the key of =, with Shift or without
         Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl EQUALS"), zoom::enlarge);
+        Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl shift EQUALS"), zoom::enlarge);
         Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl ADD"), zoom::enlarge);
         Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl SUBTRACT"), zoom::reduce);
     }
@@ -186,16 +192,20 @@ final class Menus {
         recent.setEnabled(recent.getItemCount() > 0);
     }
 
-    /** Lists scenes under their topics in the menu of examples. */
+    /** Lists lessons in their menu, and other scenes under their topics in the menu of examples. */
     void setExamples(List<Studio> scenes) {
         Map<String, JMenu> topics = new LinkedHashMap<>();
-        for (Studio scene : scenes) {
-            JMenu topic = topics.computeIfAbsent(scene.topic(), name -> new JMenu(name));
-            add(topic, scene.title(), () -> opener.open(scene));
-        }
         examples.removeAll();
+        lessons.removeAll();
+        for (Studio scene : scenes) {
+            JMenu menu = scene.lesson() instanceof Lesson
+                    ? lessons
+                    : topics.computeIfAbsent(scene.topic(), name -> new JMenu(name));
+            add(menu, scene.title(), () -> opener.open(scene));
+        }
         topics.values().forEach(examples::add);
         examples.setEnabled(!topics.isEmpty());
+        lessons.setEnabled(lessons.getItemCount() > 0);
     }
 
     private static void add(JMenu topic, String title, Runnable action) {

@@ -6,6 +6,7 @@ import javax.swing.JFileChooser;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import tompkins.experiment.LessonStudio;
 import tompkins.io.StudioReader;
 import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
@@ -28,6 +29,7 @@ final class SceneOpener {
     private final FileDialogs dialogs;
     private final SceneSaver saver;
     private final Runnable pause;
+    private final Runnable beginLesson;
 
     SceneOpener(
             JFrame frame,
@@ -37,7 +39,8 @@ final class SceneOpener {
             Settings settings,
             FileDialogs dialogs,
             SceneSaver saver,
-            Runnable pause) {
+            Runnable pause,
+            Runnable beginLesson) {
         this.frame = frame;
         this.model = model;
         this.view = view;
@@ -46,6 +49,7 @@ final class SceneOpener {
         this.dialogs = dialogs;
         this.saver = saver;
         this.pause = pause;
+        this.beginLesson = beginLesson;
     }
 
     /** Does what lets go of the scene, once its changes are saved or discarded; not at all if the user cancels that. */
@@ -93,11 +97,13 @@ final class SceneOpener {
      */
     private void leaveForAnother(Runnable next) {
         Studio opened = model.opened();
+        Studio now = LessonStudio.unmoved(model.studio(), opened);
         boolean looked = model.file() == null
-                && model.studio().hasSameObjects(opened)
-                && (model.studio().ride().isEmpty() || model.studio().ride().equals(opened.ride()))
-                && model.studio().title().equals(opened.title())
-                && model.studio().remarks().equals(opened.remarks());
+                && now.hasSameObjects(opened)
+                && (now.ride().isEmpty() || now.ride().equals(opened.ride()))
+                && now.lesson().equals(opened.lesson())
+                && now.title().equals(opened.title())
+                && now.remarks().equals(opened.remarks());
         if (looked) {
             next.run();
         } else {
@@ -145,6 +151,7 @@ final class SceneOpener {
         view.setPin(null);
         view.canvas().zoom().fit();
         model.open(studio, file);
+        beginLesson.run();
         saver.hold(file, studio);
         EntryField.in(frame).forEach(EntryField::revert);
     }

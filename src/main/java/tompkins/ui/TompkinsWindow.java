@@ -19,6 +19,7 @@ import tompkins.studio.StudioPath;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.PlainPath;
 import tompkins.ui.model.StudioModel;
+import tompkins.ui.panel.LessonPanel;
 import tompkins.ui.picture.Pace;
 import tompkins.ui.picture.Picture;
 import tompkins.ui.picture.PixelProbe;
@@ -46,6 +47,7 @@ public final class TompkinsWindow {
     private final StatusBar status;
     private final FileDialogs dialogs;
     private final SceneSaver saver;
+    private final LessonPanel lesson;
     private final SceneOpener opener;
     private final Captions captions;
     private final Signs signs;
@@ -70,7 +72,8 @@ public final class TompkinsWindow {
         side = new SideRoom(() -> new SidePanel(model, view, first.besideRest(), status::report, this::edit));
         dialogs = new FileDialogs(frame, model, status, settings);
         saver = new SceneSaver(frame, model, status, dialogs);
-        opener = new SceneOpener(frame, model, view, status, settings, dialogs, saver, this::pause);
+        lesson = new LessonPanel(model);
+        opener = new SceneOpener(frame, model, view, status, settings, dialogs, saver, this::pause, lesson::begin);
         captions = new Captions(view.canvas(), settings, first.besideRest());
         signs = new Signs(view.canvas(), settings, view::fail);
         motion = new Motion(frame, model, view, status, new AnimationExport(frame, dialogs, captions, signs), captions);
@@ -211,7 +214,10 @@ public final class TompkinsWindow {
 
     private JComponent content() {
         middle.add(view.canvas(), BorderLayout.CENTER);
-        middle.add(motion.bars(), BorderLayout.SOUTH);
+        JPanel below = new JPanel(new BorderLayout());
+        below.add(lesson.component(), BorderLayout.CENTER);
+        below.add(motion.bars(), BorderLayout.SOUTH);
+        middle.add(below, BorderLayout.SOUTH);
         JPanel content = new JPanel(new BorderLayout());
         content.add(middle, BorderLayout.CENTER);
         content.add(side.component(), BorderLayout.EAST);

@@ -11,24 +11,7 @@ import tompkins.camera.Camera;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.ToneCurve;
-import tompkins.lesson.AngleBetween;
-import tompkins.lesson.CircleRadius;
-import tompkins.lesson.DifferenceOf;
-import tompkins.lesson.LensSpread;
-import tompkins.lesson.Lesson;
-import tompkins.lesson.LessonControl;
-import tompkins.lesson.LessonNumber;
-import tompkins.lesson.Measurement;
-import tompkins.lesson.MeasuringPoint;
-import tompkins.lesson.NoLesson;
-import tompkins.lesson.PictureEdge;
-import tompkins.lesson.PicturePoint;
-import tompkins.lesson.Prediction;
-import tompkins.lesson.RatioOf;
-import tompkins.lesson.RayReading;
-import tompkins.lesson.RayValue;
-import tompkins.lesson.WithNumber;
-import tompkins.lesson.WithShutter;
+import tompkins.lesson.LessonPlan;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
@@ -121,12 +104,12 @@ public final class RandomStudio {
 
     /** The studio with a number. */
     public static Studio of(long seed) {
-        return new RandomStudio(seed).studio();
+        return new RandomStudio(seed).studio(RandomLesson.of(seed));
     }
 
     /** The studio with a number, with lengths and times from minus to plus so many powers of ten. */
     public static Studio of(long seed, double decades) {
-        return new RandomStudio(seed, decades, null).studio();
+        return new RandomStudio(seed, decades, null).studio(RandomLesson.of(seed));
     }
 
     /** An object of one type, of a size between 1/2 and 20, with the given surface. */
@@ -165,7 +148,7 @@ public final class RandomStudio {
         throw new IllegalStateException("no valid value in " + TRIES + " tries");
     }
 
-    private Studio studio() {
+    private Studio studio(LessonPlan lesson) {
         List<SceneObject> scene = several(random.nextInt(5) == 0 ? 150 : 6, this::anyObject);
         List<SceneObject> cameraFrame =
                 random.nextInt(3) == 0 ? several(2, () -> valid(() -> atRest(anyObject()))) : List.of();
@@ -186,42 +169,7 @@ public final class RandomStudio {
                 new RenderSettings(
                         16, 12, 1 + random.nextInt(2), 0, random.nextLong(), pick(10, 100, 1000), ToneCurve.LINEAR),
                 several(2, this::leg),
-                random.nextInt(4) == 0 ? lesson() : NoLesson.DEFAULT));
-    }
-
-    private Lesson lesson() {
-        return new Lesson(
-                "What is seen?",
-                List.of(new Prediction("All", ""), new Prediction("Nothing", "Look again.")),
-                1 + random.nextInt(2),
-                new LessonControl("velocity.beta", "Speed", 0, random.nextDouble(), 0.5),
-                "So it is.",
-                several(3, this::lessonNumber));
-    }
-
-    private LessonNumber lessonNumber() {
-        return new LessonNumber("number", measurement(2), "x", number(), 1 - random.nextDouble(), "");
-    }
-
-    private Measurement measurement(int depth) {
-        Class<?>[] types = Measurement.class.getPermittedSubclasses();
-        return switch (depth == 0 ? "RayReading" : pick(types).getSimpleName()) {
-            case "RayReading" -> new RayReading(point(), pick(RayValue.values()));
-            case "AngleBetween" -> new AngleBetween(point(), point());
-            case "CircleRadius" -> new CircleRadius(random.nextDouble(), random.nextDouble());
-            case "LensSpread" -> new LensSpread(random.nextDouble(), random.nextDouble());
-            case "DifferenceOf" -> new DifferenceOf(measurement(depth - 1), measurement(depth - 1));
-            case "RatioOf" -> new RatioOf(measurement(depth - 1), measurement(depth - 1));
-            case "WithNumber" -> new WithNumber("velocity.beta", random.nextDouble(), measurement(depth - 1));
-            case "WithShutter" -> new WithShutter(valid(this::shutter), measurement(depth - 1));
-            default -> throw missing(types[0], "measurement");
-        };
-    }
-
-    private MeasuringPoint point() {
-        return random.nextBoolean()
-                ? new PicturePoint(random.nextDouble(), random.nextDouble())
-                : new PictureEdge(random.nextDouble(), random.nextDouble(), 0, 1, 1 + random.nextInt(3));
+                lesson));
     }
 
     private RideLeg leg() {

@@ -61,7 +61,14 @@ class BundledScenesTest {
         List<String> topics = scenes.stream().map(Studio::topic).toList();
         assertThat(topics.stream().distinct())
                 .containsExactly(
-                        "Rides", "Courtial et al. 2016", "Relativity", "Motion", "Objects", "Shutters", "Surfaces");
+                        "Rides",
+                        "Courtial et al. 2016",
+                        "Relativity",
+                        "Motion",
+                        "Lessons",
+                        "Objects",
+                        "Shutters",
+                        "Surfaces");
         for (int i = 1; i < topics.size(); i++) {
             assertThat(topics.get(i).equals(topics.get(i - 1))
                             || !topics.subList(0, i).contains(topics.get(i)))

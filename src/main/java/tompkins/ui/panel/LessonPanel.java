@@ -1,0 +1,231 @@
+package tompkins.ui.panel;
+
+import com.formdev.flatlaf.FlatClientProperties;
+import java.awt.Window;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
+import javax.swing.UIManager;
+import net.miginfocom.swing.MigLayout;
+import tompkins.experiment.LessonResult;
+import tompkins.experiment.LessonStudio;
+import tompkins.lesson.Lesson;
+import tompkins.lesson.LessonPlan;
+import tompkins.lesson.NoLesson;
+import tompkins.property.InvalidPropertyException;
+import tompkins.ui.file.BackgroundTask;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.widget.CardPanel;
+import tompkins.ui.widget.Naming;
+import tompkins.ui.widget.Note;
+import tompkins.ui.widget.Texts;
+
+/** The strip of a lesson under the picture. It leads from page to page: predict, look, learn why, measure. */
+public final class LessonPanel {
+
+    /** The pages, in their order. */
+    private enum Step {
+        PREDICT(LessonQuestionPage.class),
+        LOOK(LessonLookPage.class),
+        REASON(LessonReasonPage.class),
+        MEASURE(LessonNumbersPage.class);
+
+        private final Class<?> page;
+
+        Step(Class<?> page) {
+            this.page = page;
+        }
+    }
+
+    private final StudioModel model;
+    private final JPanel panel = new Strip();
+
+    private final JLabel[] steps = new JLabel[Step.values().length];
+    private final JButton again = new JButton(Texts.get("lesson.again"));
+    private final JButton next = new JButton();
+    private final Note problem = new Note("");
+
+    /** What the strip was made for. */
+    private LessonPlan shown = NoLesson.DEFAULT;
+
+    private LessonStudio lesson;
+    private Step step = Step.PREDICT;
+    private CardPanel cards;
+    private LessonQuestionPage question;
+    private LessonLookPage look;
+    private LessonReasonPage reason;
+    private LessonNumbersPage numbers;
+
+    /** The strip, invisible as long as the studio of the model has no lesson. */
+    public LessonPanel(StudioModel model) {
+        this.model = model;
+        panel.setVisible(false);
+        for (Step each : Step.values()) {
+            steps[each.ordinal()] = new JLabel(Texts.get("lesson.step." + each));
+        }
+        Naming.name(again, "lesson.again");
+        again.addActionListener(event -> startAgain());
+        next.addActionListener(event -> goOn());
+        model.addListener(this::update);
+        update();
+    }
+
+    /** The strip itself. */
+    public JComponent component() {
+        return panel;
+    }
+
+    /** Begins the lesson of the model's studio, if it has one, with its first page. */
+    public void begin() {
+        shown = NoLesson.DEFAULT;
+        update();
+    }
+
+    private void update() {
+        LessonPlan plan = model.studio().lesson();
+        if (!plan.equals(shown)) {
+            shown = plan;
+            make();
+        } else if (lesson != null) {
+            look.update();
+        }
+    }
+
+    private void make() {
+        panel.removeAll();
+        lesson = null;
+        panel.setVisible(shown instanceof Lesson);
+        if (shown instanceof Lesson) {
+            try {
+                lesson = LessonStudio.of(model.studio()).orElseThrow();
+                addPages(lesson.lesson());
+                show(Step.PREDICT);
+            } catch (InvalidPropertyException wrong) {
+                problem.setError(Texts.get("lesson.unusable", wrong.getMessage()));
+                panel.add(problem.component(), "growx, wmin 0");
+            }
+        }
+        panel.revalidate();
+        panel.repaint();
+    }
+
+    private void addPages(Lesson fitting) {
+        question = new LessonQuestionPage(fitting, this::updateNext);
+        look = new LessonLookPage(model, lesson);
+        reason = new LessonReasonPage(fitting);
+        numbers = new LessonNumbersPage();
+        cards = new CardPanel();
+        cards.add(LessonQuestionPage.class, question.component());
+        cards.add(LessonLookPage.class, look.component());
+        cards.add(LessonReasonPage.class, reason.component());
+        cards.add(LessonNumbersPage.class, numbers.component());
+        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 14 0"));
+        row.setOpaque(false);
+        for (JLabel label : steps) {
+            row.add(label, "wmin 0");
+        }
+        row.add(again, "pushx, alignx right");
+        row.add(next);
+        panel.add(row, "growx, wmin 0, wrap");
+        panel.add(cards.component(), "growx, wmin 0");
+    }
+
+    private void show(Step other) {
+        step = other;
+        cards.show(step.page);
+        for (Step each : Step.values()) {
+            JLabel label = steps[each.ordinal()];
+            label.setEnabled(each == step);
+            label.putClientProperty(FlatClientProperties.STYLE, each == step ? "font: bold" : "");
+        }
+        updateNext();
+    }
+
+    private void updateNext() {
+        boolean more = step.ordinal() + 1 < Step.values().length
+                && !(step == Step.REASON && lesson.lesson().numbers().isEmpty());
+        next.setVisible(more);
+        if (more) {
+            Step following = Step.values()[step.ordinal() + 1];
+            Naming.name(next, "lesson.next." + following);
+            next.setText(Texts.get("lesson.next." + following));
+        }
+        next.setEnabled(question.answer().isPresent());
+    }
+
+    private void goOn() {
+        Step following = Step.values()[step.ordinal() + 1];
+        Optional<LessonAnswer> answer = question.answer();
+        answer.ifPresent(look::show);
+        answer.ifPresent(reason::show);
+        show(following);
+        if (following == Step.MEASURE) {
+            measure();
+        }
+    }
+
+    private void startAgain() {
+        model.reset();
+        begin();
+    }
+
+    /** Measures with the studio as it is, but for the number that the lesson moves. */
+    private void measure() {
+        numbers.showBusy();
+        LessonStudio present;
+        try {
+            present = LessonStudio.of(model.studio()).orElseThrow();
+        } catch (InvalidPropertyException lost) {
+            numbers.showProblem(lost.getMessage());
+            return;
+        }
+        model.set(present.measured());
+        Window window = SwingUtilities.getWindowAncestor(panel);
+        LessonNumbersPage page = numbers;
+        BackgroundTask.find(window, Texts.get("lesson.measuring"), () -> Outcome.of(present), found -> {
+            if (found.problem == null) {
+                page.show(found.results);
+            } else {
+                page.showProblem(found.problem);
+            }
+        });
+    }
+
+    /**
+     * What a measurement gave.
+     *
+     * @param results what was measured
+     * @param problem why nothing was, or null
+     */
+    private record Outcome(List<LessonResult> results, String problem) {
+
+        static Outcome of(LessonStudio lesson) {
+            try {
+                return new Outcome(lesson.results(), null);
+            } catch (InvalidPropertyException impossible) {
+                return new Outcome(List.of(), impossible.getMessage());
+            }
+        }
+    }
+
+    /** A panel with a line above it, also in another look. */
+    private static final class Strip extends JPanel {
+
+        private static final long serialVersionUID = 1;
+
+        Strip() {
+            super(new MigLayout("novisualpadding, insets 6 10 6 10, fillx, hidemode 3, gap 6 6"));
+        }
+
+        @Override
+        public void updateUI() {
+            super.updateUI();
+            setBorder(BorderFactory.createMatteBorder(1, 0, 0, 0, UIManager.getColor("Tompkins.line")));
+        }
+    }
+}

@@ -1,0 +1,125 @@
+package tompkins.experiment;
+
+import static java.lang.Math.acos;
+import static java.lang.Math.atan2;
+import static java.lang.Math.sqrt;
+import static java.lang.Math.toDegrees;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.io.BundledScenes;
+import tompkins.lesson.Lesson;
+import tompkins.lesson.LessonNumber;
+import tompkins.studio.Studio;
+
+/** Each lesson of the program measures what closed formulas say; they stand here, and not in the scene files. */
+@Tag("slow")
+class LessonNumbersTest {
+
+    static Stream<Arguments> lessons() {
+        return Stream.of(
+                lesson("01-round-ball", radiusSeenAt(0.8), toDegrees(Math.asin(0.1))),
+                lesson("02-turned-cube", 0.8 * gamma(0.8), 1 / gamma(0.8)),
+                lesson("03-bent-rod", boas(0), boas(1), boas(3)),
+                lesson("04-coming-and-going", doppler(0.6), 1 / doppler(0.6)),
+                lesson("05-faster-than-light", 0.95 * gamma(0.95)),
+                lesson("06-headlight", Math.pow(1.8 / 0.2, 4), toDegrees(acos(0.8))),
+                lesson("07-colours", doppler(0.6), gamma(0.6), 1 / gamma(0.6), 1),
+                lesson("08-late-shadow", 2 * 0.8 * 3, 1),
+                lesson("09-clocks", doppler(0.6), 1 / doppler(0.6), 1 / gamma(0.6)),
+                lesson("10-rod-in-the-barn", 10 / gamma(0.8), gamma(0.8) * 0.8 * 6),
+                lesson(
+                        "11-slices",
+                        0.8 * gamma(0.8) * (1 - 1.0 / 5),
+                        0.8 * gamma(0.8) * (1 - 1.0 / 20),
+                        0.8 * gamma(0.8)),
+                lesson("12-shutter", blurAtTheLens(), 0));
+    }
+
+    private static Arguments lesson(String name, double... values) {
+        return arguments(name, values);
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("lessons")
+    void numbersAreThoseOfTheFormulas(String name, double... formulas) throws IOException {
+        LessonStudio lesson = LessonStudio.of(studio(name)).orElseThrow();
+        List<LessonResult> results = lesson.results();
+        assertThat(results).hasSameSizeAs(formulas);
+        IntStream.range(0, formulas.length).forEach(i -> {
+            LessonNumber number = results.get(i).number();
+            double formula = formulas[i];
+            assertThat(number.tolerance())
+                    .as("a tolerance tells right from wrong: %s", number.name())
+                    .isLessThan(0.006 * Math.max(Math.abs(formula), 0.001));
+            assertThat(number.value()).as(number.name()).isCloseTo(formula, within(number.tolerance() / 2));
+            assertThat(results.get(i).measured()).as(number.name()).isCloseTo(formula, within(number.tolerance()));
+            assertThat(results.get(i).agrees()).isTrue();
+        });
+    }
+
+    /** The question is asked beside the picture of the file. */
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("lessons")
+    void picturesWithTheQuestionDoNotAnswerIt(String name, double... formulas) throws IOException {
+        LessonStudio lesson = LessonStudio.of(studio(name)).orElseThrow();
+        double shown = lesson.number().in(lesson.studio());
+        assertThat(shown).isEqualTo(lesson.lesson().control().from());
+        assertThat(shown).isNotEqualTo(lesson.lesson().control().measuredAt());
+    }
+
+    @Test
+    void everyLessonOfTheProgramIsHere() throws IOException {
+        List<Studio> found = BundledScenes.studios().stream()
+                .filter(studio -> studio.lesson() instanceof Lesson)
+                .toList();
+        assertThat(found).hasSameSizeAs(lessons().toList());
+        assertThat(found).extracting(Studio::topic).containsOnly("Lessons");
+    }
+
+    private static Studio studio(String name) throws IOException {
+        return BundledScenes.studio("lesson-" + name + ".json");
+    }
+
+    private static double gamma(double speed) {
+        return 1 / sqrt(1 - speed * speed);
+    }
+
+    /** Straight ahead. */
+    private static double doppler(double speed) {
+        return sqrt((1 + speed) / (1 - speed));
+    }
+
+    /** Of a ball of radius 1 at a distance of 10 across the motion, in degrees. */
+    private static double radiusSeenAt(double speed) {
+        double sine = 0.1;
+        return toDegrees(atan2(sine, gamma(speed) * sqrt(1 - sine * sine)));
+    }
+
+    /** Where a rod is seen at a height, at 0.9 c in the plane z = 1, when it passes x = 0. */
+    private static double boas(double y) {
+        return -0.9 * gamma(0.9) * sqrt(1 + y * y);
+    }
+
+    /**
+     * g v times the difference of the longest and the shortest way from the point (0.3, -0.2, 8) to the rim of the
+     * lens.
+     */
+    private static double blurAtTheLens() {
+        Vector3d point = new Vector3d(0.3, -0.2, 8);
+        Vector3d rim = new Vector3d(0.3, -0.2, 0).normalize(0.05);
+        double speed = new Vector3d(0.2, -0.1, 0.97).length();
+        return gamma(speed) * speed * (point.distance(rim.negate(new Vector3d())) - point.distance(rim));
+    }
+}
