@@ -1,8 +1,10 @@
 package tompkins.animation;
 
 import java.util.concurrent.CancellationException;
+import java.util.function.Function;
 import tompkins.image.AnimationWriter;
 import tompkins.image.FileException;
+import tompkins.image.PictureDecoration;
 import tompkins.image.ToneCurve;
 import tompkins.io.SelfDescription;
 import tompkins.render.PhotographTaker;
@@ -19,11 +21,17 @@ public final class AnimationRecorder {
      * Takes all photographs and adds them to a file, which is not completed yet.
      *
      * @param caption what is written into each photograph
+     * @param decorations what is drawn over the photograph of a studio
      * @return what the user should know about the photographs
      * @throws CancellationException if it is cancelled
      * @throws FileException if the file cannot be written
      */
-    public static FrameWarnings record(Film film, AnimationWriter writer, Film.Caption caption, Progress progress)
+    public static FrameWarnings record(
+            Film film,
+            AnimationWriter writer,
+            Film.Caption caption,
+            Function<Studio, PictureDecoration> decorations,
+            Progress progress)
             throws FileException, InterruptedException {
         int frames = film.frames();
         FrameWarnings warnings = new FrameWarnings(frames);
@@ -32,7 +40,12 @@ public final class AnimationRecorder {
                 Studio moment = film.studio(i);
                 RenderJob photograph = taker.take(moment, progress, (double) i / frames, 1.0 / frames);
                 ToneCurve curve = moment.settings().toneCurve();
-                writer.add(photograph.image(), curve, caption.of(moment, i), SelfDescription.of(moment));
+                writer.add(
+                        photograph.image(),
+                        curve,
+                        decorations.apply(moment),
+                        caption.of(moment, i),
+                        SelfDescription.of(moment));
                 warnings.add(i + 1, photograph.report().warnings());
             }
         }

@@ -27,6 +27,7 @@ import tompkins.animation.RideFilm;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
 import tompkins.image.FileException;
+import tompkins.image.PictureDecoration;
 import tompkins.io.StudioReader;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Require;
@@ -131,7 +132,8 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
         ProgressLine progress = new ProgressLine(err);
         Path place;
         try (AnimationWriter writer = open(recording.film.frameRate())) {
-            warnings.addAll(AnimationRecorder.record(recording.film, writer, recording.caption, progress)
+            warnings.addAll(AnimationRecorder.record(
+                            recording.film, writer, recording.caption, moment -> PictureDecoration.NONE, progress)
                     .sentences());
             place = writer.finish();
         } finally {

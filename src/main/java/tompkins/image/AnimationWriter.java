@@ -34,12 +34,15 @@ public abstract sealed class AnimationWriter implements Closeable
      * Adds a photograph as a frame. All frames have the size of the first.
      *
      * @param curve how its light becomes colours
+     * @param decoration draws over it
      * @param caption what is written into its lower left corner; nothing if it is empty
      * @param info as in {@link #add(BufferedImage, PhotographInfo)}, which also says what is thrown
      */
-    public final void add(LinearImage photograph, ToneCurve curve, String caption, PhotographInfo info)
+    public final void add(
+            LinearImage photograph, ToneCurve curve, PictureDecoration decoration, String caption, PhotographInfo info)
             throws FileException {
         BufferedImage frame = BufferedImages.toBufferedImage(photograph, curve);
+        decoration.paint(frame);
         if (!caption.isEmpty()) {
             PictureLabel.paint(frame, caption);
         }

@@ -5,37 +5,36 @@ public final class EdgeFinder {
 
     private EdgeFinder() {}
 
+    /** Samples on each side whose means tell a step. */
+    private static final int SIDE = 5;
+
     /**
-     * The place of the largest step, counted in samples from the first; NaN if there is none. The two sides are those
-     * whose means leave the least squares; the place between two samples is interpolated linearly.
+     * The place of the largest step, counted in samples from the first; NaN if there is none. A step is the difference
+     * between the means of a few samples on both sides, so that slow changes, as by shading, are none; the place
+     * between two samples is interpolated linearly.
      *
-     * @param values the profile; what is not finite keeps it from having an edge
+     * @param values the profile; what is not finite has no step
      */
     public static double edge(double... values) {
         int count = values.length;
-        double sum = 0;
-        double largest = 0;
-        for (double value : values) {
-            sum += value;
-            largest = Math.max(largest, Math.abs(value));
-        }
+        int side = Math.max(1, Math.min(SIDE, count / 2));
         int after = 0;
         double best = 0;
-        double left = 0;
+        double largest = 0;
         for (int i = 1; i < count; i++) {
-            left += values[i - 1];
-            double step = left / i - (sum - left) / (count - i);
-            double explained = step * step * i * (count - i);
-            if (explained > best) {
-                best = explained;
+            double step = Math.abs(mean(values, Math.max(0, i - side), i) - mean(values, i, Math.min(count, i + side)));
+            largest = Math.max(largest, Math.abs(values[i]));
+            if (step > best) {
+                best = step;
                 after = i;
             }
         }
-        if (after == 0 || !(Math.sqrt(best) > 1e-12 * largest * count)) {
+        if (after == 0 || !(best > 1e-12 * largest)) {
             return Double.NaN;
         }
-        double half = (mean(values, 0, after) + mean(values, after, count)) / 2;
-        return crossing(values, half, after - 0.5);
+        double left = mean(values, Math.max(0, after - side), after);
+        double right = mean(values, after, Math.min(count, after + side));
+        return crossing(values, (left + right) / 2, after - 0.5);
     }
 
     private static double mean(double[] values, int from, int to) {

@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
@@ -16,11 +17,14 @@ import tompkins.animation.RideFilm;
 import tompkins.image.AnimationFormat;
 import tompkins.image.AnimationWriter;
 import tompkins.image.FileException;
+import tompkins.image.PictureDecoration;
+import tompkins.measure.OverlayKind;
 import tompkins.render.Progress;
 import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.FormatFilter;
 import tompkins.ui.file.SaveDialog;
+import tompkins.ui.picture.SceneOverlay;
 import tompkins.ui.widget.Texts;
 
 /** Saves an animation as a file, or as a folder of pictures. */
@@ -29,11 +33,13 @@ final class AnimationExport {
     private final JFrame frame;
     private final FileDialogs dialogs;
     private final Captions captions;
+    private final Signs signs;
 
-    AnimationExport(JFrame frame, FileDialogs dialogs, Captions captions) {
+    AnimationExport(JFrame frame, FileDialogs dialogs, Captions captions, Signs signs) {
         this.frame = frame;
         this.dialogs = dialogs;
         this.captions = captions;
+        this.signs = signs;
     }
 
     /** Makes a film of a studio, with a number of photographs in a second. */
@@ -75,11 +81,14 @@ final class AnimationExport {
     /** Saves a film, with progress and cancel. */
     private void save(Film film, Film.Caption caption, Path file, AnimationFormat format, boolean replace) {
         AtomicReference<Exported> exported = new AtomicReference<>();
+        Set<OverlayKind> overlays = signs.ofScene();
+        Function<Studio, PictureDecoration> decorations =
+                moment -> picture -> SceneOverlay.paint(picture, moment, overlays);
         BackgroundTask.start(
                 frame,
                 Texts.get("file.saving", file),
-                progress -> exported.set(
-                        write(film, caption, () -> open(file, format, film.frameRate(), replace), progress)),
+                progress -> exported.set(write(
+                        film, caption, decorations, () -> open(file, format, film.frameRate(), replace), progress)),
                 () -> dialogs.exported(
                         exported.get().place(), exported.get().warnings().sentences()),
                 () -> dialogs.sayNotSaved(file));
@@ -94,10 +103,15 @@ final class AnimationExport {
     }
 
     /** Takes all pictures and writes them; leaves nothing behind if the task is cancelled or fails. */
-    static Exported write(Film film, Film.Caption caption, Callable<AnimationWriter> file, Progress progress)
+    static Exported write(
+            Film film,
+            Film.Caption caption,
+            Function<Studio, PictureDecoration> decorations,
+            Callable<AnimationWriter> file,
+            Progress progress)
             throws Exception {
         try (AnimationWriter writer = file.call()) {
-            FrameWarnings warnings = AnimationRecorder.record(film, writer, caption, progress);
+            FrameWarnings warnings = AnimationRecorder.record(film, writer, caption, decorations, progress);
             return new Exported(writer.finish(), warnings);
         }
     }

@@ -76,7 +76,7 @@ public final class TompkinsWindow {
         opener = new SceneOpener(frame, model, view, status, settings, dialogs, saver, this::pause, lesson::begin);
         captions = new Captions(view.canvas(), settings, first.besideRest());
         signs = new Signs(view.canvas(), settings, view::fail);
-        motion = new Motion(frame, model, view, status, new AnimationExport(frame, dialogs, captions), captions);
+        motion = new Motion(frame, model, view, status, new AnimationExport(frame, dialogs, captions, signs), captions);
         frame.setContentPane(content());
         clipboard = new ClipboardActions(frame, model, view, captions, signs, commandLine, status);
         measure = new MeasureTool(view, motion.bars(), clipboard::copyMeasured);

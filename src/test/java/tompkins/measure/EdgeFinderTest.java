@@ -21,6 +21,17 @@ class EdgeFinderTest {
         assertThat(EdgeFinder.edge(0, 0.1, 0, 0.1, 0, 5, 5.1, 5, 5.1, 5)).isCloseTo(4.5, within(0.02));
     }
 
+    /** A slow fall over many samples is more than the step behind it, and is no edge. */
+    @Test
+    void shadingIsNoEdge() {
+        double[] shaded = new double[200];
+        for (int i = 0; i < 200; i++) {
+            shaded[i] = i < 150 ? 10 - i / 20.0 : 4;
+        }
+
+        assertThat(EdgeFinder.edge(shaded)).isCloseTo(149.5, within(0.1));
+    }
+
     @Test
     void evenProfilesHaveNoEdge() {
         assertThat(EdgeFinder.edge(0.1, 0.1, 0.1, 0.1)).isNaN();

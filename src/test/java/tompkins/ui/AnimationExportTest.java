@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
@@ -19,12 +20,14 @@ import tompkins.animation.Animation;
 import tompkins.image.AnimationFormat;
 import tompkins.image.PhotographFile;
 import tompkins.io.StudioReader;
+import tompkins.measure.OverlayKind;
 import tompkins.render.Progress;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
 import tompkins.studio.Studios;
+import tompkins.ui.picture.SceneOverlay;
 
 class AnimationExportTest {
 
@@ -48,11 +51,40 @@ class AnimationExportTest {
 
     private static void write(Studio studio, Path file, AnimationFormat format, boolean captioned, Progress progress)
             throws Exception {
+        write(studio, file, format, captioned, Set.of(), progress);
+    }
+
+    private static void write(
+            Studio studio,
+            Path file,
+            AnimationFormat format,
+            boolean captioned,
+            Set<OverlayKind> overlays,
+            Progress progress)
+            throws Exception {
         AnimationExport.write(
                 FASTER.film(studio),
                 Captions.ofPictures(studio, FASTER.number(), captioned),
+                moment -> picture -> SceneOverlay.paint(picture, moment, overlays),
                 () -> format.open(file, 25),
                 progress);
+    }
+
+    /** The outline of the sphere shrinks with the speed straight ahead, and what is drawn lies about it. */
+    @Test
+    void overlaysAreDrawnIntoTheFramesAndFollowThem() throws Exception {
+        Path plain = folder.resolve("plain");
+        Path drawn = folder.resolve("drawn");
+        write(Studios.sphere(), plain, AnimationFormat.NUMBERED_PNG, false, progress());
+        write(Studios.sphere(), drawn, AnimationFormat.NUMBERED_PNG, false, Set.of(OverlayKind.OUTLINES), progress());
+
+        Rectangle first = difference(plain, drawn, "frame0001.png");
+        Rectangle last = difference(plain, drawn, "frame0010.png");
+        // a radius of 1/10 before a half width of tan(10 degrees), 32 pixels
+        double radius = 32 * Math.tan(Math.asin(0.1)) / Math.tan(Math.toRadians(10));
+        assertThat(first.width / 2.0).isBetween(radius, radius + 3);
+        // tan(a'/2) = tan(a/2)/3 at 0.8 c
+        assertThat(last.width / 2.0).isBetween(radius / 3, radius / 3 + 3);
     }
 
     /** The caption covers the lower left corner, nothing else, and tells frames apart that show the same. */

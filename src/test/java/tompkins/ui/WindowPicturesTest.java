@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.image.BufferedImage;
@@ -18,14 +19,21 @@ import javax.swing.JComboBox;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButton;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JTextPane;
 import javax.swing.JToggleButton;
+import org.joml.Vector2dc;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import tompkins.io.StudioReader;
+import tompkins.measure.MeasureKind;
+import tompkins.measure.OverlayKind;
+import tompkins.measure.Overlays;
+import tompkins.measure.Projection;
+import tompkins.measure.SceneShapes;
 import tompkins.studio.Studio;
 import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.panel.RidePilot;
@@ -54,6 +62,7 @@ class WindowPicturesTest {
         SPLIT("fig1b"),
         SIDE_BY_SIDE("terrell-cube"),
         PINNED_RAY("terrell-cube"),
+        MEASURING("penrose-sphere"),
         ERROR("fig1b");
 
         private final String scene;
@@ -74,7 +83,8 @@ class WindowPicturesTest {
     @ParameterizedTest
     @EnumSource
     void pictureIsThereAndSmall(Shot shot) throws Exception {
-        if (Boolean.getBoolean("tompkins.regenerate")) {
+        String wanted = System.getProperty("tompkins.regenerate", "");
+        if (wanted.equals("true") || wanted.equals(shot.name())) {
             take(shot);
         }
         assertThat(shot.file()).exists();
@@ -90,6 +100,10 @@ class WindowPicturesTest {
             // with more samples the noise, and what is small, have more levels
             studio = studio.withSettings(studio.settings().withSamples(1));
         }
+        if (shot == Shot.MEASURING) {
+            // the floor would make a large file
+            studio = studio.withScene(studio.scene().subList(1, studio.scene().size()));
+        }
         FirstScene first = shot == Shot.DEFAULT ? FirstScene.ofProgram(studio, "") : new FirstScene(studio, null);
         try (WindowDriver driver = new WindowDriver(folder, first, List.of(studio))) {
             JMenu examples = driver.find(JMenu.class, "menu.examples");
@@ -103,7 +117,13 @@ class WindowPicturesTest {
             Rectangle bounds =
                     WindowDriver.onEventThread(() -> driver.window().frame().getBounds());
             BufferedImage picture = new Robot().createScreenCapture(bounds);
-            write(shot == Shot.WIDE_APERTURE ? withoutLowBits(picture) : picture, shot.file());
+            write(
+                    switch (shot) {
+                        case WIDE_APERTURE -> withoutLowBits(picture, 0xf0);
+                        case MEASURING -> withoutLowBits(picture, 0xf8);
+                        default -> picture;
+                    },
+                    shot.file());
         }
     }
 
@@ -115,11 +135,13 @@ class WindowPicturesTest {
     }
 
     /** The low bits of a blurred picture are noise, and most of its file. */
-    private static BufferedImage withoutLowBits(BufferedImage picture) {
+    private static BufferedImage withoutLowBits(BufferedImage picture, int highBits) {
+        int high = highBits * 0x010101;
+        int middle = (0x100 - highBits) / 2 * 0x010101;
         BufferedImage plain = new BufferedImage(picture.getWidth(), picture.getHeight(), BufferedImage.TYPE_INT_RGB);
         for (int y = 0; y < picture.getHeight(); y++) {
             for (int x = 0; x < picture.getWidth(); x++) {
-                plain.setRGB(x, y, picture.getRGB(x, y) & 0xf0f0f0 | 0x080808);
+                plain.setRGB(x, y, picture.getRGB(x, y) & high | middle);
             }
         }
         return plain;
@@ -141,9 +163,37 @@ class WindowPicturesTest {
                         "the pinned ray",
                         () -> story.isShowing() && story.getText().contains("Hits cube"));
             }
+            case MEASURING -> measure(driver);
             case ERROR -> driver.type(driver.find(JTextField.class, "Speed"), "1.2");
             default -> {}
         }
+    }
+
+    /** Overlays, and a circle through four points on the outline of the red ball. */
+    private static void measure(WindowDriver driver) {
+        for (String overlay : List.of("OUTLINES", "PLACES", "CAMERA_GRID", "HORIZON", "LABELS")) {
+            press(driver, JMenuItem.class, "menu.overlay." + overlay);
+        }
+        press(driver, JMenuItem.class, "menu.measure");
+        JComboBox<?> kinds = driver.find(JComboBox.class, "What to measure");
+        WindowDriver.onEventThread(() -> kinds.setSelectedItem(MeasureKind.CIRCLE));
+        driver.completePicture();
+        Projection projection = Projection.of(driver.studioOnScreen());
+        Overlays overlays =
+                new Overlays(projection, SceneShapes.of(driver.picture().plan().sceneFrames()));
+        List<Vector2dc> outline = overlays.draw(OverlayKind.OUTLINES).lines().get(0);
+        Rectangle bounds =
+                WindowDriver.onEventThread(() -> driver.window().view().canvas().pictureBounds());
+        Point corner =
+                WindowDriver.onEventThread(() -> driver.window().view().canvas().getLocationOnScreen());
+        for (int i = 0; i < 4; i++) {
+            Vector2dc place = outline.get(i * outline.size() / 4);
+            driver.click(new Point(
+                    corner.x + bounds.x + (int) (place.x() * bounds.width / projection.width()),
+                    corner.y + bounds.y + (int) (place.y() * bounds.height / projection.height())));
+        }
+        JTextArea results = driver.find(JTextArea.class, "measure.results");
+        WindowDriver.await("the circle", () -> results.getText().startsWith("half-angle"));
     }
 
     /** A moment of the recorded ride, with all that can be drawn over the picture. */

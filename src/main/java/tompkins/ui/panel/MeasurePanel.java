@@ -45,7 +45,9 @@ public final class MeasurePanel {
     private final JComboBox<MeasureKind> kinds = new JComboBox<>(MeasureKind.values());
     private final JComboBox<ProfileChart.Content> contents = new JComboBox<>(ProfileChart.Content.values());
     private final ProfileChart chart = new ProfileChart();
-    private final Note results = new Note("");
+    /** With room for all numbers of a circle: the picture must not move under a click that adds a point. */
+    private final Note results = Note.ofLines(2);
+
     private final JButton copy;
     private Measured measured;
 
@@ -71,6 +73,7 @@ public final class MeasurePanel {
         panel.add(results.component(), "span, growx, wmin 0");
         panel.setVisible(false);
         panel.setName("measure");
+        results.component().setName("measure.results");
     }
 
     private static JButton button(String key, Runnable action) {

@@ -1,6 +1,7 @@
 package tompkins.ui.picture;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
@@ -8,12 +9,21 @@ import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.time.Duration;
 import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
+import tompkins.measure.OverlayKind;
+import tompkins.property.Descriptions;
+import tompkins.sceneobject.Sphere;
+import tompkins.shutter.DetectorPlaneShutter;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
+import tompkins.surface.Mirror;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.WindowDriver;
 import tompkins.ui.widget.Look;
@@ -39,7 +49,10 @@ class OverlayTest {
     private static BufferedImage painted(Overlay overlay, Studio studio, Rectangle free) {
         Studio large = studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT));
         LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
-        Picture picture = new Picture(large, RenderPlan.of(large), image, true, Duration.ZERO, 1, 0, List.of());
+        return painted(overlay, new Picture(large, RenderPlan.of(large), image, true, Duration.ZERO, 1, 0, List.of()));
+    }
+
+    private static BufferedImage painted(Overlay overlay, Picture picture) {
         BufferedImage canvas = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = canvas.createGraphics();
         g.setColor(Color.GRAY);
@@ -91,6 +104,59 @@ class OverlayTest {
         assertThat(right.y + right.height / 2).isBetween(238, 242);
         Rectangle up = marked(painted(arrow(), flying(0, 0.5, 0)));
         assertThat(up.y).isBetween(10, 16);
+    }
+
+    private static SceneOverlay overlay(OverlayKind... kinds) {
+        SceneOverlay overlay = new SceneOverlay(() -> {}, error -> {
+            throw new AssertionError(error);
+        });
+        overlay.setShown(Set.of(kinds));
+        return overlay;
+    }
+
+    /** At 0.8 c straight ahead tan(a'/2) is a third of tan(a/2). */
+    @Test
+    void outlineLiesAroundTheSphere() {
+        Rectangle outline = marked(painted(overlay(OverlayKind.OUTLINES), flying(0, 0, 0.8)));
+        double angle = 2 * Math.atan(Math.tan(Math.asin(0.1) / 2) / 3);
+        double radius = 320 * Math.tan(angle) / Math.tan(Math.toRadians(10));
+
+        assertThat(outline.getCenterX()).isCloseTo(320, within(1.0));
+        assertThat(outline.getCenterY()).isCloseTo(240, within(1.0));
+        assertThat(outline.width / 2.0).isBetween(radius + 1, radius + 4);
+        assertThat(marked(painted(overlay(), flying(0, 0, 0.8))).isEmpty()).isTrue();
+    }
+
+    @Test
+    void whatMayNotAgreeWithThePictureIsSaid() {
+        Studio fine = flying(0, 0, 0.8);
+        Studio wide = fine.withCamera(Descriptions.with(fine.camera(), "apertureRadius", 0.2));
+        Studio window = fine.withCameraFrame(List.of(new Sphere("", new Vector3d(0, 0, -5), 1, Mirror.DEFAULT)));
+
+        // the line at the top, far from the sphere
+        assertThat(marked(painted(overlay(OverlayKind.OUTLINES), fine)).y).isGreaterThan(100);
+        assertThat(marked(painted(overlay(OverlayKind.OUTLINES), wide)).y).isLessThan(30);
+        assertThat(marked(painted(overlay(OverlayKind.OUTLINES), window)).y).isLessThan(30);
+    }
+
+    /** A shutter that opens at many times is worked out by another thread; then the canvas is painted again. */
+    @Test
+    void slowOverlaysComeLater() throws InterruptedException {
+        CountDownLatch again = new CountDownLatch(1);
+        SceneOverlay overlay = new SceneOverlay(again::countDown, error -> {
+            throw new AssertionError(error);
+        });
+        overlay.setShown(Set.of(OverlayKind.OUTLINES));
+        Studio fine = flying(0, 0, 0.8);
+        Studio slow = fine.withCamera(fine.camera().withShutter(DetectorPlaneShutter.DEFAULT))
+                .withSettings(fine.settings().withSize(WIDTH, HEIGHT));
+        LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
+        Picture picture = new Picture(slow, RenderPlan.of(slow), image, true, Duration.ZERO, 1, 0, List.of());
+
+        assertThat(marked(painted(overlay, picture)).isEmpty()).isTrue();
+        assertThat(again.await(30, TimeUnit.SECONDS)).isTrue();
+        assertThat(marked(painted(overlay, picture)).isEmpty()).isFalse();
+        overlay.close();
     }
 
     @Test

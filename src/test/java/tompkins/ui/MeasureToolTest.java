@@ -1,0 +1,141 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Toolkit;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.event.KeyEvent;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JComponent;
+import javax.swing.JTextArea;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import tompkins.measure.MeasureKind;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.studio.Studios;
+import tompkins.ui.picture.PictureCanvas;
+
+/** Measures by clicks in a real window. */
+@Timeout(300)
+@NeedsDisplay
+class MeasureToolTest {
+
+    @TempDir
+    private Path folder;
+
+    @AutoClose
+    private WindowDriver driver;
+
+    private PictureCanvas canvas;
+
+    @BeforeEach
+    void open() {
+        Studio studio = Studios.sphere()
+                .withVelocity(Velocity.of(0, 0, 0.8))
+                .withSettings(Studio.DEFAULT.settings().withSize(640, 480));
+        driver = new WindowDriver(folder, studio, folder.resolve("ball.json"), List.of(studio));
+        canvas = driver.find(PictureCanvas.class, "picture");
+        driver.completePicture();
+        driver.menu("menu.measure");
+        WindowDriver.await("the panel of measuring", () -> panel().isVisible());
+        driver.completePicture();
+    }
+
+    private JComponent panel() {
+        return Components.find(driver.window().frame(), JComponent.class, "measure");
+    }
+
+    private String results() {
+        return Components.find(driver.window().frame(), JTextArea.class, "measure.results")
+                .getText();
+    }
+
+    /** Clicks at a place, as a share of the picture from its middle to its right and its lower edge. */
+    private void click(double right, double down) {
+        Point point = WindowDriver.onEventThread(() -> {
+            Rectangle bounds = canvas.pictureBounds();
+            Point corner = canvas.getLocationOnScreen();
+            return new Point(
+                    corner.x + (int) (bounds.getCenterX() + right * bounds.width / 2),
+                    corner.y + (int) (bounds.getCenterY() + down * bounds.height / 2));
+        });
+        driver.click(point);
+    }
+
+    private double number(String label) {
+        Matcher matcher = Pattern.compile(label + "\u00a0(\\S+)").matcher(results());
+        assertThat(matcher.find()).as(results()).isTrue();
+        return Double.parseDouble(matcher.group(1));
+    }
+
+    @Test
+    void clicksTellAnglesThatFollowTheSpeedAndAreCopied() throws Exception {
+        assertThat(results()).isEqualTo("Click at two points in the picture.");
+        click(0, 0);
+        click(0.5, 0);
+        WindowDriver.await("the angle", () -> results().startsWith("angle for the camera"));
+
+        double camera = Math.toDegrees(Math.atan(0.5 * Math.tan(Math.toRadians(10))));
+        assertThat(number("angle for the camera")).isCloseTo(camera, within(0.1));
+        assertThat(number("angle in the scene"))
+                .isCloseTo(
+                        Math.toDegrees(2 * Math.atan(3 * Math.tan(Math.toRadians(number("angle for the camera")) / 2))),
+                        within(0.1));
+
+        WindowDriver.onEventThread(() ->
+                driver.window().model().set(driver.window().model().studio().withVelocity(Velocity.REST)));
+        WindowDriver.await("the angle at rest", () -> number("angle in the scene") == number("angle for the camera"));
+
+        JButton copy = driver.find(JButton.class, "Copy");
+        WindowDriver.onEventThread(() -> copy.doClick());
+        String copied =
+                (String) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
+        assertThat(copied)
+                .startsWith("quantity,value,uncertainty,unit\ncameraAngle,")
+                .contains("\nsceneAngle,");
+
+        // what is measured is no pin
+        driver.key(KeyEvent.VK_ESCAPE);
+        WindowDriver.await("the end", () -> !panel().isVisible());
+    }
+
+    @Test
+    void circleAndProfileAreMeasured() throws Exception {
+        JComboBox<?> kinds = driver.find(JComboBox.class, "What to measure");
+        WindowDriver.onEventThread(() -> kinds.setSelectedItem(MeasureKind.CIRCLE));
+        click(0.3, 0);
+        click(-0.3, 0);
+        click(0, 0.4);
+        WindowDriver.await("the circle", () -> results().startsWith("half-angle"));
+        double slope = 0.3 * Math.tan(Math.toRadians(10));
+        assertThat(number("half-angle")).isCloseTo(Math.toDegrees(Math.atan(slope)), within(0.1));
+
+        WindowDriver.onEventThread(() -> kinds.setSelectedItem(MeasureKind.PROFILE));
+        JButton clear = driver.find(JButton.class, "Clear");
+        WindowDriver.onEventThread(() -> clear.doClick());
+        click(-0.1, 0);
+        click(0.9, 0);
+        WindowDriver.await("the profile", () -> results().startsWith("edge at column"));
+        // the ball of 10 degrees at 0.8 c: its edge at the slope of a third of the angle
+        double edge = Math.tan(2 * Math.atan(Math.tan(Math.asin(0.1) / 2) / 3));
+        assertThat(number("edge at column")).isCloseTo(320 + 320 * edge / Math.tan(Math.toRadians(10)), within(1.5));
+        JButton copy = driver.find(JButton.class, "Copy");
+        WindowDriver.onEventThread(() -> copy.doClick());
+        String copied =
+                (String) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
+        assertThat(copied).startsWith("pixel_x [pixels],pixel_y [pixels],");
+        assertThat(copied.lines().count()).isGreaterThan(200);
+    }
+}
