@@ -111,8 +111,8 @@ class LessonWindowTest {
     @Test
     void whoOnlyMovedTheSliderIsNotAskedToSave() {
         begin();
-        WindowDriver.onEventThread(() ->
-                driver.find(JSlider.class, "Speed of the cube (c), slider").setValue(700));
+        JSlider slider = driver.find(JSlider.class, "Speed of the cube (c), slider");
+        WindowDriver.onEventThread(() -> slider.setValue(700));
         assertThat(speed()).isCloseTo(0.665, within(1e-9));
         driver.menu(Studios.sphere().title());
         WindowDriver.await("the example", () -> driver.window().model().studio().equals(Studios.sphere()));

@@ -124,7 +124,7 @@ public final class LessonPanel {
         cards.add(LessonLookPage.class, look.component());
         cards.add(LessonReasonPage.class, reason.component());
         cards.add(LessonNumbersPage.class, numbers.component());
-        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 14 0"));
+        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 9 0"));
         row.setOpaque(false);
         for (JLabel label : steps) {
             row.add(label, "wmin 0");
