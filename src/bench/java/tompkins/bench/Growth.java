@@ -1,10 +1,7 @@
 package tompkins.bench;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -13,8 +10,6 @@ import java.util.stream.IntStream;
 import org.joml.Vector3d;
 import org.joml.Vector3i;
 import tompkins.ray.MeshData;
-import tompkins.render.RenderReport;
-import tompkins.render.Renderer;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.SceneObject;
@@ -27,7 +22,7 @@ import tompkins.trace.RenderPlan;
 
 /**
  * How time and memory grow with the number of objects: fields of spheres, lattices of rods, meshes of triangles. Each
- * scene has a process of its own: what the compiler learns from one decides for the next, up to a third of its time.
+ * scene has a process of its own.
  */
 final class Growth {
 
@@ -35,8 +30,6 @@ final class Growth {
 
     private static final List<String> NAMES = List.of("spheres", "rods", "triangles");
     private static final int FEWEST_FOR_MEMORY = 10_000;
-    private static final int FEWEST_PICTURES = 10;
-    private static final long SHORTEST_NANOSECONDS = 3_000_000_000L;
 
     private final int rounds;
     private final StringBuilder table = new StringBuilder(
@@ -64,7 +57,7 @@ final class Growth {
             build = Math.min(build, (System.nanoTime() - start) / 1e6);
         }
         double bytes = (double) (usedMemory() - before) / size;
-        System.out.println(nanosecondsPerRay(plan) + " " + build + " " + bytes);
+        System.out.println(OwnProcess.nanosecondsPerRay(plan) + " " + build + " " + bytes);
     }
 
     private static SceneObject scene(String name, int size) {
@@ -81,7 +74,8 @@ final class Growth {
         for (int round = 0; round < rounds; round++) {
             for (String name : NAMES) {
                 for (int size : SIZES) {
-                    turns.computeIfAbsent(name + size, any -> new ArrayList<>()).add(inItsOwnProcess(name, size));
+                    turns.computeIfAbsent(name + size, any -> new ArrayList<>())
+                            .add(OwnProcess.numbers(Growth.class, name, Integer.toString(size)));
                 }
             }
         }
@@ -113,44 +107,6 @@ final class Growth {
     private static double median(List<double[]> turns, int number) {
         return Measure.median(
                 turns.stream().mapToDouble(numbers -> numbers[number]).toArray());
-    }
-
-    private static double[] inItsOwnProcess(String name, int size) throws IOException, InterruptedException {
-        Process process = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        // a heap that just holds a million objects would be marked beside every few pictures
-                        "-Xms3g",
-                        "-Xmx6g",
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        Growth.class.getName(),
-                        name,
-                        Integer.toString(size))
-                .redirectError(ProcessBuilder.Redirect.INHERIT)
-                .start();
-        String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.US_ASCII).strip();
-        if (process.waitFor() != 0) {
-            throw new IOException("growth of " + name + " to " + size + " failed");
-        }
-        return Arrays.stream(output.split(" ")).mapToDouble(Double::parseDouble).toArray();
-    }
-
-    /** The median of the second half of the pictures: the compiler has settled then. */
-    private static double nanosecondsPerRay(RenderPlan plan) throws InterruptedException {
-        List<Double> nanoseconds = new ArrayList<>();
-        try (Renderer renderer = new Renderer()) {
-            long start = System.nanoTime();
-            while (nanoseconds.size() < FEWEST_PICTURES || System.nanoTime() - start < SHORTEST_NANOSECONDS) {
-                RenderReport report = renderer.render(plan).report();
-                nanoseconds.add(report.time().toNanos() / (double) (report.rays() + report.shadowRays()));
-            }
-        }
-        return nanoseconds.stream()
-                .skip(nanoseconds.size() / 2)
-                .sorted()
-                .skip(nanoseconds.size() / 4)
-                .findFirst()
-                .orElseThrow();
     }
 
     private static long usedMemory() {

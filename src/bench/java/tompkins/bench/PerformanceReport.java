@@ -65,6 +65,7 @@ final class PerformanceReport {
         Drag.measure(report.quick ? 3 : 60, report.measures);
         report.lens();
         report.growth();
+        MotionCost.measure(report.quick ? 1 : 5, report.measures);
         report.processes();
         report.scenes();
         report.hotMethods();
@@ -159,6 +160,7 @@ final class PerformanceReport {
     private void processes() throws IOException, InterruptedException {
         starts();
         Window.measure(quick ? 1 : 3, measures);
+        RideInWindow.measure(measures);
         LargePicture.measure(quick ? 2000 : 20_000, measures);
     }
 

@@ -49,16 +49,6 @@ final class Window {
                 30,
                 "",
                 median(values, "pictures in a second while dragging")));
-        measures.add(Measure.atLeast(
-                "window, fig1b: pictures in a second of a ride",
-                30,
-                "",
-                median(values, "pictures in a second of a ride")));
-        measures.add(Measure.atMost(
-                "window, fig1b: thrust of a ride to a picture on the screen",
-                50,
-                "ms",
-                median(values, "thrust to picture on screen")));
     }
 
     private static void open(Map<String, List<Double>> values) throws IOException, InterruptedException {

@@ -20,6 +20,8 @@ import picocli.CommandLine.Spec;
 import tompkins.io.CsvText;
 import tompkins.io.MeasureWriter;
 import tompkins.io.StudioReader;
+import tompkins.measure.MeasureKind;
+import tompkins.measure.Measured;
 import tompkins.measure.Measurements;
 import tompkins.measure.Profile;
 import tompkins.measure.Quantity;
@@ -40,27 +42,6 @@ import tompkins.trace.RenderPlan;
                         + " directions, such as the outline of a sphere, to three pixels or more; \"line\" tells how straight two"
                         + " pixels or more lie; \"profile\" follows the line between two pixels.")
 final class MeasureCommand implements Callable<Integer>, SceneCommand {
-
-    /** What is measured. */
-    private enum Kind {
-        BETWEEN(2, 2),
-        PROFILE(2, 2),
-        CIRCLE(3, Integer.MAX_VALUE),
-        LINE(2, Integer.MAX_VALUE);
-
-        private final int fewest;
-        private final int most;
-
-        Kind(int fewest, int most) {
-            this.fewest = fewest;
-            this.most = most;
-        }
-
-        @Override
-        public String toString() {
-            return name().toLowerCase(Locale.ROOT);
-        }
-    }
 
     @Parameters(index = "0", paramLabel = "WHAT", description = "between, profile, circle or line")
     private String what;
@@ -111,33 +92,34 @@ final class MeasureCommand implements Callable<Integer>, SceneCommand {
 
     @Override
     public Integer call() throws IOException {
-        Kind kind = kind();
+        MeasureKind kind = kind();
         Studio studio = options.applyTo(StudioReader.read(scene));
         List<Vector2dc> places = new ArrayList<>();
         pixels.forEach(pixel -> places.add(place(pixel, studio.settings())));
-        if (places.size() < kind.fewest || places.size() > kind.most) {
-            throw new MistakeException(kind + " needs " + kind.fewest + (kind.most == kind.fewest ? "" : " or more")
-                    + " --pixel, was " + places.size());
+        if (places.size() < kind.fewest() || places.size() > kind.most()) {
+            throw new MistakeException(kind + " needs " + kind.fewest()
+                    + (kind.most() == kind.fewest() ? "" : " or more") + " --pixel, was " + places.size());
         }
         requireCount(kind);
         output.check();
         RenderPlan plan = ScenePlan.of(studio, scene);
+        Measured measured = measure(kind, plan, places);
         output.write(
                 spec.commandLine().getOut(),
-                kind == Kind.PROFILE ? lines(profile(plan, places)) : lines(quantities(kind, plan, places)));
+                kind == MeasureKind.PROFILE ? lines(measured.profile()) : lines(measured.quantities()));
         return 0;
     }
 
-    private Kind kind() {
-        return Arrays.stream(Kind.values())
+    private MeasureKind kind() {
+        return Arrays.stream(MeasureKind.values())
                 .filter(kind -> kind.toString().equals(what))
                 .findFirst()
                 .orElseThrow(
                         () -> new MistakeException("WHAT must be one of between, profile, circle, line; was " + what));
     }
 
-    private void requireCount(Kind kind) {
-        if (count != null && kind != Kind.PROFILE) {
+    private void requireCount(MeasureKind kind) {
+        if (count != null && kind != MeasureKind.PROFILE) {
             throw new MistakeException("--count is for a profile; leave it out of " + kind);
         }
         if (count != null && (count < 2 || count > Profile.MOST)) {
@@ -156,29 +138,15 @@ final class MeasureCommand implements Callable<Integer>, SceneCommand {
         return new Vector2d(numbers[0] + 0.5, numbers[1] + 0.5);
     }
 
-    private static List<Quantity> quantities(Kind kind, RenderPlan plan, List<Vector2dc> places) {
-        Measurements measurements = new Measurements(plan);
-        try {
-            return switch (kind) {
-                case CIRCLE -> measurements.circle(places);
-                case LINE -> measurements.line(places);
-                default -> {
-                    Vector2dc first = places.get(0);
-                    Vector2dc second = places.get(1);
-                    yield measurements.between(
-                            measurements.at(first.x(), first.y()), measurements.at(second.x(), second.y()));
-                }
-            };
-        } catch (ArithmeticException noFit) {
-            throw new MistakeException("--pixel: " + noFit.getMessage());
-        }
-    }
-
-    private Profile profile(RenderPlan plan, List<Vector2dc> places) {
+    private Measured measure(MeasureKind kind, RenderPlan plan, List<Vector2dc> places) {
         Vector2dc first = places.get(0);
         Vector2dc second = places.get(1);
         int number = count == null ? Profile.count(first.x(), first.y(), second.x(), second.y()) : count;
-        return Profile.between(plan, first.x(), first.y(), second.x(), second.y(), number, () -> true);
+        try {
+            return new Measurements(plan).measure(kind, places, number, () -> true);
+        } catch (ArithmeticException noFit) {
+            throw new MistakeException("--pixel: " + noFit.getMessage());
+        }
     }
 
     private Stream<String> lines(Profile profile) {

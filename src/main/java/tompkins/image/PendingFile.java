@@ -6,13 +6,8 @@ import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
 import java.nio.channels.SeekableByteChannel;
-import java.nio.file.AtomicMoveNotSupportedException;
-import java.nio.file.FileAlreadyExistsException;
-import java.nio.file.FileSystemException;
 import java.nio.file.Files;
-import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -83,7 +78,7 @@ public final class PendingFile implements Closeable {
      *     is a link to nothing
      */
     static PendingFile newFolder(Path target) throws IOException {
-        if (Files.exists(target) && !isEmptyFolder(target)) {
+        if (Files.exists(target) && !FileNames.isEmptyFolder(target)) {
             throw new FileException(target + ": cannot be written: it exists; name a new or an empty folder");
         }
         return beside(Kind.NEW_FOLDER, followed(target));
@@ -131,15 +126,6 @@ public final class PendingFile implements Closeable {
     private static String ending(Path file) {
         String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
         return name.substring(name.lastIndexOf('.') + 1);
-    }
-
-    private static boolean isEmptyFolder(Path path) throws IOException {
-        if (!Files.isDirectory(path)) {
-            return false;
-        }
-        try (Stream<Path> content = Files.list(path)) {
-            return content.findAny().isEmpty();
-        }
     }
 
     private static PendingFile beside(Kind kind, Path target) throws IOException {
@@ -252,91 +238,13 @@ public final class PendingFile implements Closeable {
      */
     public synchronized Path commit() throws IOException {
         requireOpen();
-        Path place = target;
-        if (kind == Kind.REPLACING_FILE) {
-            move(place);
-        } else {
-            for (int number = 2; !takes(place); number++) {
-                place = numbered(target, number);
-            }
-        }
+        Path place = switch (kind) {
+            case REPLACING_FILE -> FileNames.replace(temporary, target);
+            case NEW_FILE -> FileNames.takeForFile(temporary, target);
+            case NEW_FOLDER -> FileNames.takeForFolder(temporary, target);
+        };
         close();
         return place;
-    }
-
-    private boolean takes(Path place) throws IOException {
-        return kind == Kind.NEW_FOLDER ? takesFolder(place) : takesFile(place);
-    }
-
-    /** The name of a file with a number before its ending. */
-    private static Path numbered(Path file, int number) {
-        String name = file.getFileName().toString();
-        int dot = name.lastIndexOf('.');
-        int end = dot > 0 ? dot : name.length();
-        return file.resolveSibling(name.substring(0, end) + "-" + number + name.substring(end));
-    }
-
-    /** Whether a name could be had: a link is made where there is nothing, or not at all. */
-    private boolean takesFile(Path place) throws IOException {
-        try {
-            Files.createLink(place, temporary);
-            return true;
-        } catch (FileAlreadyExistsException taken) {
-            return false;
-        } catch (UnsupportedOperationException | FileSystemException noLinksHere) {
-            return takesFileWithoutLinks(place);
-        }
-    }
-
-    /** As above, by an empty file that only one can make. */
-    private boolean takesFileWithoutLinks(Path place) throws IOException {
-        try {
-            Files.createFile(place);
-        } catch (FileAlreadyExistsException taken) {
-            return false;
-        }
-        try {
-            move(place);
-        } catch (IOException failure) {
-            Files.deleteIfExists(place);
-            throw failure;
-        }
-        return true;
-    }
-
-    /** As above for a folder, which systems put in the place of an empty one at most. */
-    private boolean takesFolder(Path place) throws IOException {
-        try {
-            move(place);
-            return true;
-        } catch (FileSystemException refused) {
-            if (Files.notExists(place, LinkOption.NOFOLLOW_LINKS)) {
-                throw refused;
-            }
-        }
-        try {
-            if (!isEmptyFolder(place)) {
-                return false;
-            }
-            // not every system replaces a folder, even an empty one
-            Files.delete(place);
-            move(place);
-            return true;
-        } catch (FileSystemException filledMeanwhile) {
-            return false;
-        }
-    }
-
-    private void move(Path place) throws IOException {
-        try {
-            Files.move(temporary, place, StandardCopyOption.ATOMIC_MOVE);
-        } catch (AtomicMoveNotSupportedException | FileAlreadyExistsException e) {
-            if (kind == Kind.NEW_FOLDER) {
-                Files.move(temporary, place);
-            } else {
-                Files.move(temporary, place, StandardCopyOption.REPLACE_EXISTING);
-            }
-        }
     }
 
     /** Stops what writes here, and removes what was not committed. */

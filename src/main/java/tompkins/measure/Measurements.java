@@ -2,6 +2,7 @@ package tompkins.measure;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import org.joml.Vector2dc;
 import org.joml.Vector3dc;
 import tompkins.spacetime.Event;
@@ -25,6 +26,72 @@ public final class Measurements {
     public Measurements(RenderPlan plan) {
         this.plan = plan;
         projection = Projection.of(plan.studio());
+    }
+
+    /**
+     * Measures between places of the picture.
+     *
+     * @param places in pixels, as many as the kind needs
+     * @param count number of places of a profile, 2 to {@link Profile#MOST}
+     * @param goesOn asked now and then while it takes long
+     * @return what was measured, or null if it was not to go on
+     * @throws ArithmeticException if the places do not tell what is asked
+     */
+    public Measured measure(MeasureKind kind, List<Vector2dc> places, int count, BooleanSupplier goesOn) {
+        Vector2dc first = places.get(0);
+        Vector2dc second = places.get(1);
+        return switch (kind) {
+            case CIRCLE ->
+                new Measured(
+                        kind,
+                        circle(places),
+                        null,
+                        lines(CircleFit.of(directions(places)).circle()));
+            case LINE -> {
+                Vector3dc normal = LineFit.of(directions(places)).normal();
+                yield new Measured(kind, line(places), null, lines(LookCone.across(normal)));
+            }
+            case BETWEEN ->
+                new Measured(
+                        kind,
+                        between(at(first.x(), first.y()), at(second.x(), second.y())),
+                        null,
+                        List.of(List.of(first, second)));
+            case PROFILE -> {
+                Profile profile = Profile.between(plan, first.x(), first.y(), second.x(), second.y(), count, goesOn);
+                yield profile == null
+                        ? null
+                        : new Measured(kind, edge(profile), profile, List.of(List.of(first, second)));
+            }
+        };
+    }
+
+    private List<List<Vector2dc>> lines(LookCone circle) {
+        return CurveTracer.lines(projection, 0, 2 * Math.PI, azimuth -> projection.place(circle.direction(azimuth)));
+    }
+
+    /** Where the brightness of a profile has its largest step; nothing if there is none. */
+    private static List<Quantity> edge(Profile profile) {
+        double[] edge = profile.edge(Measurements::brightness);
+        if (edge == null) {
+            return List.of();
+        }
+        Sighting first = profile.places().get(0);
+        Sighting last = profile.places().get(profile.places().size() - 1);
+        double spacing = Math.hypot(last.x() - first.x(), last.y() - first.y())
+                / (profile.places().size() - 1);
+        return List.of(
+                new Quantity("edgePixelX", "pixels", edge[0] - HALF, HALF * spacing),
+                new Quantity("edgePixelY", "pixels", edge[1] - HALF, HALF * spacing));
+    }
+
+    private static double brightness(Sighting sighting) {
+        return sighting.life() == null
+                ? 0
+                : (sighting.life().colour().red()
+                                + sighting.life().colour().green()
+                                + sighting.life().colour().blue())
+                        / 3;
     }
 
     /** What a place shows. */

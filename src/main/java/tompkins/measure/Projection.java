@@ -6,6 +6,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.Camera;
 import tompkins.camera.CameraRays;
+import tompkins.camera.PanoramicCamera;
 import tompkins.math.Vectors;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
@@ -71,6 +72,18 @@ public final class Projection {
     /** Number of rows. */
     public int height() {
         return height;
+    }
+
+    /** Whether the shutter opens at one time for all places, so that places are found at once. */
+    public boolean hasOneTime() {
+        return oneTime;
+    }
+
+    /** Columns after which a panorama begins anew; infinite for a lens. */
+    public double columnsAround() {
+        return studio.camera() instanceof PanoramicCamera panorama
+                ? width * 360 / panorama.horizontalAngleDegrees()
+                : Double.POSITIVE_INFINITY;
     }
 
     /** The unit direction, in the camera frame, that is seen at a place. */

@@ -29,6 +29,7 @@ public final class SeenFrame {
     private final TransformationLaw law;
     private final View view;
     private final List<FrameMotion> outerFirst = new ArrayList<>();
+    private final List<SpaceTimeTransformation> outwards = new ArrayList<>();
 
     /** The frame of a motion, in the view of the studio; null means the scene frame. */
     public SeenFrame(Studio studio, FrameMotion motion) {
@@ -43,14 +44,18 @@ public final class SeenFrame {
         cameraFromScene = sceneFromCamera.inverse();
         for (FrameMotion each = motion; each != null; each = each.outer()) {
             outerFirst.add(0, each);
+            outwards.add(law.sceneFromCamera(each.velocity()));
         }
     }
 
     /** An event of the camera frame, in this frame. */
     public Event fromCamera(Event event) {
         Event inside = sceneFromCamera.transform(event);
-        for (FrameMotion motion : outerFirst) {
-            inside = law.sceneFromCamera(motion.velocity()).inverse().transform(inside.minus(motion.start()));
+        int depth = outerFirst.size();
+        for (int i = 0; i < depth; i++) {
+            inside = outwards.get(depth - 1 - i)
+                    .inverse()
+                    .transform(inside.minus(outerFirst.get(i).start()));
         }
         return inside;
     }
@@ -58,8 +63,8 @@ public final class SeenFrame {
     /** A difference of two events of this frame, in the camera frame. */
     public Event differenceInCamera(Event difference) {
         Event outside = difference;
-        for (int i = outerFirst.size() - 1; i >= 0; i--) {
-            outside = law.sceneFromCamera(outerFirst.get(i).velocity()).transform(outside);
+        for (SpaceTimeTransformation change : outwards) {
+            outside = change.transform(outside);
         }
         return cameraFromScene.transform(outside);
     }
@@ -81,8 +86,8 @@ public final class SeenFrame {
 
     private Vector3d relativistic(Vector3dc unit) {
         Ray ray = Ray.from(0, 0, 0, unit.x(), unit.y(), unit.z(), 0);
-        for (int i = outerFirst.size() - 1; i >= 0; i--) {
-            ray = law.sceneFromCamera(outerFirst.get(i).velocity()).transform(ray);
+        for (SpaceTimeTransformation change : outwards) {
+            ray = change.transform(ray);
         }
         Ray seen = cameraFromScene.transform(ray);
         return new Vector3d(seen.dx, seen.dy, seen.dz);

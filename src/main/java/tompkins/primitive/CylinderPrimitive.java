@@ -73,6 +73,16 @@ public final class CylinderPrimitive extends Primitive {
                 usesCoordinates ? FaceCoordinates.across(Vectors.unit(toEnd).negate(), width, width, placement) : null;
     }
 
+    /** The centre of its start, after the placement. */
+    public Vector3d start() {
+        return new Vector3d(startX, startY, startZ);
+    }
+
+    /** The centre of its end, after the placement. */
+    public Vector3d end() {
+        return new Vector3d(startX + axisX, startY + axisY, startZ + axisZ);
+    }
+
     @Override
     public double distance(Ray ray, double limit) {
         double wx = ray.x - startX;

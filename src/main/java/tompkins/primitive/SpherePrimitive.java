@@ -31,6 +31,16 @@ public final class SpherePrimitive extends Primitive {
         round = surface.usesCoordinates() ? RoundCoordinates.around(new Vector3d(0, 1, 0), placement) : null;
     }
 
+    /** The centre, after the placement. */
+    public Vector3d centre() {
+        return new Vector3d(x, y, z);
+    }
+
+    /** The radius, after the placement. */
+    public double radius() {
+        return radius;
+    }
+
     /**
      * By the distance of the centre from the line, which does not cancel for far or huge spheres, where the
      * discriminant {@code b^2 - c} of the quadratic equation loses all digits. A ray that starts on the sphere meets it

@@ -22,10 +22,18 @@ public enum TransformationLaw {
      * {@link Velocity#GUARANTEED_GAMMA}.
      */
     public Optional<String> warning(Velocity velocity) {
-        double gamma = velocity.gamma();
+        return warning("", velocity.gamma());
+    }
+
+    /** As {@link #warning(Velocity)}, of what moves in the scene. */
+    public Optional<String> warning(FrameMotion motion) {
+        return warning("what moves in the scene is too fast for full accuracy: ", motion.gamma());
+    }
+
+    private Optional<String> warning(String beginning, double gamma) {
         return this != LORENTZ || gamma <= Velocity.GUARANTEED_GAMMA
                 ? Optional.empty()
-                : Optional.of("gamma " + NumberText.of(NumberText.rounded(gamma, 3)) + " is above "
+                : Optional.of(beginning + "gamma " + NumberText.of(NumberText.rounded(gamma, 3)) + " is above "
                         + NumberText.of(Velocity.GUARANTEED_GAMMA) + "; directions may be wrong by more than "
                         + NumberText.of(NumberText.rounded(8 * gamma * 0x1p-53, 1)) + " radians");
     }

@@ -29,13 +29,14 @@ public record Studio(
         @Meaning(value = "What there is to see", prose = true)
         String remarks,
 
-        @Meaning("The objects at rest in the scene frame") List<SceneObject> scene,
+        @Meaning("The objects of the scene, at rest in its frame unless they are Moving")
+        List<SceneObject> scene,
 
         @Meaning(
                 "The objects that move with the camera, such as windows in front of the lens; seen before everything in the scene")
         List<SceneObject> cameraFrame,
 
-        @Meaning("The light sources, which light both frames")
+        @Meaning("The light sources, which light all frames, at rest in that of the scene unless they are Moving")
         List<LightSource> lights,
 
         @Meaning("What is seen where there is no object") Background background,

@@ -2,6 +2,7 @@ package tompkins.trace;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -29,6 +30,9 @@ import tompkins.world.World;
 
 /** Says in sentences what a picture models and what it leaves out. */
 final class PlanSentences {
+
+    /** Frames whose content is told: nobody reads on. */
+    private static final int MOST_TOLD = 8;
 
     private final RenderPlan plan;
     private final Studio studio;
@@ -93,6 +97,11 @@ final class PlanSentences {
     List<String> warnings() {
         List<String> warnings = new ArrayList<>();
         studio.transformation().warning(studio.velocity()).ifPresent(warnings::add);
+        IntStream.range(1, world.frameCount())
+                .mapToObj(i -> world.frame(i).motion())
+                .max(Comparator.comparingDouble(FrameMotion::gamma))
+                .flatMap(studio.transformation()::warning)
+                .ifPresent(warnings::add);
         if (shift != null && shift.isTooFaint()) {
             warnings.add(
                     "the light of the scene is too faint to be seen in the middle of the picture, which stays dark");
@@ -218,17 +227,27 @@ final class PlanSentences {
     }
 
     private String searchInFrames() {
-        String frames = IntStream.range(0, world.frameCount())
-                .mapToObj(i -> format(
-                        "%s %d primitive%s%s",
-                        i == 0 ? "at rest" : speed(world.frame(i).motion()),
-                        world.objects(i).size(),
-                        world.objects(i).size() == 1 ? "" : "s",
-                        world.objects(i).hasTree() ? " in a tree" : ""))
+        int told = world.frameCount() > MOST_TOLD + 1 ? MOST_TOLD : world.frameCount();
+        String frames = IntStream.range(0, told)
+                .mapToObj(i -> (i == 0 ? "at rest " : speed(world.frame(i).motion()) + ": ") + content(i))
                 .collect(Collectors.joining("; "));
+        int others = world.frameCount() - told;
         return format(
-                "%d inertial frames, and each ray is searched for in each that holds something: %s.",
-                world.frameCount(), frames);
+                "%d inertial frames, and each ray is searched for in each that holds objects: %s%s.",
+                world.frameCount(), frames, others == 0 ? "" : "; and " + others + " more");
+    }
+
+    private String content(int frame) {
+        ObjectTree objects = world.objects(frame);
+        String primitives = count(objects.size(), "primitive") + (objects.hasTree() ? " in a tree" : "");
+        int lamps = (int) IntStream.range(0, world.lights().size())
+                .filter(source -> world.lights().get(source).position() != null && world.frameOfLight(source) == frame)
+                .count();
+        return lamps == 0 ? primitives : primitives + " and " + count(lamps, "lamp");
+    }
+
+    private static String count(int count, String what) {
+        return count + " " + what + (count == 1 ? "" : "s");
     }
 
     private String speed(FrameMotion motion) {

@@ -15,6 +15,7 @@ import tompkins.primitive.Bounds;
 import tompkins.primitive.Placement;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
+import tompkins.sceneobject.FrameObjects;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.search.LampShadows;
 import tompkins.search.NearestHit;
@@ -165,6 +166,11 @@ public final class RenderPlan {
     /** Whether anything stands in the scene that a ray can meet. */
     public boolean hasObjectsInScene() {
         return world.hasObjects();
+    }
+
+    /** What rests in each frame of the scene; the same list for all plans that share a scene. */
+    public List<FrameObjects> sceneFrames() {
+        return world.frames();
     }
 
     /** Whether nothing changes with time: all rests in one frame, and there are no clocks. */

@@ -5,18 +5,20 @@ import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JFrame;
 import tompkins.animation.Animation;
 import tompkins.image.BufferedImages;
 import tompkins.image.LinearImage;
 import tompkins.image.PictureLabel;
-import tompkins.image.ToneCurve;
+import tompkins.measure.OverlayKind;
 import tompkins.studio.Studio;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.ImageSelection;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.SceneOverlay;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
 
@@ -27,6 +29,7 @@ final class ClipboardActions {
     private final StudioModel model;
     private final PhotographView view;
     private final Captions captions;
+    private final Signs signs;
     private final CommandLineWriter commandLine;
     private final StatusBar status;
 
@@ -35,35 +38,38 @@ final class ClipboardActions {
             StudioModel model,
             PhotographView view,
             Captions captions,
+            Signs signs,
             CommandLineWriter commandLine,
             StatusBar status) {
         this.frame = frame;
         this.model = model;
         this.view = view;
         this.captions = captions;
+        this.signs = signs;
         this.commandLine = commandLine;
         this.status = status;
     }
 
-    /** Puts the photograph on the clipboard, in its own size, with its caption if it has one. */
+    /** Puts the photograph on the clipboard, in its own size, with its overlays and its caption if it has some. */
     void copyPicture() {
         Studio studio = model.studio();
         Picture onScreen = view.canvas().shown().now();
+        Set<OverlayKind> overlays = signs.ofScene();
         String caption = captions.shown(studio);
         AtomicReference<BufferedImage> copy = new AtomicReference<>();
         BackgroundTask.start(
                 frame,
                 Texts.get("file.copying"),
-                task -> copy.set(levels(
-                        PhotographExport.photograph(studio, onScreen, task),
-                        studio.settings().toneCurve(),
-                        caption)),
+                task -> copy.set(
+                        levels(PhotographExport.photograph(studio, onScreen, task), studio, overlays, caption)),
                 () -> toClipboard(new ImageSelection(copy.get()), Texts.get("file.pictureCopied")),
                 () -> status.report(Texts.get("file.notCopied")));
     }
 
-    private static BufferedImage levels(LinearImage image, ToneCurve curve, String caption) {
-        BufferedImage levels = BufferedImages.toBufferedImage(image, curve);
+    private static BufferedImage levels(LinearImage image, Studio studio, Set<OverlayKind> overlays, String caption) {
+        BufferedImage levels =
+                BufferedImages.toBufferedImage(image, studio.settings().toneCurve());
+        SceneOverlay.paint(levels, studio, overlays);
         if (!caption.isEmpty()) {
             PictureLabel.paint(levels, caption);
         }
@@ -78,6 +84,11 @@ final class ClipboardActions {
     /** Puts the command line that saves an animation on the clipboard. */
     void copyCommandLine(Animation animation) {
         copy(commandLine.animation(model.studio(), animation, captions.areShown(), model.opened(), model.file()));
+    }
+
+    /** Puts what was measured on the clipboard. */
+    void copyMeasured(String text) {
+        toClipboard(new StringSelection(text), Texts.get("measure.copied"));
     }
 
     private void copy(Optional<String> command) {

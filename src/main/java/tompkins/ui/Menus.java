@@ -44,6 +44,8 @@ final class Menus {
 
         void toggleFullScreen();
 
+        void toggleMeasuring();
+
         void stop();
 
         void close();
@@ -125,7 +127,9 @@ final class Menus {
     /** Some items have several keys, of which a menu shows one. */
     void bindOtherKeys(JRootPane window) {
         Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl Y"), history::redo);
+        // where + is on the key of =, with Shift or without
         Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl EQUALS"), zoom::enlarge);
+        Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl shift EQUALS"), zoom::enlarge);
         Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl ADD"), zoom::enlarge);
         Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl SUBTRACT"), zoom::reduce);
     }
@@ -274,9 +278,21 @@ final class Menus {
         add(menu, caption, "menu.caption", "F7", () -> captions.setShown(caption.isSelected()));
         addSign(menu, "menu.arrow", Signs.Sign.ARROW);
         addSign(menu, "menu.map", Signs.Sign.MAP);
+        menu.add(overlayMenu());
+        add(menu, "menu.measure", "F4", commands::toggleMeasuring);
+        menu.addSeparator();
         add(menu, "menu.fullScreen", "F11", commands::toggleFullScreen);
         add(menu, "menu.panel", "F12", commands::togglePanel);
         add(menu, "menu.stop", "ESCAPE", commands::stop);
+        return menu;
+    }
+
+    private JMenu overlayMenu() {
+        JMenu menu = new JMenu(Texts.get("menu.overlays"));
+        menu.setName("menu.overlays");
+        Stream.of(Signs.Sign.values())
+                .filter(Signs.Sign::isOfScene)
+                .forEach(sign -> addSign(menu, "menu.overlay." + sign, sign));
         return menu;
     }
 

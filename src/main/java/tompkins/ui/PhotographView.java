@@ -3,6 +3,7 @@ package tompkins.ui;
 import java.awt.Dimension;
 import java.awt.geom.Point2D;
 import java.util.Objects;
+import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.DoublePredicate;
 import java.util.function.Supplier;
@@ -81,6 +82,9 @@ final class PhotographView implements AutoCloseable {
     private RenderPlan pinnedPlan;
     private String pinnedName;
     private Picking picking;
+
+    /** Told of clicks while somebody measures; null otherwise. */
+    private Consumer<Point2D> measuring;
 
     /** The photograph of a model; {@code pace} says how soon a picture of a change has to come. */
     PhotographView(StudioModel model, Listener listener, Supplier<Pace> pace) {
@@ -277,6 +281,12 @@ final class PhotographView implements AutoCloseable {
         listener.picking(false);
     }
 
+    /** Lets clicks on the picture tell places, until it is called with null. */
+    void setMeasuring(Consumer<Point2D> taker) {
+        measuring = taker;
+        canvas.setMeasuring(taker != null);
+    }
+
     /** Asks how far away what is seen at a place is: as far as what is in focus where nothing is. */
     void askDistance(PicturePlace place, DoubleConsumer answer) {
         Picture picture = canvas.shown().now();
@@ -337,6 +347,8 @@ final class PhotographView implements AutoCloseable {
                         endPicking();
                     }
                 });
+            } else if (measuring != null) {
+                measuring.accept(place);
             } else {
                 setPin(place, seen != canvas.shown().now());
             }

@@ -50,6 +50,8 @@ public final class TompkinsWindow {
     private final LessonPanel lesson;
     private final SceneOpener opener;
     private final Captions captions;
+    private final Signs signs;
+    private final MeasureTool measure;
     private final ClipboardActions clipboard;
     private final Menus menus;
     private final LateParts late;
@@ -73,10 +75,11 @@ public final class TompkinsWindow {
         lesson = new LessonPanel(model);
         opener = new SceneOpener(frame, model, view, status, settings, dialogs, saver, this::pause, lesson::begin);
         captions = new Captions(view.canvas(), settings, first.besideRest());
-        Signs signs = new Signs(view.canvas(), settings);
+        signs = new Signs(view.canvas(), settings, view::fail);
         motion = new Motion(frame, model, view, status, new AnimationExport(frame, dialogs, captions), captions);
         frame.setContentPane(content());
-        clipboard = new ClipboardActions(frame, model, view, captions, commandLine, status);
+        clipboard = new ClipboardActions(frame, model, view, captions, signs, commandLine, status);
+        measure = new MeasureTool(view, motion.bars(), clipboard::copyMeasured);
         menus = new Menus(
                 opener,
                 saver,
@@ -254,6 +257,8 @@ public final class TompkinsWindow {
             pause();
             status.stop();
             view.close();
+            signs.close();
+            measure.dispose();
             editor.dispose();
         }
     }
@@ -268,6 +273,7 @@ public final class TompkinsWindow {
                 status.endFailure();
             }
             status.show(picture);
+            measure.show(picture);
         }
 
         @Override
@@ -329,8 +335,13 @@ public final class TompkinsWindow {
         }
 
         @Override
+        public void toggleMeasuring() {
+            measure.toggle();
+        }
+
+        @Override
         public void stop() {
-            if (!motion.pauseIfMoving() && !view.endPicking() && !fullScreen.leave()) {
+            if (!motion.pauseIfMoving() && !view.endPicking() && !measure.end() && !fullScreen.leave()) {
                 view.stop();
             }
         }

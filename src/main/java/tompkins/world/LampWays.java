@@ -26,6 +26,8 @@ public final class LampWays {
     private final RayCounts counts;
     private final NearestHit scratch;
     private final int[] lampFrames;
+    private final ObjectTree[] trees;
+    private final int[] filled;
     private final Primitive[] lastShadows;
     private final Hit place = Hit.blank();
     private final Ray eventRay = Ray.blank();
@@ -40,6 +42,8 @@ public final class LampWays {
         galilean = law == TransformationLaw.GALILEAN;
         this.counts = counts;
         scratch = new NearestHit(counts);
+        trees = world.trees();
+        filled = world.filledFrames();
         lampFrames = new int[world.lights().size()];
         for (int i = 0; i < lampFrames.length; i++) {
             lampFrames[i] = world.frameOfLight(i);
@@ -135,11 +139,7 @@ public final class LampWays {
         counts.shadowRays++;
         double length = Math.sqrt(sight.x * sight.x + sight.y * sight.y + sight.z * sight.z);
         shadow.setShadow(hit, sight.x / length, sight.y / length, sight.z / length, sight.slowness);
-        for (int i = 0; i < lastShadows.length; i++) {
-            ObjectTree objects = world.objects(i);
-            if (objects.size() == 0) {
-                continue;
-            }
+        for (int i : filled) {
             if (i == frame) {
                 if (isDark(source, i, hit, shadow, length)) {
                     return false;
@@ -170,7 +170,7 @@ public final class LampWays {
             return true;
         }
         scratch.forgetLeaf();
-        lastShadows[frame] = world.objects(frame).shadow(ray, length, scratch);
+        lastShadows[frame] = trees[frame].shadow(ray, length, scratch);
         return lastShadows[frame] != null;
     }
 

@@ -13,6 +13,7 @@ import tompkins.light.MovingLights;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Placement;
 import tompkins.primitive.Primitive;
+import tompkins.property.InvalidPropertyException;
 import tompkins.sceneobject.FrameObjects;
 import tompkins.sceneobject.ImagePoints;
 import tompkins.sceneobject.PrimitiveCollector;
@@ -79,7 +80,11 @@ public final class World {
         ObjectPreparation.add("scene", described, collector, placement);
         followsCamera = asked[0];
         for (int i = 0; i < describedLights.size(); i++) {
-            add(describedLights.get(i), collector, placement);
+            try {
+                add(describedLights.get(i), collector, placement);
+            } catch (InvalidPropertyException tooFast) {
+                throw new InvalidPropertyException("lights[" + i + "]", tooFast);
+            }
         }
         frames = collector.frames();
         int smallestTree = plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE;
@@ -156,6 +161,11 @@ public final class World {
         return followsCamera;
     }
 
+    /** What rests in each frame, the scene frame first. */
+    public List<FrameObjects> frames() {
+        return frames;
+    }
+
     /** Number of frames; the first is the scene frame. */
     public int frameCount() {
         return frames.size();
@@ -169,6 +179,18 @@ public final class World {
     /** The primitives that rest in a frame. */
     public ObjectTree objects(int frame) {
         return objects.get(frame);
+    }
+
+    /** The primitives that rest in each frame. */
+    ObjectTree[] trees() {
+        return objects.toArray(ObjectTree[]::new);
+    }
+
+    /** The numbers of the frames in which primitives rest; the others hold lamps, or what moves in them. */
+    int[] filledFrames() {
+        return IntStream.range(0, frames.size())
+                .filter(frame -> objects.get(frame).size() > 0)
+                .toArray();
     }
 
     /**

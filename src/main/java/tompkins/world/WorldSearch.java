@@ -16,7 +16,8 @@ import tompkins.search.TreeParts;
  */
 public final class WorldSearch {
 
-    private final World world;
+    private final ObjectTree[] trees;
+    private final int[] filled;
     private final FrameRoutes routes;
     private final NearestHit nearest;
     private final Ray[] mapped;
@@ -34,10 +35,11 @@ public final class WorldSearch {
 
     /** A search with the memory of its thread. */
     public WorldSearch(World world, FrameRoutes routes, NearestHit nearest) {
-        this.world = world;
+        trees = world.trees();
+        filled = world.filledFrames();
         this.routes = routes;
         this.nearest = nearest;
-        int count = world.frameCount();
+        int count = trees.length;
         mapped = new Ray[count];
         packets = new FramePacket[count];
         for (int i = 0; i < count; i++) {
@@ -64,17 +66,15 @@ public final class WorldSearch {
      */
     public boolean nearest(Ray start, int from) {
         begin(start, from);
-        ObjectTree own = world.objects(from);
-        own.nearest(start, Primitive.NO_HIT, nearest);
+        trees[from].nearest(start, Primitive.NO_HIT, nearest);
         compare(start, from);
-        for (int i = 0; i < mapped.length; i++) {
-            ObjectTree objects = world.objects(i);
-            if (i == from || objects.size() == 0) {
+        for (int i : filled) {
+            if (i == from) {
                 continue;
             }
             Ray inFrame = routes.transform(from, i, start, mapped[i]);
             if (!Double.isNaN(inFrame.dx)) {
-                objects.nearest(inFrame, limit(inFrame), nearest);
+                trees[i].nearest(inFrame, limit(inFrame), nearest);
                 compare(inFrame, i);
             }
         }
@@ -84,17 +84,14 @@ public final class WorldSearch {
     /** Begins to search for the rays of a packet, which are in the scene frame. */
     public void begin(RayPacket rays) {
         sceneRays = rays;
-        for (int i = 0; i < packets.length; i++) {
-            if (world.objects(i).size() == 0) {
-                continue;
-            }
+        for (int i : filled) {
             if (packets[i] == null) {
                 packets[i] = new FramePacket();
             }
             FramePacket packet = packets[i];
             packet.rays.set(rays);
             routes.transform(0, i, packet.rays);
-            packet.parts = packet.search.find(world.objects(i), packet.rays, nearest);
+            packet.parts = packet.search.find(trees[i], packet.rays, nearest);
             packet.hasEntries = false;
         }
     }
@@ -102,10 +99,8 @@ public final class WorldSearch {
     /** As {@link #nearest(Ray, int)}, for a ray of that packet; asked in the order of the places. */
     public boolean nearest(int place, Ray start) {
         begin(start, 0);
-        for (int i = 0; i < packets.length; i++) {
-            if (world.objects(i).size() > 0) {
-                search(packets[i], i, place, start);
-            }
+        for (int i : filled) {
+            search(packets[i], i, place, start);
         }
         return end();
     }
@@ -114,7 +109,7 @@ public final class WorldSearch {
         boolean isFound = packet.parts == null;
         if (!isFound && place % EntryNodes.RAYS == 0) {
             packet.hasEntries = packet.entries.find(
-                    world.objects(index),
+                    trees[index],
                     packet.parts,
                     packet.rays,
                     place,
@@ -128,9 +123,9 @@ public final class WorldSearch {
         if (isFound) {
             packet.search.nearest(inFrame, place, limit, nearest);
         } else if (packet.hasEntries) {
-            world.objects(index).nearest(inFrame, limit, packet.entries, nearest);
+            trees[index].nearest(inFrame, limit, packet.entries, nearest);
         } else {
-            world.objects(index).nearest(inFrame, limit, nearest);
+            trees[index].nearest(inFrame, limit, nearest);
         }
         compare(inFrame, index);
     }

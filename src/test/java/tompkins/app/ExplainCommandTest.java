@@ -161,6 +161,29 @@ class ExplainCommandTest {
         assertThat(explained(without)).doesNotContain(said);
     }
 
+    /** Two velocities beside rest: what has one of them shares a frame, wherever it is. */
+    @Test
+    void explainTellsWhatEachFrameHolds() throws IOException {
+        String said = explained("""
+                'scene': [
+                  {'type': 'Sphere'},
+                  {'type': 'Moving', 'velocity': [0.6, 0, 0]},
+                  {'type': 'Moving', 'velocity': [0.6, 0, 0], 'place': [5, 0, 0]},
+                  {'type': 'Moving', 'velocity': [0, 0.8, 0],
+                   'objects': [{'type': 'Moving', 'velocity': [0.6, 0, 0]}]}],
+                'lights': [{'type': 'AmbientLight'}, {'type': 'PointLight'}, {'type': 'Moving', 'velocity': [0.6, 0, 0]}]
+                """);
+        assertThat(said)
+                .contains(
+                        "4 inertial frames, and each ray is searched for in each that holds objects: at rest 1 primitive"
+                                + " and 1 lamp; moving with gamma 1.25: 2 primitives and 1 lamp;"
+                                + " moving with gamma 1.667: 0 primitives; moving with gamma 1.25 in what moves: 1 primitive.");
+        String many = IntStream.range(1, 31)
+                .mapToObj(i -> "{'type': 'Moving', 'velocity': [0, 0, " + i / 100.0 + "]}")
+                .collect(Collectors.joining(", ", "'scene': [", "]"));
+        assertThat(explained(many)).contains("31 inertial frames").contains("; and 23 more.");
+    }
+
     private String explained(String scene) throws IOException {
         String text = "{" + (scene == null ? "" : scene) + "}";
         String whole = text.replace("WINDOW", "{'type': 'Plane', 'surface': {'type': 'LorentzWindow'}}")

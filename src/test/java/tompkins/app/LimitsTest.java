@@ -11,6 +11,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.zip.CRC32;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -136,6 +138,39 @@ class LimitsTest {
                         "{ \"type\": \"RayReading\", \"point\": { \"type\": \"PictureEdge\", \"count\": 9 } }"),
                 measuring("place of nothing", "{ \"type\": \"RayReading\", \"value\": \"x\" }"),
                 measuring("formula that is wrong", "{ \"type\": \"CircleRadius\" }"),
+                scene(
+                        "object as fast as light",
+                        "{ \"scene\": [{ \"type\": \"Moving\", \"velocity\": [0.6, 0.8, 0] }] }"),
+                scene(
+                        "object beyond the largest gamma",
+                        "{ \"scene\": [{ \"type\": \"Moving\", \"velocity\": { \"gamma\": 1e9 } }] }"),
+                scene(
+                        "motion in motion beyond the largest gamma",
+                        "{ \"scene\": [{ \"type\": \"Moving\", \"velocity\": { \"gamma\": 1e5 }, \"objects\":"
+                                + " [{ \"type\": \"Moving\", \"velocity\": { \"gamma\": 1e4 } }] }] }"),
+                new Case(
+                        "object above the guaranteed accuracy",
+                        0,
+                        "check",
+                        write(
+                                "fast-object.json",
+                                "{ \"scene\": [{ \"type\": \"Moving\", \"velocity\": { \"gamma\": 1e7 } }] }")),
+                scene(
+                        "lamp as fast as light",
+                        "{ \"lights\": [{ \"type\": \"Moving\", \"velocity\": [0, -1, 0], \"objects\": [] }] }"),
+                scene(
+                        "lamp in motion in motion beyond the largest gamma",
+                        "{ \"lights\": [{ \"type\": \"Moving\", \"velocity\": { \"gamma\": 1e5 }, \"objects\":"
+                                + " [{ \"type\": \"Moving\", \"velocity\": { \"gamma\": 1e4 } }] }] }"),
+                scene("more velocities than are searched", velocities(257)),
+                scene(
+                        "object that moves, before the lens",
+                        "{ \"cameraFrame\": [{ \"type\": \"Group\", \"objects\": [{ \"type\": \"Moving\" }] }] }"),
+                scene("object that moves, in focus", "{ \"camera\": { \"focus\": { \"type\": \"Moving\" } } }"),
+                scene(
+                        "clock offset that is infinite",
+                        "{ \"scene\": [{ \"type\": \"Moving\", \"clockOffset\": Infinity }] }"),
+                scene("unknown view", "{ \"view\": \"looked at\" }"),
                 scene("empty file", ""),
                 scene("file of another kind", "# Notes\n\nA camera moves."),
                 scene("number as in other languages", "{ \"camera\": { \"apertureRadius\": .5 } }"),
@@ -218,8 +253,19 @@ class LimitsTest {
                 new Case("no pixel", 2, "trace", good),
                 new Case("pixel outside the picture", 2, "trace", good, "--pixel", "640,0"),
                 new Case("part of a pixel", 2, "trace", good, "--pixel", "1.5,2"),
+                new Case("rectangle upside down", 2, "trace", good, "--pixel", "9,9..3,3", "--csv"),
+                new Case("table and JSON", 2, "trace", good, "--pixel", "9,9", "--csv", "--json"),
+                new Case("nothing to measure", 2, "measure", "angle", good, "--pixel", "9,9"),
+                new Case("two pixels for a circle", 2, "measure", "circle", good, "--pixel", "9,9", "--pixel", "3,3"),
+                new Case("place outside the picture", 2, "measure", "line", good, "--pixel", "9,9", "--pixel", "640,3"),
                 new Case("no study", 2, "study"),
                 new Case("neither command nor scene", 2, "rendr"));
+    }
+
+    private static String velocities(int count) {
+        return IntStream.range(0, count)
+                .mapToObj(i -> "{ \"type\": \"Moving\", \"velocity\": [0, 0, " + (i + 1) / 1000.0 + "] }")
+                .collect(Collectors.joining(", ", "{ \"scene\": [", "] }"));
     }
 
     private int count;

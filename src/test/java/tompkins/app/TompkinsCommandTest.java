@@ -25,7 +25,7 @@ class TompkinsCommandTest {
         assertThat(run.err().lines()).hasSize(1);
         assertThat(run.err())
                 .startsWith("rendr: ")
-                .contains("command", "render, animate, check, explain, trace, study");
+                .contains("command", "render, animate, check, explain, trace, measure, study");
     }
 
     @ParameterizedTest
@@ -33,16 +33,16 @@ class TompkinsCommandTest {
             delimiter = '|',
             value = {
                 "rendr | rendr: there is neither a file nor a command of this name; the commands are render, "
-                        + "animate, check, explain, trace, study, help; did you mean \"render\"?",
-                "foo | the commands are render, animate, check, explain, trace, study",
+                        + "animate, check, explain, trace, measure, study, help; did you mean \"render\"?",
+                "foo | the commands are render, animate, check, explain, trace, measure, study",
                 "foo bar | foo: there is neither a file nor a command of this name; the commands are",
                 "rendr --size 4x4 scenes/fig1b.json | rendr: there is neither a file nor a command of this name",
-                "--size 4x4 scenes/fig1b.json | --size is an option of render, animate, explain, trace; write the command before it",
+                "--size 4x4 scenes/fig1b.json | --size is an option of render, animate, explain, trace, measure; write the command before it",
                 "scenes/fig1b.json --beta=0,0,0 | --beta is an option of render, animate, explain, trace",
                 "README.md more words | tompkins: too many arguments: more words",
                 "-x | tompkins: unknown option -x",
                 "help rendr | tompkins: rendr: there is no command of this name; the commands are render, "
-                        + "animate, check, explain, trace, study, help; did you mean \"render\"?",
+                        + "animate, check, explain, trace, measure, study, help; did you mean \"render\"?",
                 "study tree a b | tompkins study: too many arguments: b"
             })
     void wordsThatMeanNothingAreNamedWithWhatThereIs(String line, String said) {
@@ -66,7 +66,8 @@ class TompkinsCommandTest {
                 "trace scenes/fig1b.json | needs --pixel=X,Y: column and row of the pixel, from 0 at the upper left",
                 "trace scenes/fig1b.json --pixel | needs --pixel=X,Y: column and row of the pixel",
                 "trace | needs --pixel=X,Y: column and row of the pixel",
-                "trace | ; and SCENE: scene file, or saved photograph"
+                "trace | ; and SCENE: scene file, or saved photograph",
+                "measure line scenes/fig1b.json | needs --pixel=X,Y: column and row of a pixel"
             })
     void whatIsMissingIsNamedAndExplained(String line, String said) {
         ProgramRun run = ProgramRun.of((Object[]) line.trim().split(" "));
@@ -114,7 +115,7 @@ class TompkinsCommandTest {
 
     /** A command that is called is the only one that the program makes ready; the help makes all of them ready. */
     @ParameterizedTest
-    @ValueSource(strings = {"render", "check", "explain", "trace", "study"})
+    @ValueSource(strings = {"render", "check", "explain", "trace", "measure", "study"})
     void aCommandIsTheSameAloneAndAmongTheOthers(String command) {
         ProgramRun amongOthers = ProgramRun.of("help", command);
 
@@ -133,7 +134,7 @@ class TompkinsCommandTest {
 
     /** Labels of values are in capital letters; those that the library makes of names in the code are not. */
     @ParameterizedTest
-    @ValueSource(strings = {"render", "check", "explain", "trace", "study"})
+    @ValueSource(strings = {"render", "check", "explain", "trace", "measure", "study"})
     void everyValueHasALabel(String command) {
         assertThat(ProgramRun.of("help", command).out())
                 .startsWith("Usage: tompkins")

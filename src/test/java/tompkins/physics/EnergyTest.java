@@ -6,7 +6,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -15,16 +14,9 @@ import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
 import tompkins.light.Metering;
 import tompkins.ray.Colour;
-import tompkins.ray.MeshData;
 import tompkins.render.RenderReport;
-import tompkins.sceneobject.Box;
-import tompkins.sceneobject.ClosedTypes;
-import tompkins.sceneobject.Cone;
-import tompkins.sceneobject.Cylinder;
-import tompkins.sceneobject.Placed;
+import tompkins.sceneobject.SampleShapes;
 import tompkins.sceneobject.SceneObject;
-import tompkins.sceneobject.Sphere;
-import tompkins.sceneobject.TriangleMesh;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
@@ -62,25 +54,7 @@ class EnergyTest {
     }
 
     private static Stream<SceneObject> solids(Surface surface) {
-        Vector3d low = new Vector3d(-0.7, -1, 8);
-        Vector3d high = new Vector3d(0.6, 1, 9);
-        return Stream.of(
-                new Sphere("sphere", new Vector3d(0.1, 0, 9), 1, surface),
-                new Box("box", low, new Vector3d(0.8, 0.7, 10), surface),
-                new Cylinder("cylinder", low, high, 0.7, true, surface),
-                new Cone("cone", high, low, 0.8, true, surface),
-                new Placed(
-                        "mesh",
-                        new TriangleMesh("octahedron", MeshData.OCTAHEDRON, surface),
-                        1,
-                        new Vector3d(1, 2, 3),
-                        40,
-                        new Vector3d(0.1, 0, 9)));
-    }
-
-    @Test
-    void everyClosedTypeIsTried() {
-        ClosedTypes.requireAll("EnergyTest.solids", solids(Clear.DEFAULT));
+        return SampleShapes.closed(new Vector3d(0.1, 0, 9), 1, surface);
     }
 
     @ParameterizedTest

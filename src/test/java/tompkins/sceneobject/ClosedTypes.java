@@ -1,8 +1,5 @@
 package tompkins.sceneobject;
 
-import static org.assertj.core.api.Assertions.assertThat;
-
-import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 import tompkins.fuzz.RandomStudio;
@@ -30,14 +27,6 @@ public final class ClosedTypes {
     /** Those that must be closed. */
     public static Stream<Class<?>> types() {
         return Descriptions.members(SceneObject.class).stream().filter(type -> !OTHERS.contains(type));
-    }
-
-    /** Fails if some objects, placed or not, leave one of the types out; says what they are called. */
-    public static void requireAll(String name, Stream<SceneObject> objects) {
-        List<Class<?>> tried = objects.<Class<?>>map(object ->
-                        object instanceof Placed placed ? placed.object().getClass() : object.getClass())
-                .toList();
-        assertThat(tried).as(name).containsAll(types().toList());
     }
 
     /** A random closed object of such a type: of cylinders and cones those with ends. */

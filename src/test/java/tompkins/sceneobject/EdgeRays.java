@@ -36,15 +36,15 @@ public final class EdgeRays {
             objects.add(new Disc("disc " + axis, corner, u, aims.mix(0.1, 0.5), grey));
             objects.add(new Cylinder("rod " + axis, corner, corner.add(u, new Vector3d()), 0.01, true, grey));
         }
-        Vector3d a = aims.vector(1);
-        Vector3d b = aims.vector(1);
-        objects.add(new Box("box", place, place.add(aims.mix(0.3, 1), 0.4, 0.5, new Vector3d()), grey));
         objects.add(new Placed(
-                "turned box", new Box("box", new Vector3d(), new Vector3d(0.3, 0.5, 1), grey), 1, a, 50, place));
+                "turned box",
+                new Box("box", new Vector3d(), new Vector3d(0.3, 0.5, 1), grey),
+                1,
+                aims.vector(1),
+                50,
+                place));
         objects.add(new Sphere("ball", place, aims.mix(0.01, 1), grey));
-        objects.add(new Parallelogram("sheet", place, a, b, grey));
-        objects.add(new Cylinder("tube", place, place.add(a, new Vector3d()), 0.2, false, grey));
-        objects.add(new Cone("cone", place, place.add(b, new Vector3d()), 0.5, false, grey));
+        SampleShapes.all(place, aims.mix(0.1, 0.7), grey).forEach(objects::add);
         return objects.stream()
                 .map(object -> PrimitiveCollector.primitivesOf(object).get(0))
                 .toList();

@@ -14,15 +14,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.camera.ThinLensCamera;
 import tompkins.property.InvalidPropertyException;
-import tompkins.sceneobject.Box;
-import tompkins.sceneobject.ClosedTypes;
-import tompkins.sceneobject.Cone;
-import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.ImagePointGrid;
-import tompkins.sceneobject.Parallelogram;
-import tompkins.sceneobject.Placed;
+import tompkins.sceneobject.SampleShapes;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.sceneobject.TriangleMesh;
@@ -36,27 +31,7 @@ class ObjectPreparationTest {
 
     /** Objects of a size, 3 sizes in front of the camera. */
     private static List<SceneObject> ofSize(double size) {
-        Vector3d left = new Vector3d(-size, 0, 3 * size);
-        Vector3d right = new Vector3d(size, 0, 3 * size);
-        return List.of(
-                new Sphere("sphere", new Vector3d(0, 0, 3 * size), size, COLOURED),
-                new Cylinder("cylinder", left, right, size, true, COLOURED),
-                new Cone("cone", left, right, size, true, COLOURED),
-                new Placed("mesh", TriangleMesh.DEFAULT, size, new Vector3d(1, 1, 0), 30, new Vector3d(0, 0, 3 * size)),
-                new Box("box", left, new Vector3d(size, size, 4 * size), COLOURED),
-                new Parallelogram("area", left, new Vector3d(2 * size, 0, 0), new Vector3d(0, size, 0), COLOURED),
-                new Placed(
-                        "placed",
-                        new Sphere("", new Vector3d(0, 0, 3), 1, COLOURED),
-                        size,
-                        new Vector3d(0, 1, 0),
-                        0,
-                        new Vector3d()));
-    }
-
-    @Test
-    void everyClosedTypeIsTried() {
-        ClosedTypes.requireAll("ObjectPreparationTest.ofSize", ofSize(1).stream());
+        return SampleShapes.all(new Vector3d(0, 0, 3 * size), size, COLOURED).toList();
     }
 
     static Stream<SceneObject> tooLarge() {

@@ -91,6 +91,20 @@ class PictureSizeTest {
         assertSamePixels(screen(onScreen()), ScreenPicture.levels(smaller));
     }
 
+    /** Where + is on the key of =, Ctrl and + is Ctrl, Shift and =. */
+    @Test
+    void thePictureIsEnlargedByCtrlAndPlus() {
+        driver.completePicture();
+        Rectangle fitting = onScreen();
+        driver.move(new Point(fitting.x + 100, fitting.y + 100));
+        driver.click(canvas);
+        driver.completePicture();
+        double field = driver.studio().camera().horizontalAngleDegrees();
+        driver.key(KeyEvent.VK_EQUALS, KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT);
+        assertThat(driver.completePicture().isOfOwnSize()).isTrue();
+        assertThat(driver.studio().camera().horizontalAngleDegrees()).isEqualTo(field);
+    }
+
     /** The lattice is 320 pixels wide: the first step shows them as squares that are larger than the picture was. */
     @Test
     void thePictureIsEnlargedToItsOwnPixelsAndBack() {

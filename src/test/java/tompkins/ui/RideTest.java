@@ -22,8 +22,10 @@ import tompkins.camera.Aim.PicturePlace;
 import tompkins.camera.Camera;
 import tompkins.io.StudioReader;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.RideLeg;
 import tompkins.studio.Studio;
 import tompkins.studio.Studios;
+import tompkins.ui.panel.RidePilot;
 import tompkins.ui.picture.PictureCanvas;
 
 /** The camera is steered in the real window, with mouse and keys. */
@@ -194,6 +196,24 @@ class RideTest {
         assertThat(signed).isCloseTo(rapidity + change, within(1e-9));
         driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
         assertThat(driver.studio()).isEqualTo(recorded);
+    }
+
+    /** At the end of a ride the scene holds none: the one that was shown last comes again. */
+    @Test
+    void aRideIsReplayedFromItsEnd() {
+        driver.close();
+        Studio withRide = start.withRide(List.of(new RideLeg(0.3, 0.3, new Vector3d(0, 0, 1), 0, 0, 1)));
+        driver = new WindowDriver(folder.resolve("settings"), withRide, null, List.of());
+        driver.menu("menu.replay");
+        RidePilot pilot = driver.window().motion().pilot();
+        WindowDriver.await("the end", () -> !pilot.isRiding() && pilot.moment() != null);
+        Studio end = driver.studio();
+
+        driver.click(driver.find(JButton.class, "Replay"));
+
+        WindowDriver.await("the replay", () -> pilot.moment().properTime() < 0.3);
+        WindowDriver.await("its end", () -> !pilot.isRiding());
+        assertThat(driver.studio()).isEqualTo(end);
     }
 
     @Test

@@ -12,25 +12,19 @@ import tompkins.io.StudioReader;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
-import tompkins.ui.panel.RidePilot;
 import tompkins.ui.picture.Picture;
 
 /**
  * Prints how fast the window is with a scene: milliseconds from a change of the speed to the first and to the complete
- * picture on the screen, and the pictures in a second while the speed is dragged and during a ride. Needs a display:
- * {@code xvfb-run -a mvn -q test-compile exec:java -Dexec.classpathScope=test
- * -Dexec.mainClass=tompkins.ui.WindowBenchmark -Dexec.args="scenes/fig1b.json"}.
+ * picture on the screen, and the pictures in a second while the speed is dragged. Needs a display: {@code xvfb-run -a
+ * mvn -q test-compile exec:java -Dexec.classpathScope=test -Dexec.mainClass=tompkins.ui.WindowBenchmark
+ * -Dexec.args="scenes/fig1b.json"}.
  */
 public final class WindowBenchmark {
 
     private static final int WARM_UP = 30;
     private static final int CHANGES = 60;
     private static final long DRAG_NANOSECONDS = 20_000_000_000L;
-
-    /** How long there is thrust in one direction, and none after it. */
-    private static final long THRUST_NANOSECONDS = 600_000_000L;
-
-    private static final int COASTING_MILLISECONDS = 150;
 
     /** A mouse tells where it is about so often. */
     private static final int MILLISECONDS_BETWEEN_MOVES = 8;
@@ -53,7 +47,6 @@ public final class WindowBenchmark {
             WindowBenchmark benchmark = new WindowBenchmark(studio, driver, System.out);
             benchmark.changes();
             benchmark.drag();
-            benchmark.ride();
         }
         System.exit(0);
     }
@@ -97,47 +90,6 @@ public final class WindowBenchmark {
             }
         }
         print("pictures in a second while dragging", pictures / ((System.nanoTime() - start) * 1e-9));
-    }
-
-    /**
-     * Rides: pictures in a second, and how long after a key that gives thrust a picture of a faster camera is on the
-     * screen. The camera rides to and fro in front of the scene.
-     */
-    private void ride() throws InterruptedException {
-        show(studio.withVelocity(Velocity.REST));
-        RidePilot pilot = driver.window().motion().pilot();
-        WindowDriver.onEventThread(() -> pilot.setRiding(true));
-        List<Long> answers = new ArrayList<>();
-        long start = System.nanoTime();
-        int pictures = 0;
-        double sense = 1;
-        Studio last = null;
-        while (System.nanoTime() - start < DRAG_NANOSECONDS) {
-            sense = -sense;
-            Vector3d thrust = new Vector3d(0, 0, sense);
-            Velocity before = driver.picture().studio().velocity();
-            long input = System.nanoTime();
-            WindowDriver.onEventThread(() -> pilot.setThrust(thrust));
-            boolean answered = false;
-            while (System.nanoTime() - input < THRUST_NANOSECONDS) {
-                Studio shown = driver.picture().studio();
-                if (shown != last) {
-                    last = shown;
-                    pictures++;
-                }
-                if (!answered && !shown.velocity().equals(before)) {
-                    answered = true;
-                    answers.add(System.nanoTime() - input);
-                }
-                Thread.sleep(1);
-            }
-            WindowDriver.onEventThread(pilot::stopThrust);
-            // all pictures with thrust are on the screen
-            Thread.sleep(COASTING_MILLISECONDS);
-        }
-        print("pictures in a second of a ride", pictures / (answers.size() * THRUST_NANOSECONDS * 1e-9));
-        print("thrust to picture on screen", median(answers) * 1e-6);
-        WindowDriver.onEventThread(() -> pilot.setRiding(false));
     }
 
     private void show(Studio next) {

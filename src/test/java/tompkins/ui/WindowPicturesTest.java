@@ -28,6 +28,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import tompkins.io.StudioReader;
 import tompkins.studio.Studio;
 import tompkins.ui.panel.ComparePanel;
+import tompkins.ui.panel.RidePilot;
 import tompkins.ui.picture.PictureCanvas;
 
 /**
@@ -38,13 +39,17 @@ import tompkins.ui.picture.PictureCanvas;
 class WindowPicturesTest {
 
     private static final Path BASE = Path.of(System.getProperty("basedir", ""));
-    private static final long LARGEST = 250_000;
+    /** On board, between the halt before the tower and the flight through its gate. */
+    private static final double RIDE_TIME = 5;
+
+    private static final long LARGEST = 200_000;
 
     /** The pictures. */
     enum Shot {
-        DEFAULT("fig1b"),
-        DARK("fig1b"),
-        PROJECTOR("fig1b"),
+        DEFAULT("town-square"),
+        DARK("town-square"),
+        PROJECTOR("town-square"),
+        RIDE("town-square"),
         WIDE_APERTURE("fig3a"),
         SPLIT("fig1b"),
         SIDE_BY_SIDE("terrell-cube"),
@@ -81,11 +86,12 @@ class WindowPicturesTest {
         if (shot == Shot.WIDE_APERTURE) {
             // without noise, which would make a large file
             studio = studio.withSettings(studio.settings().withSize(320, 240).withSamples(400));
-        } else if (shot == Shot.SPLIT) {
-            // the floor of two pictures: with more samples its noise has more levels
+        } else if (shot == Shot.SPLIT || shot == Shot.RIDE) {
+            // with more samples the noise, and what is small, have more levels
             studio = studio.withSettings(studio.settings().withSamples(1));
         }
-        try (WindowDriver driver = new WindowDriver(folder, studio, null, List.of(studio))) {
+        FirstScene first = shot == Shot.DEFAULT ? FirstScene.ofProgram(studio, "") : new FirstScene(studio, null);
+        try (WindowDriver driver = new WindowDriver(folder, first, List.of(studio))) {
             JMenu examples = driver.find(JMenu.class, "menu.examples");
             WindowDriver.await("the examples", examples::isEnabled);
             if (shot == Shot.WIDE_APERTURE) {
@@ -122,6 +128,7 @@ class WindowPicturesTest {
     private static void arrange(Shot shot, WindowDriver driver) {
         switch (shot) {
             case DARK, PROJECTOR -> press(driver, JMenuItem.class, "look." + shot.name());
+            case RIDE -> ride(driver);
             case SPLIT -> compareWithRest(driver);
             case SIDE_BY_SIDE -> {
                 compareWithRest(driver);
@@ -137,6 +144,15 @@ class WindowPicturesTest {
             case ERROR -> driver.type(driver.find(JTextField.class, "Speed"), "1.2");
             default -> {}
         }
+    }
+
+    /** A moment of the recorded ride, with all that can be drawn over the picture. */
+    private static void ride(WindowDriver driver) {
+        press(driver, JMenuItem.class, "menu.map");
+        press(driver, JMenuItem.class, "menu.replay");
+        RidePilot pilot = driver.window().motion().pilot();
+        WindowDriver.await("the thrust", () -> pilot.moment().properTime() > RIDE_TIME);
+        WindowDriver.onEventThread(() -> pilot.setRiding(false));
     }
 
     private static void compareWithRest(WindowDriver driver) {

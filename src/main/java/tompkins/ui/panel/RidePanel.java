@@ -126,7 +126,7 @@ public final class RidePanel {
 
     private void updateButtons() {
         boolean recorded = !model.studio().ride().isEmpty();
-        replay.setEnabled(recorded && !pilot.isRecording());
+        replay.setEnabled(pilot.canReplay() && !pilot.isRecording());
         export.setEnabled(recorded && !pilot.isRecording());
     }
 

@@ -177,18 +177,24 @@ public final class RidePilot {
         }
     }
 
+    /** Whether there is a recorded ride to show. */
+    public boolean canReplay() {
+        return !beginning().ride().isEmpty();
+    }
+
+    private Studio beginning() {
+        Studio now = model.studio();
+        return now.ride().isEmpty() && replayed != null && moment() != null ? replayed : now;
+    }
+
     /** Shows the ride that begins with the present studio, or that was shown last if its end is on the screen. */
     public void replay() {
         setRiding(false);
-        Studio start = model.studio();
-        if (start.ride().isEmpty() && replayed != null && moment() != null) {
-            start = replayed;
-        }
-        if (start.ride().isEmpty()) {
+        Studio beginning = beginning();
+        if (beginning.ride().isEmpty()) {
             teller.accept(Texts.get("ride.nothingRecorded"));
             return;
         }
-        Studio beginning = start;
         attempt(() -> {
             film = new RideFilm(beginning);
             replayed = beginning;

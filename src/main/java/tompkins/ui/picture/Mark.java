@@ -49,6 +49,18 @@ final class Mark {
         g.drawRoundRect(x - 5, middle - 18, 10, 36, 10, 10);
     }
 
+    /** Coloured lines along a shape; fine ones hide less of the picture. */
+    static void paintLines(Graphics2D g, Shape shape, Color colour, boolean fine) {
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        g.setColor(new Color(0, 0, 0, fine ? 110 : 190));
+        g.setStroke(new BasicStroke(fine ? 2.4f : 3.4f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.draw(shape);
+        g.setColor(colour);
+        g.setStroke(new BasicStroke(fine ? 1 : 1.6f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.draw(shape);
+    }
+
     /** Lines along a shape. */
     static void paint(Graphics2D g, Shape shape) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
@@ -62,11 +74,20 @@ final class Mark {
 
     /** A text that begins at a point of its base line. */
     static void paintText(Graphics2D g, Font font, String text, double x, double y) {
+        paintText(g, font, text, x, y, Color.WHITE);
+    }
+
+    /** A coloured text that begins at a point of its base line. */
+    static void paintText(Graphics2D g, Font font, String text, double x, double y, Color colour) {
+        if (text.isEmpty()) {
+            return;
+        }
         paint(
                 g,
                 new TextLayout(text, font, g.getFontRenderContext())
                         .getOutline(AffineTransform.getTranslateInstance(x, y)));
         g.setFont(font);
+        g.setColor(colour);
         g.drawString(text, (float) x, (float) y);
     }
 }

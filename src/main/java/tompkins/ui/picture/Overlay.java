@@ -3,7 +3,7 @@ package tompkins.ui.picture;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 
-/** Something that is painted over a picture on the screen, and never gets into one that is saved. */
+/** Something that is painted over a picture on the screen, and is no part of it. */
 public interface Overlay {
 
     /**
@@ -14,4 +14,9 @@ public interface Overlay {
      * @param visible the part of it that is seen
      */
     void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible);
+
+    /** Whether it is painted over each picture where two are seen, and not over the studio's alone. */
+    default boolean isOfAllPictures() {
+        return false;
+    }
 }

@@ -4,6 +4,7 @@ import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.geom.Point2D;
+import java.util.List;
 
 /**
  * Where on the canvas which picture is seen, in pixels of the screen.
@@ -55,6 +56,35 @@ record PictureArrangement(
     /** Whether there is room for two beside each other. */
     boolean isBeside() {
         return comparison == Comparison.BESIDE && !otherAlone;
+    }
+
+    /**
+     * A picture on the canvas.
+     *
+     * @param picture the picture
+     * @param bounds where it lies
+     * @param part the part of the canvas in which it is seen
+     */
+    record Pane(Picture picture, Rectangle bounds, Rectangle part) {}
+
+    /** The pictures that are seen, that of the studio first; no other than that where their difference is seen. */
+    List<Pane> panes() {
+        Rectangle bounds = bounds();
+        if (showsOtherAlone()) {
+            return List.of(new Pane(shown.other(), bounds, room()));
+        }
+        if (splits()) {
+            int x = dividerX();
+            Rectangle left = new Rectangle(bounds.x, bounds.y, x - bounds.x, bounds.height);
+            Rectangle right = new Rectangle(x, bounds.y, bounds.x + bounds.width - x, bounds.height);
+            return List.of(
+                    new Pane(shown.now(), bounds, left.intersection(room())),
+                    new Pane(shown.other(), bounds, right.intersection(room())));
+        }
+        Pane now = new Pane(shown.now(), bounds, room());
+        return isBeside() && shown.otherImage() != null
+                ? List.of(now, new Pane(shown.other(), otherBounds(), otherRoom()))
+                : List.of(now);
     }
 
     /** The part of the canvas that the picture may cover. */

@@ -46,6 +46,7 @@ public final class PictureCanvas extends JPanel {
     private final CanvasZoom zoom = new CanvasZoom(this);
     private Point2D pin;
     private boolean picking;
+    private boolean measuring;
 
     /** What to write into a picture of a studio; null if nothing. */
     private Function<Studio, String> captions;
@@ -176,7 +177,17 @@ public final class PictureCanvas extends JPanel {
     /** Whether the next click picks a point, which the cursor shows. */
     public void setPicking(boolean pick) {
         picking = pick;
-        setCursor(Cursor.getPredefinedCursor(pick ? Cursor.CROSSHAIR_CURSOR : Cursor.DEFAULT_CURSOR));
+        showCursor();
+    }
+
+    /** Whether clicks mark places to measure between, which the cursor shows. */
+    public void setMeasuring(boolean measure) {
+        measuring = measure;
+        showCursor();
+    }
+
+    private void showCursor() {
+        setCursor(Cursor.getPredefinedCursor(picking || measuring ? Cursor.CROSSHAIR_CURSOR : Cursor.DEFAULT_CURSOR));
     }
 
     /** Where the picture lies in this component. */
@@ -263,14 +274,22 @@ public final class PictureCanvas extends JPanel {
     }
 
     private void paintOverlays(Graphics2D g) {
-        Rectangle bounds = pictureBounds();
-        Rectangle visible =
-                bounds.intersection(PicturePainter.inUnits(arrangement().room(), scale()));
+        PictureArrangement seen = arrangement();
+        for (Overlay overlay : overlays) {
+            if (overlay.isOfAllPictures()) {
+                seen.panes().forEach(pane -> paint(g, overlay, pane));
+            } else {
+                paint(g, overlay, new PictureArrangement.Pane(shown.now(), seen.bounds(), seen.room()));
+            }
+        }
+    }
+
+    private void paint(Graphics2D g, Overlay overlay, PictureArrangement.Pane pane) {
+        Rectangle bounds = PicturePainter.inUnits(pane.bounds(), scale());
+        Rectangle visible = bounds.intersection(PicturePainter.inUnits(pane.part(), scale()));
         Graphics2D clipped = (Graphics2D) g.create();
         clipped.clip(visible);
-        for (Overlay overlay : overlays) {
-            overlay.paint(clipped, shown.now(), bounds, visible);
-        }
+        overlay.paint(clipped, pane.picture(), bounds, visible);
         clipped.dispose();
     }
 

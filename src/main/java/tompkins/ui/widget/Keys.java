@@ -4,6 +4,7 @@ import java.awt.GraphicsEnvironment;
 import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.JRootPane;
@@ -62,12 +63,20 @@ public final class Keys {
         bind(component, JComponent.WHEN_FOCUSED, key, action);
     }
 
+    /** Whether a letter comes with Ctrl, as + in Ctrl and +: then it is part of a key of the menus. */
+    private static boolean isMenuKey(KeyStroke key, ActionEvent event) {
+        return key.getKeyEventType() == KeyEvent.KEY_TYPED
+                && (event.getModifiers() & (ActionEvent.CTRL_MASK | ActionEvent.META_MASK)) != 0;
+    }
+
     private static void bind(JComponent component, int condition, KeyStroke key, Runnable action) {
         component.getInputMap(condition).put(key, key);
         component.getActionMap().put(key, new AbstractAction() {
             @Override
             public void actionPerformed(ActionEvent event) {
-                action.run();
+                if (!isMenuKey(key, event)) {
+                    action.run();
+                }
             }
         });
     }

@@ -1,0 +1,125 @@
+package tompkins.image;
+
+import java.io.IOException;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.stream.Stream;
+
+/**
+ * Gives a complete file or folder its name, in the same file system. Taking a name is at once the check that it is
+ * free, so that of two programs that want one name neither loses what it has made.
+ */
+final class FileNames {
+
+    private FileNames() {}
+
+    /** Replaces what has a name. */
+    static Path replace(Path complete, Path name) throws IOException {
+        try {
+            Files.move(complete, name, StandardCopyOption.ATOMIC_MOVE);
+        } catch (AtomicMoveNotSupportedException | FileAlreadyExistsException e) {
+            Files.move(complete, name, StandardCopyOption.REPLACE_EXISTING);
+        }
+        return name;
+    }
+
+    /** Takes a name for a file; if it is not free, the same with the first free number before its ending. */
+    static Path takeForFile(Path complete, Path wanted) throws IOException {
+        Path name = wanted;
+        for (int number = 2; !takes(complete, name); number++) {
+            name = numbered(wanted, number);
+        }
+        return name;
+    }
+
+    /** The same for a folder, for which the name of an empty folder is free, too. */
+    static Path takeForFolder(Path complete, Path wanted) throws IOException {
+        Path name = wanted;
+        for (int number = 2; !takesAsFolder(complete, name); number++) {
+            name = numbered(wanted, number);
+        }
+        return name;
+    }
+
+    /** The name with a number before its ending. */
+    private static Path numbered(Path file, int number) {
+        String name = file.getFileName().toString();
+        int dot = name.lastIndexOf('.');
+        int end = dot > 0 ? dot : name.length();
+        return file.resolveSibling(name.substring(0, end) + "-" + number + name.substring(end));
+    }
+
+    /** Whether a name could be had: a link is made where there is nothing, or not at all. */
+    private static boolean takes(Path complete, Path name) throws IOException {
+        try {
+            Files.createLink(name, complete);
+            return true;
+        } catch (FileAlreadyExistsException taken) {
+            return false;
+        } catch (UnsupportedOperationException | FileSystemException noLinksHere) {
+            return takesWithoutLinks(complete, name);
+        }
+    }
+
+    /** As above, by an empty file that only one can make. */
+    private static boolean takesWithoutLinks(Path complete, Path name) throws IOException {
+        try {
+            Files.createFile(name);
+        } catch (FileAlreadyExistsException taken) {
+            return false;
+        }
+        try {
+            replace(complete, name);
+        } catch (IOException failure) {
+            Files.deleteIfExists(name);
+            throw failure;
+        }
+        return true;
+    }
+
+    /** As above for a folder, which systems put in the place of an empty one at most. */
+    private static boolean takesAsFolder(Path complete, Path name) throws IOException {
+        try {
+            moveFolder(complete, name);
+            return true;
+        } catch (FileSystemException refused) {
+            if (Files.notExists(name, LinkOption.NOFOLLOW_LINKS)) {
+                throw refused;
+            }
+        }
+        try {
+            if (!isEmptyFolder(name)) {
+                return false;
+            }
+            // not every system replaces a folder, even an empty one
+            Files.delete(name);
+            moveFolder(complete, name);
+            return true;
+        } catch (FileSystemException filledMeanwhile) {
+            return false;
+        }
+    }
+
+    private static void moveFolder(Path complete, Path name) throws IOException {
+        try {
+            Files.move(complete, name, StandardCopyOption.ATOMIC_MOVE);
+        } catch (AtomicMoveNotSupportedException | FileAlreadyExistsException e) {
+            Files.move(complete, name);
+        }
+    }
+
+    /** Whether there is a folder with nothing in it. */
+    static boolean isEmptyFolder(Path path) throws IOException {
+        if (!Files.isDirectory(path)) {
+            return false;
+        }
+        try (Stream<Path> content = Files.list(path)) {
+            return content.findAny().isEmpty();
+        }
+    }
+}

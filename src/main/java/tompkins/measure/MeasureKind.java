@@ -1,0 +1,39 @@
+package tompkins.measure;
+
+import java.util.Locale;
+
+/** What can be measured between places of a picture. */
+public enum MeasureKind {
+    /** Angles, lengths, times and the interval between two places. */
+    BETWEEN(2, 2),
+    /** What the line between two places shows. */
+    PROFILE(2, 2),
+    /** The circle of directions through three places or more. */
+    CIRCLE(3, Integer.MAX_VALUE),
+    /** How straight two places or more lie. */
+    LINE(2, Integer.MAX_VALUE);
+
+    private final int fewest;
+    private final int most;
+
+    MeasureKind(int fewest, int most) {
+        this.fewest = fewest;
+        this.most = most;
+    }
+
+    /** The fewest places that it needs. */
+    public int fewest() {
+        return fewest;
+    }
+
+    /** The most places that it takes. */
+    public int most() {
+        return most;
+    }
+
+    /** Its name in lower case. */
+    @Override
+    public String toString() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+}

@@ -1,0 +1,31 @@
+package tompkins.measure;
+
+import java.util.List;
+import org.joml.Vector2dc;
+import tompkins.trace.Frame;
+
+/**
+ * Something that is drawn over a picture, in pixels of it.
+ *
+ * @param kind what it is
+ * @param lines each from point to point
+ * @param dots places that are marked by a dot
+ * @param rings places that are marked by a ring
+ * @param labels what is written, and where
+ */
+public record OverlayDrawing(
+        OverlayKind kind,
+        List<List<Vector2dc>> lines,
+        List<Vector2dc> dots,
+        List<Vector2dc> rings,
+        List<Label> labels) {
+
+    /**
+     * What is written at a place.
+     *
+     * @param text the name of an object, or an angle in degrees
+     * @param frame of which frame the angle is; null for a name
+     * @param place where
+     */
+    public record Label(String text, Frame frame, Vector2dc place) {}
+}

@@ -1,0 +1,201 @@
+package tompkins.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Measures before a wall in the distance 10, which a camera of 0.8 c meets straight ahead: D is 3 there. */
+class MeasureCommandTest {
+
+    @TempDir
+    private Path folder;
+
+    private Path scene;
+
+    @BeforeEach
+    void writeScene() throws IOException {
+        scene = Files.writeString(folder.resolve("wall.json"), """
+                {
+                  "velocity": [0, 0, 0.8],
+                  "camera": { "horizontalAngleDegrees": 90 },
+                  "settings": { "width": 101, "height": 101 },
+                  "scene": [{ "type": "Plane", "description": "wall, \\"white\\"", "point": [0, 0, 10],
+                    "normal": [0, 0, -1], "surface": { "type": "LuminousSurface" } }]
+                }
+                """);
+    }
+
+    /** 50 columns beside the middle of 101 lies the slope 100/101. */
+    private static double cameraAngle() {
+        return Math.atan(100 / 101.0);
+    }
+
+    private static double sceneAngle() {
+        return 2 * Math.atan(3 * Math.tan(cameraAngle() / 2));
+    }
+
+    @Test
+    void anglesLengthsAndIntervalAreThoseOfTheFormulas() {
+        Object[] both = {"measure", "between", scene, "--pixel", "50,50", "--pixel", "100,50"};
+        String json = ProgramRun.of(with(both, "--json")).out();
+        String csv = ProgramRun.of(with(both, "--csv")).out();
+        String text = ProgramRun.of(both).out();
+
+        // the ray at the edge of the picture goes back: it never meets the wall
+        assertThat(Math.toDegrees(sceneAngle())).isGreaterThan(90);
+        assertThat(value(json, "cameraAngle")).isCloseTo(Math.toDegrees(cameraAngle()), within(1e-12));
+        assertThat(value(json, "sceneAngle")).isCloseTo(Math.toDegrees(sceneAngle()), within(1e-12));
+        assertThat(json).doesNotContain("Distance", "Interval");
+        assertThat(csv.lines().findFirst()).hasValue("quantity,value,uncertainty,unit");
+        assertThat(csv).contains("cameraAngle,44.71").endsWith(",degrees\n");
+        assertThat(text).contains("camera angle", "44.71", "+-", "degrees");
+
+        Object[] near = {"measure", "between", scene, "--pixel", "50,50", "--pixel", "60,50", "--json"};
+        String hits = ProgramRun.of(near).out();
+        double angle = 2 * Math.atan(3 * Math.tan(Math.atan(20 / 101.0) / 2));
+        double across = 10 * Math.tan(angle);
+        double later = 10 - 10 / Math.cos(angle);
+        assertThat(value(hits, "sceneDistance")).isCloseTo(across, within(1e-12));
+        assertThat(value(hits, "sceneTime")).isCloseTo(later, within(1e-12));
+        assertThat(value(hits, "objectDistance")).isCloseTo(across, within(1e-12));
+        assertThat(value(hits, "sceneInterval")).isCloseTo(across * across - later * later, within(1e-11));
+        assertThat(value(hits, "cameraInterval")).isCloseTo(across * across - later * later, within(1e-11));
+        // half a column moves the hit by 10/cos^2 d tan(half)/da; both ends together
+        assertThat(uncertainty(hits, "sceneDistance")).isBetween(0.15, 0.5);
+        assertThat(uncertainty(hits, "cameraAngle"))
+                .isCloseTo(Math.toDegrees(0.5 * Math.sqrt(2) * 2 / 101.0), within(0.03));
+    }
+
+    @Test
+    void circlesAndLinesAreFitted() {
+        String circle = ProgramRun.of(
+                        "measure", "circle", scene, "--json", "--pixel", "60,50", "--pixel", "40,50", "--pixel",
+                        "50,60")
+                .out();
+        assertThat(value(circle, "halfAngle")).isCloseTo(Math.toDegrees(Math.atan(20 / 101.0)), within(1e-12));
+        assertThat(value(circle, "middlePixelX")).isCloseTo(50, within(1e-9));
+        assertThat(value(circle, "residual")).isCloseTo(0, within(1e-9));
+
+        String line = ProgramRun.of(
+                        "measure", "line", scene, "--json", "--pixel", "0,0", "--pixel", "50,50", "--pixel", "100,100")
+                .out();
+        assertThat(value(line, "largestMiss")).isCloseTo(0, within(1e-9));
+        assertThat(value(line, "length"))
+                .isCloseTo(Math.toDegrees(2 * Math.atan(Math.sqrt(2) * 100 / 101)), within(1e-12));
+    }
+
+    @Test
+    void profilesAreTablesOfRays() {
+        Object[] profile = {"measure", "profile", scene, "--pixel", "50,50", "--pixel", "54,50"};
+        List<String> csv = ProgramRun.of(with(profile, "--csv")).out().lines().toList();
+
+        assertThat(csv).hasSize(6);
+        assertThat(cell(csv, 1, "doppler_factor")).isEqualTo("3");
+        assertThat(cell(csv, 1, "hit_scene_z [scene units]")).isEqualTo("10");
+        assertThat(cell(csv, 5, "pixel_x [pixels]")).isEqualTo("54");
+        assertThat(csv.get(1)).contains("\"wall, \"\"white\"\"\"");
+        assertThat(ProgramRun.of(with(profile, "--count", "3", "--csv")).out().lines())
+                .hasSize(4);
+        assertThat(ProgramRun.of(with(profile, "--json")).out()).contains("\"hit_scene_z\" : 10");
+        assertThat(ProgramRun.of(profile).out()).contains("50,50", "wall, \"\"white\"\"");
+    }
+
+    /** Rows are pixels, row by row; a ray that hits nothing has empty cells there, and its direction. */
+    @Test
+    void regionsAreTracedIntoTables() throws IOException {
+        Path file = folder.resolve("rays.csv");
+        ProgramRun run = ProgramRun.of("trace", scene, "--pixel", "all", "--every", "50", "--csv", "-o", file);
+
+        assertThat(run.code()).as(run.err()).isZero();
+        assertThat(run.out().strip()).isEqualTo(file.toAbsolutePath().toString());
+        List<String> rows = Files.readAllLines(file);
+        assertThat(rows).hasSize(10);
+        assertThat(rows.stream().skip(1).map(row -> row.split(",")[0] + " " + row.split(",")[1]))
+                .containsExactly("0 0", "50 0", "100 0", "0 50", "50 50", "100 50", "0 100", "50 100", "100 100");
+        int middle = 5;
+        assertThat(Double.parseDouble(cell(rows, middle, "camera_direction_z"))).isEqualTo(1);
+        assertThat(cell(rows, middle, "distance [scene units]")).isEqualTo("10");
+        assertThat(cell(rows, middle, "hit_camera_z [scene units]"))
+                .startsWith("30.00000000")
+                .hasSizeLessThan(19);
+        assertThat(cell(rows, middle, "proper_time [scene units]")).isEqualTo("-10");
+        assertThat(cell(rows, 1, "object")).isEmpty();
+        assertThat(cell(rows, 1, "proper_time [scene units]")).isEmpty();
+        double x = Double.parseDouble(cell(rows, 6, "scene_direction_x"));
+        assertThat(x).isCloseTo(Math.sin(sceneAngle()), within(1e-15));
+
+        ProgramRun again = ProgramRun.of("trace", scene, "--pixel", "1,1..2,2", "--csv", "-o", file);
+        assertThat(again.code()).isEqualTo(2);
+        assertThat(again.err()).contains("there is a file of this name already; --force replaces it");
+        assertThat(Files.readAllLines(file)).isEqualTo(rows);
+        ProgramRun forced = ProgramRun.of("trace", scene, "--pixel", "1,1..2,3", "--csv", "-o", file, "--force");
+        assertThat(forced.code()).isZero();
+        assertThat(Files.readAllLines(file)).hasSize(7);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "trace S --pixel 1,1..0,3 | --pixel must name the upper left corner of a rectangle first, was 1,1..0,3",
+                "trace S --pixel 1,1..3 | --pixel must be two whole numbers inside the picture with a comma between them, or",
+                "trace S --pixel 1,1..3,101 | --pixel must be from 0,0 to 100,100, was 3,101",
+                "trace S --pixel all --every 0 | --every must be 1 or more, was 0",
+                "measure angle S --pixel 1,1 | WHAT must be one of between, profile, circle, line; was angle",
+                "measure between S --pixel 1,1 | between needs 2 --pixel, was 1",
+                "measure circle S --pixel 1,1 --pixel 2,2 | circle needs 3 or more --pixel, was 2",
+                "measure circle S --pixel 1,1 --pixel 1,1 --pixel 1,1 | --pixel: the points of a circle must not coincide",
+                "measure line S --pixel 1,1 --pixel 101,2 | --pixel must lie in the picture, from -0.5,-0.5 to 100.5,100.5, was 101,2",
+                "measure profile S --pixel 1,1 --pixel 2,2 --count 1 | --count must be from 2 to 10000, was 1",
+                "measure line S --pixel 1,1 --pixel 2,2 --count 5 | --count is for a profile; leave it out of line",
+            })
+    void whatCannotBeMeasuredIsNamed(String line, String said) {
+        Object[] words = Arrays.stream(line.trim().split(" "))
+                .map(word -> word.equals("S") ? scene : word)
+                .toArray();
+        ProgramRun run = ProgramRun.of(words);
+
+        assertThat(run.code()).isEqualTo(2);
+        assertThat(run.out()).isEmpty();
+        assertThat(run.err()).contains(said.trim());
+    }
+
+    private static Object[] with(Object[] words, Object... more) {
+        Object[] all = Arrays.copyOf(words, words.length + more.length);
+        System.arraycopy(more, 0, all, words.length, more.length);
+        return all;
+    }
+
+    private static String cell(List<String> rows, int row, String heading) {
+        int column = Arrays.asList(rows.get(0).split(",")).indexOf(heading);
+        // the name of the wall holds a comma
+        return rows.get(row).replaceAll("\"[^,]*, [^,]*\"", "wall").split(",", -1)[column];
+    }
+
+    private static double value(String json, String key) {
+        return number(json, key, "value");
+    }
+
+    private static double uncertainty(String json, String key) {
+        return number(json, key, "uncertainty");
+    }
+
+    private static double number(String json, String key, String part) {
+        Matcher matcher = Pattern.compile('"' + key + "\" : \\{[^}]*\"" + part + "\" : ([^,\\s}]*)")
+                .matcher(json);
+        assertThat(matcher.find()).as(json).isTrue();
+        return Double.parseDouble(matcher.group(1));
+    }
+}

@@ -1,0 +1,288 @@
+package tompkins.measure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.joml.Vector2d;
+import org.joml.Vector2dc;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.camera.Camera;
+import tompkins.camera.PanoramicCamera;
+import tompkins.camera.ThinLensCamera;
+import tompkins.property.Descriptions;
+import tompkins.sceneobject.Cylinder;
+import tompkins.sceneobject.Moving;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.shutter.AperturePlaneShutter;
+import tompkins.shutter.DetectorPlaneShutter;
+import tompkins.spacetime.Event;
+import tompkins.spacetime.FrameMotion;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Studio;
+import tompkins.studio.View;
+import tompkins.surface.LuminousSurface;
+import tompkins.trace.Frame;
+import tompkins.trace.RayLife;
+import tompkins.trace.RenderPlan;
+
+/** What is drawn over pictures agrees with the traced picture within half a pixel, at three velocities. */
+class OverlaysTest {
+
+    private static final double HALF = 0.5;
+
+    private static final FrameMotion MOTION = new FrameMotion(null, Velocity.of(-0.4, 0.1, 0.2), new Event(0, 0, 0, 0));
+
+    static Stream<Arguments> cameras() {
+        List<Velocity> velocities =
+                List.of(Velocity.of(0.3, -0.2, 0.6), Velocity.of(0, 0.1, -0.5), Velocity.of(0.2, -0.1, 0.97));
+        Vector3d position = new Vector3d(0.4, 0.3, -0.6);
+        ThinLensCamera lens = Descriptions.with(
+                Descriptions.with(ThinLensCamera.DEFAULT, "position", position), "horizontalAngleDegrees", 50.0);
+        PanoramicCamera panorama = Descriptions.with(PanoramicCamera.DEFAULT, "position", position);
+        return velocities.stream()
+                .flatMap(velocity -> Stream.of(
+                                lens.withShutter(new AperturePlaneShutter(0.7)),
+                                lens.withShutter(new DetectorPlaneShutter(0.3, 1)),
+                                panorama.withShutter(new AperturePlaneShutter(0.7)))
+                        .map(camera -> Arguments.of(velocity, camera)));
+    }
+
+    private static Studio studio(Velocity velocity, Camera camera) {
+        return Studio.DEFAULT.withCamera(camera).withVelocity(velocity);
+    }
+
+    /** A point that is seen at a place from a distance, in the frame in which it rests. */
+    private static Vector3d point(Studio studio, FrameMotion motion, double x, double y, double distance) {
+        RayLife life = RayLife.of(RenderPlan.of(studio.withScene(List.of())), x, y, 0, 0);
+        Event start = life.sceneStart();
+        Vector3d place = new Vector3d(life.sceneDirection()).mul(distance).add(start.position());
+        Event event = new Event(place.x, place.y, place.z, start.time() - distance * life.lastSlowness());
+        return motion == null
+                ? place
+                : studio.transformation()
+                        .sceneFromCamera(motion.velocity())
+                        .inverse()
+                        .transform(event)
+                        .position();
+    }
+
+    private static SceneObject placed(FrameMotion motion, SceneObject object) {
+        return motion == null ? object : new Moving("", motion.velocity(), new Vector3d(), 0, List.of(object));
+    }
+
+    private static OverlayDrawing draw(Studio studio, OverlayKind kind) {
+        RenderPlan plan = RenderPlan.of(studio);
+        return new Overlays(Projection.of(studio), SceneShapes.of(plan.sceneFrames())).draw(kind);
+    }
+
+    /** The points of all lines in the picture, and the middles between them: a line must not leave the curve. */
+    private static List<Vector2dc> places(OverlayDrawing drawing, Studio studio) {
+        List<Vector2dc> places = new ArrayList<>();
+        for (List<Vector2dc> line : drawing.lines()) {
+            for (int i = 1; i < line.size(); i++) {
+                places.add(line.get(i));
+                places.add(line.get(i - 1).lerp(line.get(i), 0.5, new Vector2d()));
+            }
+        }
+        places.removeIf(place -> !(place.x() > 1
+                && place.y() > 1
+                && place.x() < studio.settings().width() - 1
+                && place.y() < studio.settings().height() - 1));
+        return places;
+    }
+
+    private static boolean hits(RenderPlan plan, double x, double y) {
+        return Sighting.of(plan, x, y).hit() != null;
+    }
+
+    @ParameterizedTest(name = "{index}")
+    @MethodSource("cameras")
+    void outlinesAreTheEdgesOfSpheres(Velocity velocity, Camera camera) {
+        for (FrameMotion motion : new FrameMotion[] {null, MOTION}) {
+            Studio empty = studio(velocity, camera);
+            Vector3d centre = point(empty, motion, 300, 260, 10);
+            Studio studio =
+                    empty.withScene(List.of(placed(motion, new Sphere("", centre, 0.5, LuminousSurface.DEFAULT))));
+            RenderPlan plan = RenderPlan.of(studio);
+            List<Vector2dc> places = places(draw(studio, OverlayKind.OUTLINES), studio);
+
+            assertThat(places).hasSizeGreaterThan(40);
+            for (Vector2dc place : places) {
+                Vector2d outwards = place.sub(300, 260, new Vector2d()).normalize(HALF);
+                assertThat(hits(plan, place.x() + outwards.x, place.y() + outwards.y))
+                        .as("outside %s", place)
+                        .isFalse();
+                assertThat(hits(plan, place.x() - outwards.x, place.y() - outwards.y))
+                        .as("inside %s", place)
+                        .isTrue();
+            }
+        }
+    }
+
+    @ParameterizedTest(name = "{index}")
+    @MethodSource("cameras")
+    void axesOfRodsLieOnThinRods(Velocity velocity, Camera camera) {
+        for (FrameMotion motion : new FrameMotion[] {null, MOTION}) {
+            Studio empty = studio(velocity, camera);
+            Vector3d start = point(empty, motion, 120, 100, 8);
+            Vector3d end = point(empty, motion, 500, 400, 14);
+            Cylinder thick = new Cylinder("", start, end, 0.01, true, LuminousSurface.DEFAULT);
+            List<Vector2dc> places =
+                    places(draw(empty.withScene(List.of(placed(motion, thick))), OverlayKind.RODS), empty);
+            // as thin as half a pixel at its nearer end
+            Projection projection = Projection.of(empty);
+            double radius = HALF * projection.pixelAngle(120, 100) * 8 * doppler(empty, 120, 100) / 2;
+            Cylinder thin = new Cylinder("", start, end, radius, true, LuminousSurface.DEFAULT);
+            RenderPlan plan = RenderPlan.of(empty.withScene(List.of(placed(motion, thin))));
+
+            assertThat(places).hasSizeGreaterThan(15);
+            assertThat(places)
+                    .allMatch(place -> IntStream.rangeClosed(-16, 16)
+                            .mapToDouble(step -> step * HALF / 16)
+                            .anyMatch(step -> hits(plan, place.x() + step, place.y())
+                                    || hits(plan, place.x(), place.y() + step)));
+        }
+    }
+
+    private static double doppler(Studio studio, double x, double y) {
+        return Math.min(1, Sighting.of(RenderPlan.of(studio), x, y).dopplerFactor());
+    }
+
+    @ParameterizedTest(name = "{index}")
+    @MethodSource("cameras")
+    void dotsAreWhereThingsAreSeenAndRingsWhereTheyAre(Velocity velocity, Camera camera) {
+        for (FrameMotion motion : new FrameMotion[] {null, MOTION}) {
+            Studio empty = studio(velocity, camera);
+            for (double distance : new double[] {3, 8}) {
+                Vector3d centre = point(empty, motion, 320.4, 250.3, distance);
+                Studio studio = empty.withScene(
+                        List.of(placed(motion, new Sphere("ball", centre, distance * 3e-4, LuminousSurface.DEFAULT))));
+                OverlayDrawing drawing = draw(studio, OverlayKind.PLACES);
+
+                assertThat(drawing.dots()).hasSize(1);
+                assertThat(drawing.dots().get(0).distance(320.4, 250.3)).isLessThan(HALF);
+                RenderPlan measured = RenderPlan.of(studio.withView(View.MEASURED));
+                for (Vector2dc ring : drawing.rings()) {
+                    assertThat(hits(measured, ring.x(), ring.y()))
+                            .as("%s", ring)
+                            .isTrue();
+                }
+                OverlayDrawing names = draw(studio, OverlayKind.LABELS);
+                assertThat(names.labels()).hasSize(1);
+                assertThat(names.labels().get(0).text()).isEqualTo("ball");
+                Vector2dc place = names.labels().get(0).place();
+                assertThat(hits(RenderPlan.of(studio), place.x(), place.y())).isTrue();
+            }
+        }
+    }
+
+    @ParameterizedTest(name = "{index}")
+    @MethodSource("cameras")
+    void gridsAndHorizonLieAtTheirAngles(Velocity velocity, Camera camera) {
+        Studio studio = studio(velocity, camera);
+        Projection projection = Projection.of(studio);
+        RenderPlan plan = RenderPlan.of(studio);
+        for (Frame frame : Frame.values()) {
+            Function<Sighting, Vector3dc> direction =
+                    frame == Frame.SCENE ? Sighting::sceneDirection : Sighting::cameraDirection;
+            OverlayDrawing grid = draw(studio, frame == Frame.SCENE ? OverlayKind.SCENE_GRID : OverlayKind.CAMERA_GRID);
+            assertThat(grid.labels()).isNotEmpty();
+            for (OverlayDrawing.Label label : grid.labels()) {
+                assertThat(label.frame()).isEqualTo(frame);
+                assertAngle(plan, projection, label.place(), direction, Double.parseDouble(label.text()));
+            }
+            // each place lies on a circle or on a meridian
+            double step = step(grid);
+            for (Vector2dc place : places(grid, studio)) {
+                assertThat(offGrid(plan, projection, place, direction, step))
+                        .as("%s %s", frame, place)
+                        .isLessThan(HALF);
+            }
+        }
+        OverlayDrawing horizon = draw(studio, OverlayKind.HORIZON);
+        for (OverlayDrawing.Label label : horizon.labels()) {
+            assertAngle(
+                    plan,
+                    projection,
+                    label.place(),
+                    label.frame() == Frame.SCENE ? Sighting::sceneDirection : Sighting::cameraDirection,
+                    90);
+        }
+        if (camera instanceof PanoramicCamera) {
+            assertThat(horizon.labels()).hasSize(2);
+        }
+    }
+
+    private static double step(OverlayDrawing grid) {
+        List<Double> degrees = grid.labels().stream()
+                .map(label -> Double.parseDouble(label.text()))
+                .sorted()
+                .toList();
+        return degrees.size() < 2 ? degrees.get(0) : degrees.get(1) - degrees.get(0);
+    }
+
+    private static void assertAngle(
+            RenderPlan plan,
+            Projection projection,
+            Vector2dc place,
+            Function<Sighting, Vector3dc> direction,
+            double degrees) {
+        Sighting sighting = Sighting.of(plan, place.x(), place.y());
+        double pixel =
+                Math.toDegrees(projection.pixelAngle(place.x(), place.y())) * Math.max(1, sighting.dopplerFactor());
+        assertThat(angle(plan, direction.apply(sighting))).isCloseTo(degrees, within(HALF * pixel));
+    }
+
+    private static double angle(RenderPlan plan, Vector3dc direction) {
+        return Math.toDegrees(Angles.between(direction, plan.studio().velocity().direction()));
+    }
+
+    /** By how many pixels a place lies off the nearest circle, or off the nearest meridian. */
+    private static double offGrid(
+            RenderPlan plan,
+            Projection projection,
+            Vector2dc place,
+            Function<Sighting, Vector3dc> direction,
+            double step) {
+        Sighting sighting = Sighting.of(plan, place.x(), place.y());
+        Vector3dc seen = direction.apply(sighting);
+        double pixel = projection.pixelAngle(place.x(), place.y());
+        if (direction.apply(sighting) != sighting.cameraDirection()) {
+            pixel *= sighting.dopplerFactor();
+        }
+        double degrees = angle(plan, seen);
+        double offCircle = Math.toRadians(Math.abs(degrees - step * Math.rint(degrees / step)));
+        Vector3d across = LookCone.across(plan.studio().velocity().direction()).direction(0);
+        Vector3d third = plan.studio().velocity().direction().cross(across, new Vector3d());
+        double azimuth = Math.toDegrees(Math.atan2(seen.dot(third), seen.dot(across)));
+        double offMeridian =
+                Math.toRadians(Math.abs(azimuth - 15 * Math.rint(azimuth / 15))) * Math.sin(Math.toRadians(degrees));
+        return Math.min(offCircle, offMeridian) / pixel;
+    }
+
+    @Test
+    void insideASkyThereIsNoOutlineAndNoName() {
+        Studio studio =
+                Studio.DEFAULT.withScene(List.of(new Sphere("sky", new Vector3d(), 1000, LuminousSurface.DEFAULT)));
+
+        for (OverlayKind kind : List.of(OverlayKind.OUTLINES, OverlayKind.LABELS, OverlayKind.PLACES)) {
+            OverlayDrawing drawing = draw(studio, kind);
+            assertThat(drawing.lines()).isEmpty();
+            assertThat(drawing.labels()).isEmpty();
+            assertThat(drawing.dots()).isEmpty();
+        }
+        // a camera at rest has no horizon of aberration
+        assertThat(draw(studio, OverlayKind.HORIZON).lines()).isEmpty();
+    }
+}
