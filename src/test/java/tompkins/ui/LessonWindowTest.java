@@ -104,8 +104,7 @@ class LessonWindowTest {
     }
 
     private double speed() {
-        return WindowDriver.onEventThread(
-                () -> ((Moving) driver.studio().scene().get(0)).velocity().speed());
+        return ((Moving) driver.studio().scene().get(0)).velocity().speed();
     }
 
     @Test
@@ -119,7 +118,7 @@ class LessonWindowTest {
         JComponent again = driver.find(JMenu.class, "menu.lessons");
         assertThat(again.isEnabled()).isTrue();
         assertThat(Components.showing(driver.window().frame(), JSlider.class))
-                .noneMatch(slider -> "Speed of the cube (c), slider".equals(slider.getName()));
+                .noneMatch(shown -> slider.getName().equals(shown.getName()));
     }
 
     @Test
@@ -131,7 +130,8 @@ class LessonWindowTest {
         driver.menu(cube.title());
         WindowDriver.await(
                 "the question",
-                () -> driver.find(JRadioButton.class, Texts.get("lesson.sure")).isShowing());
+                () -> Components.find(driver.window().frame(), JRadioButton.class, Texts.get("lesson.sure"))
+                        .isShowing());
         assertThat(driver.find(JRadioButton.class, Texts.get("lesson.sure")).isSelected())
                 .isFalse();
     }
