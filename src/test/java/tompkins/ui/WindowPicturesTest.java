@@ -14,6 +14,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.ImageOutputStream;
 import javax.swing.AbstractButton;
+import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
@@ -30,6 +31,7 @@ import tompkins.studio.Studio;
 import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.panel.RidePilot;
 import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.widget.Texts;
 
 /**
  * The pictures of the window in {@code docs/pictures}: with {@code -Dtompkins.regenerate=true} and a display they are
@@ -54,7 +56,8 @@ class WindowPicturesTest {
         SPLIT("fig1b"),
         SIDE_BY_SIDE("terrell-cube"),
         PINNED_RAY("terrell-cube"),
-        ERROR("fig1b");
+        ERROR("fig1b"),
+        LESSON("lesson-02-turned-cube");
 
         private final String scene;
 
@@ -92,7 +95,7 @@ class WindowPicturesTest {
         }
         FirstScene first = shot == Shot.DEFAULT ? FirstScene.ofProgram(studio, "") : new FirstScene(studio, null);
         try (WindowDriver driver = new WindowDriver(folder, first, List.of(studio))) {
-            JMenu examples = driver.find(JMenu.class, "menu.examples");
+            JMenu examples = driver.find(JMenu.class, shot == Shot.LESSON ? "menu.lessons" : "menu.examples");
             WindowDriver.await("the examples", examples::isEnabled);
             if (shot == Shot.WIDE_APERTURE) {
                 resize(driver);
@@ -141,9 +144,22 @@ class WindowPicturesTest {
                         "the pinned ray",
                         () -> story.isShowing() && story.getText().contains("Hits cube"));
             }
+            case LESSON -> measure(driver);
             case ERROR -> driver.type(driver.find(JTextField.class, "Speed"), "1.2");
             default -> {}
         }
+    }
+
+    /** Leads through a lesson to its end. */
+    private static void measure(WindowDriver driver) {
+        press(driver, JRadioButton.class, "Only the front face, but narrower.");
+        press(driver, JRadioButton.class, "I am sure");
+        for (String step : List.of("LOOK", "REASON", "MEASURE")) {
+            press(driver, JButton.class, Texts.get("lesson.next." + step));
+        }
+        WindowDriver.await(
+                "the numbers",
+                () -> Components.labels(driver.window().frame()).anyMatch(Texts.get("lesson.measured")::equals));
     }
 
     /** A moment of the recorded ride, with all that can be drawn over the picture. */
