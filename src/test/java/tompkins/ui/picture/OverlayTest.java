@@ -49,10 +49,11 @@ class OverlayTest {
     private static BufferedImage painted(Overlay overlay, Studio studio, Rectangle free) {
         Studio large = studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT));
         LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
-        return painted(overlay, new Picture(large, RenderPlan.of(large), image, true, Duration.ZERO, 1, 0, List.of()));
+        return painted(
+                overlay, new Picture(large, RenderPlan.of(large), image, true, Duration.ZERO, 1, 0, List.of()), free);
     }
 
-    private static BufferedImage painted(Overlay overlay, Picture picture) {
+    private static BufferedImage painted(Overlay overlay, Picture picture, Rectangle free) {
         BufferedImage canvas = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = canvas.createGraphics();
         g.setColor(Color.GRAY);
@@ -153,9 +154,9 @@ class OverlayTest {
         LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
         Picture picture = new Picture(slow, RenderPlan.of(slow), image, true, Duration.ZERO, 1, 0, List.of());
 
-        assertThat(marked(painted(overlay, picture)).isEmpty()).isTrue();
+        assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isTrue();
         assertThat(again.await(30, TimeUnit.SECONDS)).isTrue();
-        assertThat(marked(painted(overlay, picture)).isEmpty()).isFalse();
+        assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isFalse();
         overlay.close();
     }
 
