@@ -8,6 +8,7 @@ import tompkins.image.ToneCurve;
 import tompkins.light.ColourLaw;
 import tompkins.light.Metering;
 import tompkins.shutter.SweepDirection;
+import tompkins.studio.View;
 
 /** The words that an option takes for the values of an enum, as they are typed: in small letters. */
 abstract class OptionWords implements Iterable<String> {
@@ -57,6 +58,14 @@ abstract class OptionWords implements Iterable<String> {
 
         Meterings() {
             super(Metering.values());
+        }
+    }
+
+    /** The words of {@code --view}. */
+    static final class Views extends OptionWords {
+
+        Views() {
+            super(View.values());
         }
     }
 

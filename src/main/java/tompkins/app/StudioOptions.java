@@ -26,6 +26,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
+import tompkins.studio.View;
 
 /** Options that change a studio before its picture is taken. */
 final class StudioOptions {
@@ -98,6 +99,14 @@ final class StudioOptions {
             description = "where light is metered that motion makes brighter or darker: ${COMPLETION-CANDIDATES}")
     private Metering metering;
 
+    @Option(
+            names = "--view",
+            paramLabel = "VIEW",
+            completionCandidates = OptionWords.Views.class,
+            description = "what light brings to the camera, or where things are, which is no photograph:"
+                    + " ${COMPLETION-CANDIDATES}")
+    private View view;
+
     /** The studio with all options that were given. */
     Studio applyTo(Studio studio) {
         Studio changed = studio;
@@ -110,6 +119,9 @@ final class StudioOptions {
         }
         if (metering != null) {
             changed = changed.withMetering(metering);
+        }
+        if (view != null) {
+            changed = changed.withView(view);
         }
         Shutter model = changed.camera().shutter();
         if (shutter != null) {

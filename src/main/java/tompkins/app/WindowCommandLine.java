@@ -113,6 +113,9 @@ final class WindowCommandLine implements CommandLineWriter {
         if (studio.metering() != opened.metering()) {
             line.append(" --metering ").append(OptionWords.of(studio.metering()));
         }
+        if (studio.view() != opened.view()) {
+            line.append(" --view ").append(OptionWords.of(studio.view()));
+        }
         if (settings.toneCurve() != before.toneCurve()) {
             line.append(" --tone ").append(OptionWords.of(settings.toneCurve()));
         }
@@ -183,6 +186,7 @@ final class WindowCommandLine implements CommandLineWriter {
         Studio said = FrontWindow.withVelocity(opened, studio.velocity())
                 .withColours(studio.colours())
                 .withMetering(studio.metering())
+                .withView(studio.view())
                 .withCamera(opened.camera()
                         .withShutter(start.openedAt(now.openingTime()))
                         .withExposureTime(studio.camera().exposureTime())

@@ -71,6 +71,11 @@ public final class PictureLabel {
         g.dispose();
     }
 
+    /** How much of a picture labels at one of its edges take, with the gap between them and the edge. */
+    public static int height(Graphics2D graphics, Font font) {
+        return sizes(GAP, font) + graphics.getFontMetrics(font).getHeight() + 2 * sizes(HALF_MARGIN, font);
+    }
+
     private static int sizes(double share, Font font) {
         return (int) Math.round(share * font.getSize2D());
     }

@@ -6,10 +6,10 @@ import tompkins.property.Require;
 /** A number that a lesson measures in its picture, and what a formula says about it. */
 @Meaning("A number that is measured in the picture, and what a formula says")
 public record LessonNumber(
-        @Meaning("What is measured, at most 60 letters") String name,
+        @Meaning("What is measured, at most 45 letters") String name,
         @Meaning("How it is measured") Measurement measurement,
 
-        @Meaning("The formula in letters, at most 60 of them")
+        @Meaning("The formula in letters, at most 40 of them")
         String formula,
 
         @Meaning("What the formula gives") double value,
@@ -24,14 +24,15 @@ public record LessonNumber(
     public static final LessonNumber DEFAULT = new LessonNumber(
             "Frequency ratio straight ahead", RayReading.DEFAULT, "sqrt((1 + v)/(1 - v))", 4.3589, 0.001, "");
 
-    private static final int LONGEST_TEXT = 60;
+    private static final int LONGEST_NAME = 45;
+    private static final int LONGEST_FORMULA = 40;
     private static final int LONGEST_UNIT = 12;
 
     /** Checks all values. */
     public LessonNumber {
-        LessonText.required("name", name, LONGEST_TEXT);
+        LessonText.required("name", name, LONGEST_NAME);
         Require.present("measurement", measurement);
-        LessonText.required("formula", formula, LONGEST_TEXT);
+        LessonText.required("formula", formula, LONGEST_FORMULA);
         Require.finite("value", value);
         Require.positive("tolerance", tolerance);
         LessonText.optional("unit", unit, LONGEST_UNIT);

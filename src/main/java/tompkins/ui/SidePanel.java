@@ -110,7 +110,8 @@ final class SidePanel {
     private static JComponent transformation(StudioModel model) {
         JPanel laws = Rows.column();
         laws.add(LawPanel.ofTransformation(model).component(), "wmin 0");
-        laws.add(LawPanel.ofView(model).component(), "wmin 0");
+        // two choices, not one
+        laws.add(LawPanel.ofView(model).component(), "wmin 0, gaptop 8");
         return laws;
     }
 

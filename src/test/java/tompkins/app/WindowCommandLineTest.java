@@ -40,6 +40,7 @@ import tompkins.spacetime.Velocity;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
+import tompkins.studio.View;
 
 class WindowCommandLineTest {
 
@@ -77,6 +78,7 @@ class WindowCommandLineTest {
                 OPENED.withVelocity(Velocity.of(-0.1, 0.2, 1.0 / 3)),
                 OPENED.withColours(ColourLaw.SEARCHLIGHT),
                 OPENED.withMetering(Metering.NONE),
+                OPENED.withView(View.MEASURED),
                 with(OPENED.camera().shutter().openedAt(-1.5)),
                 with(FocusSurfaceShutter.DEFAULT),
                 exposed(0.25, RollingShutter.DEFAULT),

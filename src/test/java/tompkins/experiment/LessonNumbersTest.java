@@ -9,7 +9,11 @@ import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Vector3d;
@@ -19,6 +23,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.io.BundledScenes;
+import tompkins.io.StudioReader;
 import tompkins.lesson.Lesson;
 import tompkins.lesson.LessonNumber;
 import tompkins.studio.Studio;
@@ -86,6 +91,19 @@ class LessonNumbersTest {
                 .toList();
         assertThat(found).hasSameSizeAs(lessons().toList());
         assertThat(found).extracting(Studio::topic).containsOnly("Lessons");
+    }
+
+    @Test
+    void theLessonOfTheDocumentWorks() throws IOException {
+        String page = Files.readString(Path.of(System.getProperty("basedir", ""), "docs", "lessons.md"));
+        Matcher example = Pattern.compile("\n\n((?: {4}.*\n)*.*\"lesson\"(?:.*\n {4})*.*)")
+                .matcher(page);
+        assertThat(example.find()).isTrue();
+        Studio studio = StudioReader.read("{" + example.group(1) + "}", "lessons.md", Path.of(""));
+        LessonResult result = LessonStudio.of(studio).orElseThrow().results().get(0);
+        double radius = 2 * Math.atan(Math.tan(Math.asin(0.1) / 2) / doppler(0.9));
+        assertThat(result.measured()).isCloseTo(toDegrees(radius), within(1e-6));
+        assertThat(result.agrees()).isTrue();
     }
 
     private static Studio studio(String name) throws IOException {

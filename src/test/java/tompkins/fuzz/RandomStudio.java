@@ -3,6 +3,7 @@ package tompkins.fuzz;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.joml.Vector2i;
 import org.joml.Vector3d;
@@ -89,6 +90,9 @@ public final class RandomStudio {
 
     /** What all objects look like, or null for all kinds of surfaces. */
     private final Surface uniform;
+
+    /** Whether what is made is part of something that moves. */
+    private boolean isMoving;
 
     private RandomStudio(long seed) {
         random = new SplittableRandom(seed);
@@ -225,12 +229,12 @@ public final class RandomStudio {
                 new ImagePointGrid(
                         name, objectWithin(depth), place(), place(), place(), new Vector2i(1 + random.nextInt(3), 2));
             case "Moving" ->
-                new Moving(
+                moving(velocity -> new Moving(
                         name,
-                        velocity(),
+                        velocity,
                         place(),
                         number(),
-                        depth == 0 ? List.of() : several(2, () -> objectWithin(depth)));
+                        depth == 0 ? List.of() : several(2, () -> objectWithin(depth))));
             case "Hidden" -> new Hidden(objectWithin(depth));
             default -> throw missing(type, "object");
         };
@@ -273,7 +277,7 @@ public final class RandomStudio {
 
     private LightSource light() {
         if (random.nextInt(6) == 0) {
-            return new MovingLights(velocity(), place(), several(2, this::light));
+            return moving(velocity -> new MovingLights(velocity, place(), several(2, this::light)));
         }
         return random.nextBoolean()
                 ? new AmbientLight(colour())
@@ -337,6 +341,18 @@ public final class RandomStudio {
             case 2 -> Velocity.of(SpeedScale.ONE_MINUS_BETA, Math.pow(10, -12 * random.nextDouble()), direction());
             default -> Velocity.of(SpeedScale.RAPIDITY, Math.pow(10, 1.2 - 20 * random.nextDouble()), direction());
         };
+    }
+
+    /** Makes something that moves; within it nothing is so fast that all motions together are refused. */
+    private <T> T moving(Function<Velocity, T> maker) {
+        boolean outer = isMoving;
+        Velocity velocity = velocity();
+        isMoving = true;
+        try {
+            return maker.apply(outer && velocity.gamma() > 1.5 ? Velocity.of(0.3, -0.2, 0.5) : velocity);
+        } finally {
+            isMoving = outer;
+        }
     }
 
     private Vector3d place() {

@@ -10,7 +10,9 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.property.Descriptions;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Event;
 import tompkins.studio.Studio;
@@ -76,6 +78,31 @@ class MotionScenesTest {
         assertThat(near.x() - far.x()).isBetween(1.6, 1.8);
     }
 
+    /**
+     * Where a point that moves with 0.8 along x, and passes x = 0.6 own at time 0, is seen from x = 0 at a time: x =
+     * 0.8 t + 0.6 own with the time t that light left it, t = time - sqrt(x^2 + beside^2).
+     */
+    private static double seenAt(double own, double time, double beside) {
+        double arrival = 0.8 * time + 0.6 * own;
+        return (arrival - 0.8 * Math.sqrt(arrival * arrival + 0.36 * beside * beside)) / 0.36;
+    }
+
+    /** Coming, straight ahead and going, all of the front is seen; the row is that of the middle of the front. */
+    @ParameterizedTest
+    @CsvSource({"8, 1.483", "11.045, 1.2", "14, 1.039"})
+    void cubeIsSeenWhereItsLightSays(double time, double width) throws Exception {
+        List<RayLife.Encounter> front = row(at(SceneFiles.read("motion-cube"), time), 0.5).stream()
+                .filter(onFront())
+                .toList();
+        double beside = Math.hypot(11, 1);
+        double left = seenAt(-1, time, beside);
+        double right = seenAt(1, time, beside);
+
+        assertThat(front.get(0).event().x()).isCloseTo(left, within(0.01));
+        assertThat(front.get(front.size() - 1).event().x()).isCloseTo(right, within(0.01));
+        assertThat(right - left).isCloseTo(width, within(0.01));
+    }
+
     /** Before it passes the front is wider than 2/gamma, afterwards narrower: the light of its ends differs in age. */
     @ParameterizedTest
     @CsvSource({"8, 1", "11.045, 0", "17, -1"})
@@ -101,6 +128,32 @@ class MotionScenesTest {
 
         assertThat(width(row(seen, row), frontOfRod())).isCloseTo(6, within(0.1));
         assertThat(width(row(measured, row), frontOfRod())).isCloseTo(6, within(0.1));
+    }
+
+    /**
+     * Towards where the rod is at three opening times: from far away it looks sqrt((1 + 0.8)/(1 - 0.8)) = 3 times as
+     * long as at rest, in the barn 6, and going 3 times shorter.
+     */
+    @ParameterizedTest
+    @CsvSource({"-100, 30, 0.2", "8.565, 6, 70", "900, 3.333, 0.02"})
+    void rodIsSeenAsLongAsTheRemarksSay(double time, double length, double degrees) throws Exception {
+        Studio studio = at(SceneFiles.read("motion-barn"), time);
+        double beside = Math.hypot(7.75, 0.6);
+        Vector3d towards = new Vector3d(seenAt(0, time, beside), -0.6, 7.75);
+        Camera turned = Descriptions.with(
+                Descriptions.with(studio.camera(), "viewDirection", towards), "horizontalAngleDegrees", degrees);
+        List<RayLife.Encounter> rod = row(studio.withCamera(turned), 0.5).stream()
+                .filter(frontOfRod())
+                .toList();
+        double[] places =
+                rod.stream().mapToDouble(hit -> hit.event().x()).sorted().toArray();
+        double left = seenAt(-5, time, beside);
+        double right = seenAt(5, time, beside);
+
+        assertThat(places.length).isGreaterThan(100);
+        assertThat(places[0]).isCloseTo(left, within(0.02 * length));
+        assertThat(places[places.length - 1]).isCloseTo(right, within(0.02 * length));
+        assertThat(right - left).isCloseTo(length, within(0.02 * length));
     }
 
     /** An end at x seen at time T left its light at T - |way|; both ends move with 0.8 and are 6 apart at one time. */

@@ -3,13 +3,17 @@ package tompkins.study;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.IOException;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import tompkins.io.BundledScenes;
+import tompkins.studio.Studio;
 
 /** The slopes of theory, the exact answers against fine grids, and what happens if a sampler is broken. */
 class ExposureStudyTest {
@@ -65,6 +69,24 @@ class ExposureStudyTest {
 
     private static ExposureStudy study(Map<String, SamplingMethod.Factory> methods) {
         return new ExposureStudy(Map.of(), 7, 1024, 1, methods, PROGRAM);
+    }
+
+    /** What {@code --error} promises, of the scenes with an exposure time or a rolling shutter. */
+    @Test
+    @Tag("slow")
+    void errorIsAsPromisedWithLongExposures() throws IOException {
+        Map<String, Studio> exposed = new LinkedHashMap<>();
+        for (String name : List.of("long-exposure", "rolling-slit", "rolling-fence")) {
+            exposed.put(name, BundledScenes.studio(name + ".json"));
+        }
+
+        List<Measurement> all = new PromisedErrors(exposed, 1, 40, 256)
+                .trials().stream().map(Trial::measure).toList();
+
+        assertThat(all).hasSize(27);
+        assertThat(PromisedErrors.findings(all))
+                .allSatisfy(finding ->
+                        assertThat(finding.holds()).as(finding.sentence()).isTrue());
     }
 
     private static List<Measurement> measure(Study study) {

@@ -107,7 +107,7 @@ public final class Components {
     }
 
     /** Gives a component a width and the height that it wants then; heights of wrapped texts settle in some rounds. */
-    static void layOut(Component component, int width) {
+    public static void layOut(Component component, int width) {
         for (int round = 0; round < ROUNDS; round++) {
             component.setSize(new Dimension(width, Math.max(1, component.getPreferredSize().height)));
             layOut(component);

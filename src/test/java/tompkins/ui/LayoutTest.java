@@ -4,9 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
 import java.awt.Container;
-import java.awt.FontMetrics;
-import java.awt.Insets;
-import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -14,20 +11,17 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JMenuItem;
 import javax.swing.JScrollPane;
-import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import javax.swing.JTree;
 import javax.swing.JViewport;
 import javax.swing.KeyStroke;
-import javax.swing.text.JTextComponent;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
@@ -49,6 +43,8 @@ import tompkins.ui.model.Shutters;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.panel.PlayPanel;
+import tompkins.ui.panel.RidePanel;
+import tompkins.ui.panel.RidePilot;
 import tompkins.ui.picture.Pace;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Texts;
@@ -130,7 +126,7 @@ class LayoutTest {
         for (Class<?> shutter : Descriptions.members(Shutter.class)) {
             model.set(Shutters.replaced(model.studio(), shutter));
             Components.layOut(column, side.width() - BAR);
-            assertThat(problems(column)).as(shutter.getSimpleName()).isEmpty();
+            assertThat(LayoutProblems.in(column)).as(shutter.getSimpleName()).isEmpty();
             heights.add(column.getPreferredSize().height);
         }
         if (locale.equals(Locale.ENGLISH)) {
@@ -162,9 +158,9 @@ class LayoutTest {
             for (double beta : new double[] {0.90000000000000013, 0.52181175, 0.00012345678, 1 - 1.2345e-7}) {
                 model.set(model.studio().withVelocity(Velocity.of(SpeedScale.BETA, beta, new Vector3d(0, 0, 1))));
                 Components.layOut(column, Look.pixels(22));
-                assertThat(textWidth(speed, speed.getText()))
+                assertThat(LayoutProblems.textWidth(speed, speed.getText()))
                         .as(speed.getText())
-                        .isLessThanOrEqualTo(innerWidth(speed));
+                        .isLessThanOrEqualTo(LayoutProblems.innerWidth(speed));
                 assertThat(speed.getText()).hasSizeGreaterThan(2);
             }
         });
@@ -211,6 +207,21 @@ class LayoutTest {
         });
     }
 
+    /** In a window of 800 x 600 the panel leaves it 450 pixels. */
+    @ParameterizedTest
+    @MethodSource("looks")
+    void rideBarHasRoomForAll(Look look, float size, Locale locale) {
+        WindowDriver.onEventThread(() -> {
+            use(look, size, locale);
+            RidePanel ride = new RidePanel(model, new RidePilot(model, message -> {}), () -> {}, studio -> {});
+            ride.setShown(true);
+            boolean usual = look != Look.PROJECTOR && size == 1 && locale.equals(Locale.ENGLISH);
+            int needed = ride.component().getMinimumSize().width;
+            Components.layOut(ride.component(), usual ? 450 : Math.max(needed, Look.pixels(40)));
+            assertThat(LayoutProblems.in(ride.component())).isEmpty();
+        });
+    }
+
     @ParameterizedTest
     @MethodSource("looks")
     void playPanelAndEditorHaveRoomForAll(Look look, float size, Locale locale) {
@@ -223,7 +234,7 @@ class LayoutTest {
         play.setShown(true);
         int width = Math.max(play.component().getMinimumSize().width, Look.pixels(40));
         Components.layOut(play.component(), width);
-        assertThat(problems(play.component())).isEmpty();
+        assertThat(LayoutProblems.in(play.component())).isEmpty();
         SceneEditor sceneEditor = new SceneEditor(model);
         JComponent editor = sceneEditor.component();
         JTree tree = Components.find(editor, JTree.class, "tree");
@@ -233,7 +244,7 @@ class LayoutTest {
         sceneEditor.fitToLook();
         editor.setSize(editor.getPreferredSize());
         Components.layOut(editor);
-        assertThat(problems(editor)).isEmpty();
+        assertThat(LayoutProblems.in(editor)).isEmpty();
         assertThat(tree.getPreferredSize().width)
                 .as("tree")
                 .isLessThanOrEqualTo(tree.getParent().getWidth());
@@ -249,7 +260,7 @@ class LayoutTest {
             JComponent keys = new KeyTable(List.of(undo)).component();
             keys.setSize(keys.getPreferredSize());
             Components.layOut(keys);
-            assertThat(problems(keys)).isEmpty();
+            assertThat(LayoutProblems.in(keys)).isEmpty();
             List<List<String>> lines = new ArrayList<>();
             for (Component half : keys.getComponents()) {
                 List<Component> cells = List.of(((Container) half).getComponents());
@@ -266,70 +277,5 @@ class LayoutTest {
                     .contains(List.of(Texts.get("help.menus")), List.of("Ctrl+Z", "Undo"))
                     .contains(List.of("Sphere"), List.of("Arrow keys", "Turn it by 5 degrees"));
         });
-    }
-
-    /** What is cut, in words. */
-    private static List<String> problems(Container root) {
-        List<String> problems = new ArrayList<>();
-        check(root, problems);
-        return problems;
-    }
-
-    private static void check(Container parent, List<String> problems) {
-        for (Component child : parent.getComponents()) {
-            if (!child.isVisible() || child.getWidth() == 0 && child.getHeight() == 0) {
-                continue;
-            }
-            boolean scrolls = parent instanceof JViewport;
-            Rectangle inside = new Rectangle(parent.getSize());
-            if (!scrolls && isOutside(child.getBounds(), inside)) {
-                problems.add(name(child) + " " + child.getBounds() + " is not inside " + name(parent) + " " + inside);
-            }
-            if (isCut(child)) {
-                problems.add(name(child) + " is cut: " + child.getSize() + ", wants " + child.getPreferredSize());
-            }
-            // the insides of combo boxes and scroll bars are the look's own business
-            if (child instanceof Container container && !(child instanceof JComboBox)) {
-                check(container, problems);
-            }
-        }
-    }
-
-    private static boolean isOutside(Rectangle child, Rectangle parent) {
-        return child.x < 0 || child.y < 0 || child.getMaxX() > parent.width || child.getMaxY() > parent.height;
-    }
-
-    private static boolean isCut(Component child) {
-        if (child instanceof JTextArea area) {
-            return area.getHeight() + 1 < area.getPreferredSize().height;
-        }
-        if (child instanceof JLabel label) {
-            return textWidth(label, label.getText()) > innerWidth(label);
-        }
-        if (child instanceof AbstractButton button
-                && button.getText() != null
-                && !button.getText().isEmpty()) {
-            int icon = button.getIcon() == null ? 0 : button.getIcon().getIconWidth();
-            return textWidth(button, button.getText()) + icon > button.getWidth()
-                    || button.getHeight() + 1 < button.getPreferredSize().height;
-        }
-        return child instanceof JTextComponent text && text.getHeight() + 1 < text.getPreferredSize().height;
-    }
-
-    private static int textWidth(JComponent component, String text) {
-        FontMetrics metrics = component.getFontMetrics(component.getFont());
-        return metrics.stringWidth(text);
-    }
-
-    private static int innerWidth(JComponent component) {
-        Insets insets = component.getInsets();
-        return component.getWidth() - insets.left - insets.right;
-    }
-
-    private static String name(Component component) {
-        String text = component instanceof JLabel label
-                ? label.getText()
-                : component instanceof AbstractButton button ? button.getText() : component.getName();
-        return component.getClass().getSimpleName() + " \"" + text + "\"";
     }
 }

@@ -15,6 +15,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.ImageOutputStream;
 import javax.swing.AbstractButton;
+import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
@@ -38,6 +39,7 @@ import tompkins.studio.Studio;
 import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.panel.RidePilot;
 import tompkins.ui.picture.PictureCanvas;
+import tompkins.ui.widget.Texts;
 
 /**
  * The pictures of the window in {@code docs/pictures}: with {@code -Dtompkins.regenerate=true}, or the name of one, and
@@ -63,7 +65,8 @@ class WindowPicturesTest {
         SIDE_BY_SIDE("terrell-cube"),
         PINNED_RAY("terrell-cube"),
         MEASURING("penrose-sphere"),
-        ERROR("fig1b");
+        ERROR("fig1b"),
+        LESSON("lesson-02-turned-cube");
 
         private final String scene;
 
@@ -106,7 +109,7 @@ class WindowPicturesTest {
         }
         FirstScene first = shot == Shot.DEFAULT ? FirstScene.ofProgram(studio, "") : new FirstScene(studio, null);
         try (WindowDriver driver = new WindowDriver(folder, first, List.of(studio))) {
-            JMenu examples = driver.find(JMenu.class, "menu.examples");
+            JMenu examples = driver.find(JMenu.class, shot == Shot.LESSON ? "menu.lessons" : "menu.examples");
             WindowDriver.await("the examples", examples::isEnabled);
             if (shot == Shot.WIDE_APERTURE) {
                 resize(driver);
@@ -164,6 +167,7 @@ class WindowPicturesTest {
                         () -> story.isShowing() && story.getText().contains("Hits cube"));
             }
             case MEASURING -> measure(driver);
+            case LESSON -> lead(driver);
             case ERROR -> driver.type(driver.find(JTextField.class, "Speed"), "1.2");
             default -> {}
         }
@@ -194,6 +198,18 @@ class WindowPicturesTest {
         }
         JTextArea results = driver.find(JTextArea.class, "measure.results");
         WindowDriver.await("the circle", () -> results.getText().startsWith("half-angle"));
+    }
+
+    /** Leads through a lesson to its end. */
+    private static void lead(WindowDriver driver) {
+        press(driver, JRadioButton.class, "Only the front face, but narrower.");
+        press(driver, JRadioButton.class, "I am sure");
+        for (String step : List.of("LOOK", "REASON", "MEASURE")) {
+            press(driver, JButton.class, Texts.get("lesson.next." + step));
+        }
+        WindowDriver.await(
+                "the numbers",
+                () -> Components.labels(driver.window().frame()).anyMatch(Texts.get("lesson.measured")::equals));
     }
 
     /** A moment of the recorded ride, with all that can be drawn over the picture. */

@@ -289,7 +289,7 @@ class WindowQuestionsTest {
                         .filter(part -> part.getParent() == bar)
                         .filter(JMenu.class::isInstance)
                         .map(menu -> ((JMenu) menu).getMnemonic()))
-                .hasSize(6)
+                .hasSize(7)
                 .doesNotHaveDuplicates()
                 .doesNotContain(0);
     }

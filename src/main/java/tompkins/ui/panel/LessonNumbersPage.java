@@ -8,6 +8,7 @@ import tompkins.experiment.LessonResult;
 import tompkins.lesson.LessonNumber;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.Paragraph;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 
@@ -20,7 +21,7 @@ final class LessonNumbersPage {
     private static final int ERROR_DIGITS = 2;
 
     private final JPanel panel = Rows.column();
-    private final JPanel table = Rows.of("wrap 5, gap 16 3", "[pref!][pref!][pref!][pref!][pref!][grow]");
+    private final JPanel table = Rows.of("wrap 5, gap 16 3", "[grow 55,fill][grow 45,fill][pref!][pref!][pref!]");
     private final Note note = new Note("");
 
     /** An empty page. */
@@ -43,8 +44,8 @@ final class LessonNumbersPage {
         for (LessonResult result : results) {
             LessonNumber number = result.number();
             String unit = number.unit().isEmpty() ? "" : " " + number.unit();
-            add(number.name());
-            add(number.formula());
+            addWrapped(number.name());
+            addWrapped(number.formula());
             add(Numbers.brief(number.value(), DIGITS) + unit);
             add(Numbers.brief(result.measured(), DIGITS) + unit);
             add(Numbers.brief(result.error(), ERROR_DIGITS));
@@ -55,8 +56,12 @@ final class LessonNumbersPage {
         table.repaint();
     }
 
+    private void addWrapped(String text) {
+        table.add(new Paragraph(text).component(), "wmin 0, aligny top");
+    }
+
     private void add(String text) {
-        table.add(new JLabel(text));
+        table.add(new JLabel(text), "aligny top");
     }
 
     /** Says that it is being measured. */

@@ -124,7 +124,7 @@ public final class LessonPanel {
         cards.add(LessonLookPage.class, look.component());
         cards.add(LessonReasonPage.class, reason.component());
         cards.add(LessonNumbersPage.class, numbers.component());
-        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 14 0"));
+        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 9 0"));
         row.setOpaque(false);
         for (JLabel label : steps) {
             row.add(label, "wmin 0");
@@ -160,12 +160,26 @@ public final class LessonPanel {
 
     private void goOn() {
         Step following = Step.values()[step.ordinal() + 1];
-        Optional<LessonAnswer> answer = question.answer();
-        answer.ifPresent(look::show);
-        answer.ifPresent(reason::show);
+        question.answer().ifPresent(answer -> {
+            look.show(answer);
+            reason.show(answer);
+        });
         show(following);
-        if (following == Step.MEASURE) {
-            measure();
+        if (following == Step.REASON) {
+            // what is explained must be seen
+            fitting().ifPresent(present -> model.set(present.measured()));
+        } else if (following == Step.MEASURE) {
+            fitting().ifPresent(this::measure);
+        }
+    }
+
+    /** The lesson with the studio as it is now; says what is wrong if they do not fit each other any more. */
+    private Optional<LessonStudio> fitting() {
+        try {
+            return LessonStudio.of(model.studio());
+        } catch (InvalidPropertyException lost) {
+            numbers.showProblem(lost.getMessage());
+            return Optional.empty();
         }
     }
 
@@ -174,16 +188,9 @@ public final class LessonPanel {
         begin();
     }
 
-    /** Measures with the studio as it is, but for the number that the lesson moves. */
-    private void measure() {
+    /** Measures with a studio as it is, but for the number that the lesson moves. */
+    private void measure(LessonStudio present) {
         numbers.showBusy();
-        LessonStudio present;
-        try {
-            present = LessonStudio.of(model.studio()).orElseThrow();
-        } catch (InvalidPropertyException lost) {
-            numbers.showProblem(lost.getMessage());
-            return;
-        }
         model.set(present.measured());
         Window window = SwingUtilities.getWindowAncestor(panel);
         LessonNumbersPage page = numbers;

@@ -29,8 +29,7 @@ public final class RidePanel {
     private final StudioModel model;
     private final RidePilot pilot;
     private final JPanel panel = new JPanel(new MigLayout(
-            "novisualpadding, insets 6 10 6 10, fillx, hidemode 3, gap 6 4",
-            "[pref!]12[pref!][grow,fill][60:pref]12[pref!][pref!][pref!][pref!]"));
+            "novisualpadding, insets 6 10 6 10, fillx, hidemode 3, gap 6 4", "[pref!]12[pref!][grow,fill][]12[pref!]"));
     private final JToggleButton ride = new JToggleButton();
     private final JToggleButton record = new JToggleButton(Texts.get("ride.record"));
     private final JButton replay = new JButton(Texts.get("ride.replay"));
@@ -78,10 +77,11 @@ public final class RidePanel {
         panel.add(light);
         panel.add(slider.slider(), "wmin 60");
         panel.add(units);
-        panel.add(record);
-        panel.add(replay);
-        panel.add(export);
         panel.add(close, "wrap");
+        // in a row of their own, for a narrow window
+        panel.add(record, "span, split 3");
+        panel.add(replay);
+        panel.add(export, "wrap");
         panel.add(new Note(Texts.get("ride.keys")).component(), "span, growx, wmin 0");
         panel.add(note.component(), "span, growx, wmin 0");
         panel.setVisible(false);

@@ -28,7 +28,7 @@ public final class MeasureMarks implements Overlay {
     }
 
     @Override
-    public void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible) {
+    public void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible, Rectangle free) {
         if (places.isEmpty()) {
             return;
         }

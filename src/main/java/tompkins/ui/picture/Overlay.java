@@ -12,8 +12,9 @@ public interface Overlay {
      * @param picture the picture on the screen
      * @param bounds where that lies; beyond the canvas where it is enlarged
      * @param visible the part of it that is seen
+     * @param free the part of that at whose edges nothing is written, where two pictures are compared
      */
-    void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible);
+    void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible, Rectangle free);
 
     /** Whether it is painted over each picture where two are seen, and not over the studio's alone. */
     default boolean isOfAllPictures() {

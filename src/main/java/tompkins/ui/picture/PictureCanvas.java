@@ -262,7 +262,7 @@ public final class PictureCanvas extends JPanel {
         if (shown.nowImage() != null) {
             PicturePainter painter = painter();
             painter.paint(g);
-            paintOverlays(g);
+            paintOverlays(g, painter.free(g));
             if (pin != null) {
                 painter.paintPin(g, pin);
             }
@@ -273,23 +273,23 @@ public final class PictureCanvas extends JPanel {
         g.dispose();
     }
 
-    private void paintOverlays(Graphics2D g) {
+    private void paintOverlays(Graphics2D g, Rectangle free) {
         PictureArrangement seen = arrangement();
         for (Overlay overlay : overlays) {
             if (overlay.isOfAllPictures()) {
-                seen.panes().forEach(pane -> paint(g, overlay, pane));
+                seen.panes().forEach(pane -> paint(g, overlay, pane, free));
             } else {
-                paint(g, overlay, new PictureArrangement.Pane(shown.now(), seen.bounds(), seen.room()));
+                paint(g, overlay, new PictureArrangement.Pane(shown.now(), seen.bounds(), seen.room()), free);
             }
         }
     }
 
-    private void paint(Graphics2D g, Overlay overlay, PictureArrangement.Pane pane) {
+    private void paint(Graphics2D g, Overlay overlay, PictureArrangement.Pane pane, Rectangle free) {
         Rectangle bounds = PicturePainter.inUnits(pane.bounds(), scale());
         Rectangle visible = bounds.intersection(PicturePainter.inUnits(pane.part(), scale()));
         Graphics2D clipped = (Graphics2D) g.create();
         clipped.clip(visible);
-        overlay.paint(clipped, pane.picture(), bounds, visible);
+        overlay.paint(clipped, pane.picture(), bounds, visible, free);
         clipped.dispose();
     }
 

@@ -110,6 +110,17 @@ record PicturePainter(
         }
     }
 
+    /** What is seen of the picture, in units of the canvas, without the lines that are written where there are two. */
+    Rectangle free(Graphics2D g) {
+        Rectangle free = inUnits(visible());
+        if (seen.showsTwo()) {
+            int line = PictureLabel.height(g, font);
+            free.y += line;
+            free.height -= captions == null ? line : 2 * line;
+        }
+        return free;
+    }
+
     private void caption(Graphics2D g, Picture picture, Rectangle bounds, Corner corner) {
         String text = captions == null ? "" : captions.apply(picture.studio());
         if (!text.isEmpty()) {

@@ -18,11 +18,11 @@ public final class RideHeadUp implements Overlay {
     }
 
     @Override
-    public void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible) {
+    public void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible, Rectangle free) {
         String text = line.get();
         if (!text.isEmpty()) {
             Font font = UIManager.getFont("Label.font").deriveFont(Font.BOLD);
-            PictureLabel.paint(g, font, text, visible, PictureLabel.Corner.TOP_MIDDLE);
+            PictureLabel.paint(g, font, text, free, PictureLabel.Corner.TOP_MIDDLE);
         }
     }
 }

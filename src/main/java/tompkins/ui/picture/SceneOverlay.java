@@ -104,7 +104,7 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
     }
 
     @Override
-    public void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible) {
+    public void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible, Rectangle free) {
         if (shown.isEmpty()) {
             return;
         }

@@ -54,7 +54,7 @@ public final class SideMap implements Overlay {
     }
 
     @Override
-    public void paint(Graphics2D graphics, Picture picture, Rectangle bounds, Rectangle visible) {
+    public void paint(Graphics2D graphics, Picture picture, Rectangle bounds, Rectangle visible, Rectangle free) {
         if (!shown) {
             return;
         }
@@ -62,10 +62,10 @@ public final class SideMap implements Overlay {
         boxes = plan.sceneBounds(MOST_BOXES);
         Font font = UIManager.getFont("small.font");
         double type = font.getSize2D();
-        double width = Math.min(WIDTH * type, visible.width * 0.4);
-        double height = Math.min(HEIGHT * type, visible.height * 0.4);
+        double width = Math.min(WIDTH * type, free.width * 0.4);
+        double height = Math.min(HEIGHT * type, free.height * 0.4);
         Rectangle2D place = new Rectangle2D.Double(
-                visible.getMaxX() - width - GAP * type, visible.getMaxY() - height - GAP * type, width, height);
+                free.getMaxX() - width - GAP * type, free.getMaxY() - height - GAP * type, width, height);
         Graphics2D g = (Graphics2D) graphics.create();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setComposite(AlphaComposite.SrcOver.derive(0.75f));

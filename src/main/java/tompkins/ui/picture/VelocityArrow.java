@@ -40,7 +40,7 @@ public final class VelocityArrow implements Overlay {
     }
 
     @Override
-    public void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible) {
+    public void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible, Rectangle free) {
         Studio studio = picture.studio();
         if (!shown || studio.velocity().isRest() || picture.plan().isAtRest()) {
             return;

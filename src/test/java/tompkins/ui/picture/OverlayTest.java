@@ -34,23 +34,31 @@ class OverlayTest {
     private static final int WIDTH = 640;
     private static final int HEIGHT = 480;
 
+    /** Lines are written above and below it. */
+    private static final Rectangle FREE = new Rectangle(0, 30, WIDTH, HEIGHT - 60);
+
     @BeforeEach
     void install() {
         WindowDriver.onEventThread(() -> Look.LIGHT.install());
     }
 
     private static BufferedImage painted(Overlay overlay, Studio studio) {
-        Studio large = studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT));
-        LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
-        return painted(overlay, new Picture(large, RenderPlan.of(large), image, true, Duration.ZERO, 1, 0, List.of()));
+        return painted(overlay, studio, new Rectangle(WIDTH, HEIGHT));
     }
 
-    private static BufferedImage painted(Overlay overlay, Picture picture) {
+    private static BufferedImage painted(Overlay overlay, Studio studio, Rectangle free) {
+        Studio large = studio.withSettings(studio.settings().withSize(WIDTH, HEIGHT));
+        LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
+        return painted(
+                overlay, new Picture(large, RenderPlan.of(large), image, true, Duration.ZERO, 1, 0, List.of()), free);
+    }
+
+    private static BufferedImage painted(Overlay overlay, Picture picture, Rectangle free) {
         BufferedImage canvas = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = canvas.createGraphics();
         g.setColor(Color.GRAY);
         g.fillRect(0, 0, WIDTH, HEIGHT);
-        overlay.paint(g, picture, new Rectangle(WIDTH, HEIGHT), new Rectangle(WIDTH, HEIGHT));
+        overlay.paint(g, picture, new Rectangle(WIDTH, HEIGHT), new Rectangle(WIDTH, HEIGHT), free);
         g.dispose();
         return canvas;
     }
@@ -146,9 +154,9 @@ class OverlayTest {
         LinearImage image = new LinearImage(WIDTH, HEIGHT, new float[3 * WIDTH * HEIGHT]);
         Picture picture = new Picture(slow, RenderPlan.of(slow), image, true, Duration.ZERO, 1, 0, List.of());
 
-        assertThat(marked(painted(overlay, picture)).isEmpty()).isTrue();
+        assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isTrue();
         assertThat(again.await(30, TimeUnit.SECONDS)).isTrue();
-        assertThat(marked(painted(overlay, picture)).isEmpty()).isFalse();
+        assertThat(marked(painted(overlay, picture, FREE)).isEmpty()).isFalse();
         overlay.close();
     }
 
@@ -158,6 +166,16 @@ class OverlayTest {
         assertThat(marked(painted(new VelocityArrow(), flying(0, 0, 0.5))).isEmpty())
                 .isTrue();
         assertThat(marked(painted(new SideMap(), flying(0, 0, 0.5))).isEmpty()).isTrue();
+    }
+
+    @Test
+    void mapAndLineLeaveRoomForWhatIsWritten() {
+        SideMap map = new SideMap();
+        map.setShown(true);
+        assertThat(FREE.contains(marked(painted(map, Studios.sphere(), FREE)))).isTrue();
+        Rectangle line = marked(painted(new RideHeadUp(() -> "on board"), Studios.sphere(), FREE));
+        assertThat(line.isEmpty()).isFalse();
+        assertThat(FREE.contains(line)).isTrue();
     }
 
     /** The sphere lies in front of the camera: in the map to the right of the lens, which is white. */
