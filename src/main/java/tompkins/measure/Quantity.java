@@ -1,6 +1,9 @@
 package tompkins.measure;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.Locale;
+import tompkins.property.NumberText;
 
 /**
  * A measured number.
@@ -16,6 +19,15 @@ public record Quantity(String key, String unit, double value, double uncertainty
     /** A number without an uncertainty. */
     public static Quantity exact(String key, String unit, double value) {
         return new Quantity(key, unit, value, Double.NaN);
+    }
+
+    /** The number down to the second digit of its uncertainty; with the given digits if that is not known, or 0. */
+    public double rounded(int digits) {
+        if (!Double.isFinite(value) || !Double.isFinite(uncertainty) || uncertainty == 0) {
+            return NumberText.rounded(value, digits);
+        }
+        int places = 1 - (int) Math.floor(Math.log10(uncertainty));
+        return new BigDecimal(value).setScale(places, RoundingMode.HALF_EVEN).doubleValue() + 0.0;
     }
 
     /** Its key in words. */

@@ -38,7 +38,7 @@ public final class MeasurePanel {
         void close();
     }
 
-    private static final int DIGITS = 7;
+    private static final int DIGITS = 5;
 
     private final JPanel panel = new JPanel(
             new MigLayout("novisualpadding, insets 6 10 6 10, fillx, hidemode 3, gap 6 4", "[][][][grow][][]"));
@@ -119,9 +119,7 @@ public final class MeasurePanel {
     }
 
     private static String words(Quantity quantity) {
-        String value = Double.isFinite(quantity.value())
-                ? NumberText.of(NumberText.rounded(quantity.value(), DIGITS))
-                : "\u2013";
+        String value = Double.isFinite(quantity.value()) ? NumberText.of(quantity.rounded(DIGITS)) : "\u2013";
         String uncertainty = Double.isFinite(quantity.uncertainty())
                 ? " \u00b1 " + NumberText.of(NumberText.rounded(quantity.uncertainty(), 2))
                 : "";
