@@ -1,7 +1,5 @@
 package tompkins.io;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -15,8 +13,6 @@ import tompkins.property.OneLine;
  * nothing where there is no number; units stand in the headings.
  */
 public final class CsvText {
-
-    private static final MathContext DIGITS = new MathContext(17);
 
     private CsvText() {}
 
@@ -44,9 +40,7 @@ public final class CsvText {
     /** One cell: a number, a text in one line, or nothing for null and for what is not finite. */
     public static String cell(Object value) {
         if (value instanceof Double number) {
-            return Double.isFinite(number)
-                    ? new BigDecimal(number).round(DIGITS).toString()
-                    : "";
+            return Double.isFinite(number) ? JsonText.digits(number) : "";
         }
         String text = value == null ? "" : OneLine.of(value.toString());
         boolean plain = text.chars().noneMatch(letter -> letter == ',' || letter == '"');

@@ -1,28 +1,21 @@
 package tompkins.io;
 
 import java.io.StringWriter;
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.List;
 import tompkins.measure.Quantity;
 import tompkins.measure.RayTable;
 import tompkins.measure.Sighting;
 import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.ObjectWriteContext;
-import tools.jackson.core.json.JsonFactory;
-import tools.jackson.core.util.DefaultPrettyPrinter;
 
 /** Writes what was measured as JSON, with 17 significant digits; numbers that are not finite are null. */
 public final class MeasureWriter {
-
-    private static final MathContext DIGITS = new MathContext(17);
 
     private MeasureWriter() {}
 
     /** Measured numbers under their keys, each with its unit and its uncertainty. */
     public static String json(List<Quantity> quantities) {
         StringWriter text = new StringWriter();
-        try (JsonGenerator json = generator(text)) {
+        try (JsonGenerator json = JsonText.generator(text)) {
             json.writeStartObject();
             for (Quantity quantity : quantities) {
                 json.writeObjectPropertyStart(quantity.key());
@@ -39,7 +32,7 @@ public final class MeasureWriter {
     /** A table of rays: a list of objects with the columns of {@link RayTable} as their keys. */
     public static String jsonTable(List<Sighting> sightings) {
         StringWriter text = new StringWriter();
-        try (JsonGenerator json = generator(text)) {
+        try (JsonGenerator json = JsonText.generator(text)) {
             json.writeStartArray();
             for (Sighting sighting : sightings) {
                 json.writeStartObject();
@@ -53,20 +46,10 @@ public final class MeasureWriter {
         return text.toString();
     }
 
-    private static JsonGenerator generator(StringWriter text) {
-        ObjectWriteContext pretty = new ObjectWriteContext.Base() {
-            @Override
-            public DefaultPrettyPrinter getPrettyPrinter() {
-                return new DefaultPrettyPrinter();
-            }
-        };
-        return new JsonFactory().createGenerator(pretty, text);
-    }
-
     private static void write(JsonGenerator json, String name, Object value) {
         json.writeName(name);
-        if (value instanceof Double number && Double.isFinite(number)) {
-            json.writeNumber(new BigDecimal(number).round(DIGITS).toString());
+        if (value instanceof Double number) {
+            JsonText.write(json, number);
         } else if (value instanceof String words) {
             json.writeString(words);
         } else {

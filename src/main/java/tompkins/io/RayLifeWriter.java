@@ -1,8 +1,6 @@
 package tompkins.io;
 
 import java.io.StringWriter;
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.Locale;
 import org.joml.Vector3dc;
 import tompkins.ray.Colour;
@@ -12,17 +10,12 @@ import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
 import tompkins.trace.RayLife;
 import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.ObjectWriteContext;
-import tools.jackson.core.json.JsonFactory;
-import tools.jackson.core.util.DefaultPrettyPrinter;
 
 /**
  * Writes the life of a ray as JSON, with 17 significant digits, for other programs to check; numbers that are not
  * finite are null.
  */
 public final class RayLifeWriter {
-
-    private static final MathContext DIGITS = new MathContext(17);
 
     private RayLifeWriter() {}
 
@@ -33,13 +26,7 @@ public final class RayLifeWriter {
      */
     public static String json(RayLife life, Studio studio) {
         StringWriter text = new StringWriter();
-        ObjectWriteContext pretty = new ObjectWriteContext.Base() {
-            @Override
-            public DefaultPrettyPrinter getPrettyPrinter() {
-                return new DefaultPrettyPrinter();
-            }
-        };
-        try (JsonGenerator json = new JsonFactory().createGenerator(pretty, text)) {
+        try (JsonGenerator json = JsonText.generator(text)) {
             json.writeStartObject();
             writeStart(json, "camera", life.cameraStart(), life.cameraDirection());
             if (life.sceneStart() != null) {
@@ -101,22 +88,14 @@ public final class RayLifeWriter {
 
     private static void write(JsonGenerator json, String name, double value) {
         json.writeName(name);
-        write(json, value);
+        JsonText.write(json, value);
     }
 
     private static void write(JsonGenerator json, String name, double... values) {
         json.writeArrayPropertyStart(name);
         for (double value : values) {
-            write(json, value);
+            JsonText.write(json, value);
         }
         json.writeEndArray();
-    }
-
-    private static void write(JsonGenerator json, double value) {
-        if (Double.isFinite(value)) {
-            json.writeNumber(new BigDecimal(value).round(DIGITS).toString());
-        } else {
-            json.writeNull();
-        }
     }
 }

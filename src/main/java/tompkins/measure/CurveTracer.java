@@ -43,12 +43,16 @@ final class CurveTracer {
     }
 
     private void add(double from, Vector2dc first, double to, Vector2dc last, int depth) {
-        if (first == null && last == null || depth >= 4 && isBeside(first, last)) {
+        if (first == null && last == null) {
             end();
             return;
         }
         double middle = (from + to) / 2;
         Vector2dc between = curve.apply(middle);
+        if (isBeside(first, between, last)) {
+            end();
+            return;
+        }
         boolean whole = first != null && last != null && between != null && !jumps(first, last);
         if (whole && isFlat(first, between, last)) {
             draw(first, last);
@@ -72,17 +76,18 @@ final class CurveTracer {
         return off < FLAT && way.length() <= length + FLAT && (length < 40 || off < FLAT / 4);
     }
 
-    /** Whether both ends lie on one side beyond the picture, by at least its size. */
-    private boolean isBeside(Vector2dc first, Vector2dc last) {
-        if (first == null || last == null) {
+    /** Whether three places lie on one side beyond the picture, by at least its size. */
+    private boolean isBeside(Vector2dc first, Vector2dc between, Vector2dc last) {
+        if (first == null || between == null || last == null) {
             return false;
         }
         double width = projection.width();
         double height = projection.height();
-        return Math.max(first.x(), last.x()) < -width
-                || Math.max(first.y(), last.y()) < -height
-                || Math.min(first.x(), last.x()) > 2 * width
-                || Math.min(first.y(), last.y()) > 2 * height;
+        double left = Math.min(first.x(), Math.min(between.x(), last.x()));
+        double right = Math.max(first.x(), Math.max(between.x(), last.x()));
+        double top = Math.min(first.y(), Math.min(between.y(), last.y()));
+        double bottom = Math.max(first.y(), Math.max(between.y(), last.y()));
+        return right < -width || bottom < -height || left > 2 * width || top > 2 * height;
     }
 
     private void draw(Vector2dc first, Vector2dc last) {

@@ -33,8 +33,8 @@ import tompkins.ui.widget.Texts;
 @NeedsDisplay
 class ChoiceRowsTest {
 
-    /** Scales of the speed, kinds of comparison, transformations, laws of colour, frames of the diagram. */
-    private static final int ROWS = 5;
+    /** Scales of the speed, kinds of comparison, transformations, views, laws of colour, frames of the diagram. */
+    private static final int ROWS = 6;
 
     @TempDir
     private Path folder;

@@ -42,8 +42,8 @@ import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.Texts;
 
 /**
- * The pictures of the window in {@code docs/pictures}: with {@code -Dtompkins.regenerate=true} and a display they are
- * taken again; without, they must be there and small.
+ * The pictures of the window in {@code docs/pictures}: with {@code -Dtompkins.regenerate=true}, or the name of one, and
+ * a display they are taken again; without, they must be there and small.
  */
 @Timeout(300)
 class WindowPicturesTest {

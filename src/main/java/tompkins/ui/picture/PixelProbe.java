@@ -4,8 +4,8 @@ import java.awt.geom.Point2D;
 import java.util.Map;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
-import org.joml.Vector3d;
 import org.joml.Vector3dc;
+import tompkins.measure.Angles;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.studio.Studio;
@@ -103,8 +103,8 @@ public final class PixelProbe implements AutoCloseable {
                 end == null ? null : end.object().description(),
                 end == null ? null : end.inScene(sceneFromCamera),
                 end == null ? null : end.inCamera(sceneFromCamera),
-                degreesBetween(life.cameraDirection(), velocity),
-                degreesBetween(life.sceneDirection(), velocity),
+                Math.toDegrees(Angles.between(life.cameraDirection(), velocity)),
+                Math.toDegrees(Angles.between(life.sceneDirection(), velocity)),
                 life.frequencyRatio(),
                 diagrams(life, plan.studio()));
     }
@@ -113,15 +113,6 @@ public final class PixelProbe implements AutoCloseable {
         return Map.of(
                 Frame.SCENE, SpaceTimeDiagram.of(life, studio, Frame.SCENE),
                 Frame.CAMERA, SpaceTimeDiagram.of(life, studio, Frame.CAMERA));
-    }
-
-    /** NaN if one of the directions is null. */
-    private static double degreesBetween(Vector3dc first, Vector3dc second) {
-        if (first == null || second == null) {
-            return Double.NaN;
-        }
-        Vector3d across = new Vector3d(first).cross(second);
-        return Math.toDegrees(Math.atan2(across.length(), first.dot(second)));
     }
 
     /** The distance at which the camera has to be focused for what was read to be sharp, or NaN. */
