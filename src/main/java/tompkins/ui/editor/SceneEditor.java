@@ -152,6 +152,7 @@ public final class SceneEditor {
         }
         boolean sameTree = shown != null
                 && studio.hasSameObjects(shown)
+                && studio.lesson().equals(shown.lesson())
                 && focus(studio) == focus(shown)
                 && studio.title().equals(shown.title());
         StudioPath chosen = line == null ? StudioPath.ROOT : line.path().followed(shown, studio);

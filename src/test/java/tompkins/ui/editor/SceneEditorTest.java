@@ -25,6 +25,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
+import tompkins.lesson.Lesson;
+import tompkins.lesson.Prediction;
 import tompkins.light.LightSource;
 import tompkins.light.PointLight;
 import tompkins.primitive.Bounds;
@@ -88,6 +90,21 @@ class SceneEditorTest {
             shown += label.getText().startsWith(name.substring(0, 20)) ? 1 : 0;
         }
         assertThat(shown).isPositive();
+    }
+
+    /** A teacher begins with a lesson that works, and changes it. */
+    @Test
+    void aSceneBecomesALesson() {
+        choose("Lesson");
+        @SuppressWarnings("unchecked") // the form offers types
+        JComboBox<Class<?>> types = Components.find(panel, JComboBox.class, "Lesson");
+        types.setSelectedItem(Lesson.class);
+        assertThat(model.studio().lesson()).isEqualTo(Lesson.DEFAULT);
+        choose("Lesson");
+        choose("Predictions");
+        editor.addElement(Prediction.class);
+        Lesson lesson = (Lesson) model.studio().lesson();
+        assertThat(lesson.predictions()).hasSize(3).last().isEqualTo(Prediction.DEFAULT);
     }
 
     @Test
