@@ -88,7 +88,7 @@ public record SceneShapes(
 
         void add(FrameObjects frame) {
             Vector3d origin = frame.origin().position();
-            Map<Described, Integer> places = new IdentityHashMap<>();
+            IdentityHashMap<Described, Integer> places = new IdentityHashMap<>();
             for (Primitive primitive : frame.primitives()) {
                 if (looked++ >= MOST_PRIMITIVES) {
                     complete = false;

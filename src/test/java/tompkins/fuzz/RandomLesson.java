@@ -55,11 +55,16 @@ final class RandomLesson {
         return new LessonNumber("number", measurement(DEEPEST), "x", random.nextDouble(), 0.01, "");
     }
 
+    @SafeVarargs
+    private <T> T pick(T... choices) {
+        return choices[random.nextInt(choices.length)];
+    }
+
     private Measurement measurement(int depth) {
         Class<?>[] types = Measurement.class.getPermittedSubclasses();
         String name = depth == 0 ? "RayReading" : types[random.nextInt(types.length)].getSimpleName();
         return switch (name) {
-            case "RayReading" -> new RayReading(point(), RayValue.values()[random.nextInt(RayValue.values().length)]);
+            case "RayReading" -> new RayReading(point(), pick(RayValue.values()));
             case "AngleBetween" -> new AngleBetween(point(), point());
             case "CircleRadius" -> new CircleRadius(random.nextDouble(), random.nextDouble());
             case "LensSpread" -> new LensSpread(random.nextDouble(), random.nextDouble());

@@ -2,7 +2,9 @@ package tompkins.ui.panel;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Window;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
@@ -45,7 +47,7 @@ public final class LessonPanel {
     private final StudioModel model;
     private final JPanel panel = new Strip();
 
-    private final JLabel[] steps = new JLabel[Step.values().length];
+    private final Map<Step, JLabel> steps = new EnumMap<>(Step.class);
     private final JButton again = new JButton(Texts.get("lesson.again"));
     private final JButton next = new JButton();
     private final Note problem = new Note("");
@@ -66,7 +68,7 @@ public final class LessonPanel {
         this.model = model;
         panel.setVisible(false);
         for (Step each : Step.values()) {
-            steps[each.ordinal()] = new JLabel(Texts.get("lesson.step." + each));
+            steps.put(each, new JLabel(Texts.get("lesson.step." + each)));
         }
         Naming.name(again, "lesson.again");
         again.addActionListener(event -> startAgain());
@@ -126,7 +128,7 @@ public final class LessonPanel {
         cards.add(LessonNumbersPage.class, numbers.component());
         JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 9 0"));
         row.setOpaque(false);
-        for (JLabel label : steps) {
+        for (JLabel label : steps.values()) {
             row.add(label, "wmin 0");
         }
         row.add(again, "pushx, alignx right");
@@ -138,28 +140,38 @@ public final class LessonPanel {
     private void show(Step other) {
         step = other;
         cards.show(step.page);
-        for (Step each : Step.values()) {
-            JLabel label = steps[each.ordinal()];
+        steps.forEach((each, label) -> {
             label.setEnabled(each == step);
             label.putClientProperty(FlatClientProperties.STYLE, each == step ? "font: bold" : "");
-        }
+        });
         updateNext();
     }
 
     private void updateNext() {
-        boolean more = step.ordinal() + 1 < Step.values().length
-                && !(step == Step.REASON && lesson.lesson().numbers().isEmpty());
-        next.setVisible(more);
-        if (more) {
-            Step following = Step.values()[step.ordinal() + 1];
-            Naming.name(next, "lesson.next." + following);
-            next.setText(Texts.get("lesson.next." + following));
-        }
+        Optional<Step> following = following();
+        next.setVisible(following.isPresent());
+        following.ifPresent(coming -> {
+            Naming.name(next, "lesson.next." + coming);
+            next.setText(Texts.get("lesson.next." + coming));
+        });
         next.setEnabled(question.answer().isPresent());
     }
 
+    /** The next page; none after the last, which measures if the lesson has numbers. */
+    private Optional<Step> following() {
+        return switch (step) {
+            case PREDICT -> Optional.of(Step.LOOK);
+            case LOOK -> Optional.of(Step.REASON);
+            case REASON -> lesson.lesson().numbers().isEmpty() ? Optional.empty() : Optional.of(Step.MEASURE);
+            case MEASURE -> Optional.empty();
+        };
+    }
+
     private void goOn() {
-        Step following = Step.values()[step.ordinal() + 1];
+        following().ifPresent(this::goTo);
+    }
+
+    private void goTo(Step following) {
         question.answer().ifPresent(answer -> {
             look.show(answer);
             reason.show(answer);
