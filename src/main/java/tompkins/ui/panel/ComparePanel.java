@@ -13,6 +13,8 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JRadioButton;
 import net.miginfocom.swing.MigLayout;
+import tompkins.lesson.Lesson;
+import tompkins.lesson.LessonPlan;
 import tompkins.property.Descriptions;
 import tompkins.shutter.Shutter;
 import tompkins.ui.model.StudioModel;
@@ -58,6 +60,10 @@ public final class ComparePanel {
     private final StudioModel model;
     private final Consumer<Compared> changed;
     private String keptName;
+
+    /** What the scene that was opened teaches. */
+    private LessonPlan lesson;
+
     private final Updating updating = new Updating();
 
     /**
@@ -94,7 +100,19 @@ public final class ComparePanel {
         panel.add(views());
         panel.add(buttons);
         panel.add(hint.component(), "wmin 0");
-        model.addListener(this::update);
+        lesson = model.opened().lesson();
+        model.addListener(this::follow);
+        update();
+    }
+
+    /** Ends the comparison where a lesson begins: it would show the answer beside the question. */
+    private void follow() {
+        LessonPlan opened = model.opened().lesson();
+        boolean begins = opened instanceof Lesson && !opened.equals(lesson);
+        lesson = opened;
+        if (begins) {
+            choose(Other.NOTHING);
+        }
         update();
     }
 

@@ -31,6 +31,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
+import tompkins.lesson.Lesson;
 import tompkins.light.ColourLaw;
 import tompkins.light.Metering;
 import tompkins.property.Descriptions;
@@ -710,6 +711,19 @@ class PanelsTest {
                     default -> moving.withColours(ColourLaw.UNCHANGED);
                 });
         assertThat(Components.notes(shown)).containsExactly("Both pictures are the same.");
+    }
+
+    @Test
+    void aLessonBeginsWithoutComparison() {
+        ComparePanel panel = comparePanel();
+        compareWith(panel, ComparePanel.Other.AT_REST);
+        model.open(Studios.sphere(), null);
+        assertThat(compared.view()).as("as it was chosen").isEqualTo(Comparison.SPLIT);
+        model.open(Descriptions.with(Studios.sphere(), "lesson", Lesson.DEFAULT), null);
+        assertThat(compared.view()).isEqualTo(Comparison.NONE);
+        compareWith(panel, ComparePanel.Other.AT_REST);
+        model.set(model.studio().withVelocity(Velocity.of(0, 0, 0.25)));
+        assertThat(compared.view()).as("while the lesson goes on").isEqualTo(Comparison.SPLIT);
     }
 
     @Test
