@@ -62,6 +62,7 @@ final class FileNames {
         } catch (FileAlreadyExistsException taken) {
             return false;
         } catch (UnsupportedOperationException | FileSystemException noLinksHere) {
+            // what createLink is specified to throw where a file system has no links
             return takesWithoutLinks(complete, name);
         }
     }

@@ -60,7 +60,7 @@ class SeparationTest {
      * tan(a/2) in the scene is tan(a'/2) sqrt((1 + beta)/(1 - beta)) about the motion; the interval is that of both.
      */
     @Test
-    void anglesIntervalsAndLengthsOfBothFramesAgreeWithTheLorentzTransformation() {
+    void lorentzTransformationJoinsBothFrames() {
         Studio studio = Studio.DEFAULT
                 .withVelocity(Velocity.of(0, 0, 0.8))
                 .withScene(List.of(
