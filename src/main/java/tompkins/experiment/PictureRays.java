@@ -69,7 +69,10 @@ final class PictureRays {
                 sighting.hit() == null
                         ? sighting.dopplerFactor()
                         : sighting.hit().rest().dopplerFactor();
-            case BRIGHTNESS -> brightness(sighting.life().colour());
+            case BRIGHTNESS -> {
+                Colour colour = sighting.life().colour();
+                yield Colour.luminance(colour.red(), colour.green(), colour.blue());
+            }
         };
     }
 
@@ -82,10 +85,5 @@ final class PictureRays {
 
     private static Event emission(Sighting sighting) {
         return seen(sighting).inScene(sighting.studio().sceneFromCamera());
-    }
-
-    /** The luminance of linear light, by the primaries of screens (ITU-R BT.709). */
-    private static double brightness(Colour colour) {
-        return 0.2126 * colour.red() + 0.7152 * colour.green() + 0.0722 * colour.blue();
     }
 }

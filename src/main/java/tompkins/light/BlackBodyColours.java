@@ -41,9 +41,6 @@ final class BlackBodyColours {
     private static final Matrix3d SCREEN =
             new Matrix3d(3.2406, -0.9689, 0.0557, -1.5372, 1.8758, -0.2040, -0.4986, 0.0415, 1.0570);
 
-    /** Share of the channels in the luminance. */
-    private static final Vector3d LUMINANCE = new Vector3d(0.2126, 0.7152, 0.0722);
-
     /** Logarithm of the smallest Doppler factor in the table: a black body of 196 K, which nobody sees. */
     private static final double LEAST = -3.5;
 
@@ -118,9 +115,8 @@ final class BlackBodyColours {
     /** The luminance in the camera frame of what is white in the scene. */
     static double brightness(double dopplerFactor) {
         double place = place(dopplerFactor);
-        return LUMINANCE.x * channel(0, Colour.WHITE, place)
-                + LUMINANCE.y * channel(1, Colour.WHITE, place)
-                + LUMINANCE.z * channel(2, Colour.WHITE, place);
+        return Colour.luminance(
+                channel(0, Colour.WHITE, place), channel(1, Colour.WHITE, place), channel(2, Colour.WHITE, place));
     }
 
     /** Where a Doppler factor stands in the table, in entries. */

@@ -41,6 +41,11 @@ public record Colour(double red, double green, double blue) {
         return colour;
     }
 
+    /** The luminance of light with the primaries of screens (ITU-R BT.709); that of white is 1. */
+    public static double luminance(double red, double green, double blue) {
+        return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+    }
+
     /** The sum, channel by channel. */
     public Colour plus(Colour other) {
         return new Colour(red + other.red, green + other.green, blue + other.blue);

@@ -77,7 +77,7 @@ public final class PixelPicture implements FileContent {
      */
     public boolean isDark(double u, double v) {
         int index = index(u, v);
-        double luminance = 0.2126 * rgba[index] + 0.7152 * rgba[index + 1] + 0.0722 * rgba[index + 2];
+        double luminance = Colour.luminance(rgba[index], rgba[index + 1], rgba[index + 2]);
         return rgba[index + 3] >= 0.5f && luminance < LEAST_BRIGHT;
     }
 
