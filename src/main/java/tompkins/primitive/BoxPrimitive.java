@@ -22,7 +22,7 @@ public final class BoxPrimitive extends Primitive {
     private final Vector3d[] axes;
     private final double[] half;
 
-    // of each face; null if the surface asks for no coordinates
+    // of each face
     private final FaceCoordinates[] faces;
 
     /** The box of an object between two opposite corners, before it is placed. */
@@ -40,7 +40,7 @@ public final class BoxPrimitive extends Primitive {
         half = new double[] {
             size.x / 2 * placement.scale(), size.y / 2 * placement.scale(), size.z / 2 * placement.scale()
         };
-        faces = surface.usesCoordinates() ? faces(size, placement) : null;
+        faces = faces(size, placement);
     }
 
     private static FaceCoordinates[] faces(Vector3dc size, Placement placement) {
@@ -117,7 +117,7 @@ public final class BoxPrimitive extends Primitive {
                 side * normal.z,
                 this,
                 face,
-                faces == null ? null : faces[face].at(x, y, z));
+                hasCoordinates(memory) ? faces[face].at(x, y, z) : null);
     }
 
     @Override

@@ -113,9 +113,13 @@ public final class MeasurePanel {
 
     private Stream<String> words() {
         List<Quantity> quantities = measured.quantities();
-        return quantities.isEmpty()
-                ? Stream.of(Texts.get("measure.noEdge"))
-                : quantities.stream().map(MeasurePanel::words);
+        if (quantities.isEmpty()) {
+            return Stream.of(Texts.get("measure.noEdge"));
+        }
+        Stream<String> numbers = quantities.stream().map(MeasurePanel::words);
+        return measured.shape() == null
+                ? numbers
+                : Stream.concat(Stream.of(Texts.get("measure.shape." + measured.shape())), numbers);
     }
 
     private static String words(Quantity quantity) {
@@ -130,7 +134,7 @@ public final class MeasurePanel {
     /** A table of a profile, or a table of the numbers. */
     private String text() {
         Stream<String> lines = measured.profile() == null
-                ? CsvText.quantities(measured.quantities())
+                ? CsvText.quantities(measured)
                 : Stream.concat(
                         Stream.of(CsvText.rayHeadings()),
                         measured.profile().places().stream().map(CsvText::rayRow));
