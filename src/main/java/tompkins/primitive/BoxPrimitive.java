@@ -1,5 +1,7 @@
 package tompkins.primitive;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Hit;
@@ -118,6 +120,19 @@ public final class BoxPrimitive extends Primitive {
                 this,
                 face,
                 hasCoordinates(memory) ? faces[face].at(x, y, z) : null);
+    }
+
+    /** Its eight corners: bit k of the number of a corner is 1 at the upper end of axis k. */
+    public List<Vector3d> corners() {
+        List<Vector3d> corners = new ArrayList<>();
+        for (int corner = 0; corner < 8; corner++) {
+            Vector3d place = new Vector3d(centre);
+            for (int axis = 0; axis < 3; axis++) {
+                place.fma((corner >> axis & 1) == 0 ? -half[axis] : half[axis], axes[axis]);
+            }
+            corners.add(place);
+        }
+        return corners;
     }
 
     @Override
