@@ -35,7 +35,7 @@ public record SceneShapes(
         List<Ball> spheres, List<Line> lines, List<Thing> objects, boolean complete, boolean turnsRays) {
 
     /** The most of each; of lines, a box has twelve. */
-    public static final int MOST = 400;
+    private static final int MOST = 400;
 
     private static final int MOST_LINES = 12 * MOST;
 

@@ -273,7 +273,7 @@ public final class TompkinsWindow {
                 status.endFailure();
             }
             status.show(picture);
-            measure.show(picture);
+            measure.show();
         }
 
         @Override

@@ -210,7 +210,7 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
                 ? ""
                 : Texts.get("overlay.note")
                         + notes.stream()
-                                .map(note -> Texts.get("overlay.note." + note, SceneShapes.MOST))
+                                .map(note -> Texts.get("overlay.note." + note))
                                 .collect(Collectors.joining("; "));
     }
 
