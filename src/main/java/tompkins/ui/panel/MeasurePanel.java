@@ -1,8 +1,10 @@
 package tompkins.ui.panel;
 
 import com.formdev.flatlaf.FlatClientProperties;
+import java.awt.BorderLayout;
 import java.util.List;
 import java.util.Objects;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JButton;
@@ -41,13 +43,22 @@ public final class MeasurePanel {
     }
 
     private static final int DIGITS = 5;
-    private static final String GAP = "   ";
+    private static final String DEGREES = "\u00b0";
+    private static final String GAP = " \u00b7 ";
+
+    /** Components of a direction, which only a table needs. */
+    private static final Pattern COMPONENT = Pattern.compile("(middle|normal)[XYZ]");
 
     private final JPanel panel = new JPanel(
             new MigLayout("novisualpadding, insets 6 10 6 10, fillx, hidemode 3, gap 6 4", "[][][][grow][][]"));
     private final JComboBox<MeasureKind> kinds = new JComboBox<>(MeasureKind.values());
     private final JComboBox<ProfileChart.Content> contents = new JComboBox<>(ProfileChart.Content.values());
-    private final ProfileChart chart = new ProfileChart();
+
+    /** Holds the chart, which is made for the first profile: the library behind it takes a while to come. */
+    private final JPanel chartPlace = new JPanel(new BorderLayout());
+
+    private ProfileChart chart;
+
     /** With room for all numbers of a circle: the picture must not move under a click that adds a point. */
     private final Note results = Note.ofLines(2);
 
@@ -65,8 +76,8 @@ public final class MeasurePanel {
         kinds.addActionListener(event -> commands.choose(kind()));
         Naming.name(contents, "measure.chart");
         Naming.items(contents, content -> Texts.get("measure.chart." + content.name()));
-        contents.addActionListener(event -> chart.setContent((ProfileChart.Content) contents.getSelectedItem()));
-        Naming.name(chart, "measure.profile");
+        contents.addActionListener(event -> chart().setContent((ProfileChart.Content) contents.getSelectedItem()));
+        chartPlace.setOpaque(false);
         copy = button("measure.copy", () -> commands.copy(text()));
         JButton close = button("measure.close", commands::close);
         close.setText("\u00d7");
@@ -76,7 +87,7 @@ public final class MeasurePanel {
         panel.add(contents);
         panel.add(copy, "skip 1");
         panel.add(close, "wrap");
-        panel.add(chart, "span, growx, wmin 0, wrap");
+        panel.add(chartPlace, "span, growx, wmin 0, wrap");
         panel.add(results.component(), "span, growx, wmin 0, wrap");
         panel.add(otherResults.component(), "span, growx, wmin 0");
         panel.setVisible(false);
@@ -113,9 +124,11 @@ public final class MeasurePanel {
         measured = answer == null ? null : answer.measured();
         otherMeasured = otherAnswer == null ? null : otherAnswer.measured();
         boolean isProfile = measured != null && measured.profile() != null;
-        chart.setVisible(isProfile);
+        chartPlace.setVisible(isProfile);
         contents.setVisible(isProfile);
-        chart.show(isProfile ? measured.profile() : null);
+        if (isProfile || chart != null) {
+            chart().show(isProfile ? measured.profile() : null);
+        }
         copy.setEnabled(measured != null || otherMeasured != null);
         show(results, answer, "");
         show(otherResults, otherAnswer, otherName == null ? "" : Texts.get("measure.inOther", otherName));
@@ -139,16 +152,28 @@ public final class MeasurePanel {
         }
     }
 
+    private ProfileChart chart() {
+        if (chart == null) {
+            chart = new ProfileChart();
+            Naming.name(chart, "measure.profile");
+            chartPlace.add(chart);
+        }
+        return chart;
+    }
+
     private static String words(Measured measured) {
         if (measured.quantities().isEmpty()) {
             return Texts.get("measure.noEdge");
         }
-        String shape = measured.shape() == null ? "" : Texts.get("measure.shape." + measured.shape()) + GAP;
+        String shape = measured.shape() == null ? "" : Texts.get("measure.shape." + measured.shape()) + " ";
         return shape + joined(measured.quantities());
     }
 
     private static String joined(List<Quantity> quantities) {
-        return quantities.stream().map(MeasurePanel::words).collect(Collectors.joining(GAP));
+        return quantities.stream()
+                .filter(quantity -> !COMPONENT.matcher(quantity.key()).matches())
+                .map(MeasurePanel::words)
+                .collect(Collectors.joining(GAP));
     }
 
     private static String words(Quantity quantity) {
@@ -156,8 +181,11 @@ public final class MeasurePanel {
         String uncertainty = Double.isFinite(quantity.uncertainty())
                 ? " \u00b1 " + NumberText.of(NumberText.rounded(quantity.uncertainty(), 2))
                 : "";
-        String unit = quantity.unit().isEmpty() ? "" : " " + quantity.unit();
-        return Texts.get("measure." + quantity.key()) + "\u00a0" + value + uncertainty + unit;
+        return Texts.get("measure." + quantity.key()) + "\u00a0" + value + uncertainty + unit(quantity.unit());
+    }
+
+    private static String unit(String unit) {
+        return unit.isEmpty() ? "" : unit.equals("degrees") ? DEGREES : " " + unit;
     }
 
     /** A table of a profile, or a table of the numbers; with an empty line between those of two pictures. */

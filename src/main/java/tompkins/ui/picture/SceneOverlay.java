@@ -9,6 +9,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
@@ -58,6 +59,8 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
             OverlayKind.CAMERA_GRID, new Color(225, 225, 225),
             OverlayKind.HORIZON, new Color(255, 140, 230),
             OverlayKind.LABELS, Color.WHITE);
+
+    private static final Set<OverlayKind> GHOSTS = EnumSet.of(OverlayKind.AT_REST, OverlayKind.MEASURED);
 
     private static final List<OverlayKind> WRITTEN_FIRST = List.of(
             OverlayKind.LABELS,
@@ -244,6 +247,9 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
                 marks(drawing);
             }
             // names first: what is written later gives way
+            drawn.drawings.stream()
+                    .filter(drawing -> GHOSTS.contains(drawing.kind()))
+                    .forEach(drawing -> writeGhost(drawing, visible));
             WRITTEN_FIRST.forEach(kind -> drawn.drawings.stream()
                     .filter(drawing -> drawing.kind() == kind)
                     .forEach(this::write));
@@ -292,6 +298,15 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
             return new Ellipse2D.Double(x(place) - radius, y(place) - radius, 2 * radius, 2 * radius);
         }
 
+        /** Says what it is, above the highest of its places that is seen. */
+        private void writeGhost(OverlayDrawing drawing, Rectangle visible) {
+            drawing.lines().stream()
+                    .flatMap(List::stream)
+                    .filter(place -> visible.contains(x(place), y(place)))
+                    .min(Comparator.comparingDouble(Vector2dc::y))
+                    .ifPresent(place -> write(drawing.kind(), Texts.get("overlay." + drawing.kind()), place));
+        }
+
         /** Writes what has room: nothing over what is written already. */
         private void write(OverlayDrawing drawing) {
             for (OverlayDrawing.Label label : drawing.labels()) {
@@ -299,14 +314,18 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
                         ? label.text()
                         : Texts.get(
                                 label.frame() == Frame.SCENE ? "overlay.inScene" : "overlay.inCamera", label.text());
-                double width = g.getFontMetrics(font).stringWidth(text);
-                double left = Math.min(x(label.place()) + 5, bounds.getMaxX() - width - 4);
-                double bottom = Math.max(y(label.place()) - 4, bounds.y + font.getSize2D() + 2);
-                Rectangle2D room = new Rectangle2D.Double(left, bottom - font.getSize2D(), width, font.getSize2D() + 2);
-                if (written.stream().noneMatch(room::intersects)) {
-                    written.add(room);
-                    Mark.paintText(g, font, text, left, bottom, COLOURS.get(drawing.kind()));
-                }
+                write(drawing.kind(), text, label.place());
+            }
+        }
+
+        private void write(OverlayKind kind, String text, Vector2dc place) {
+            double width = g.getFontMetrics(font).stringWidth(text);
+            double left = Math.min(x(place) + 5, bounds.getMaxX() - width - 4);
+            double bottom = Math.max(y(place) - 4, bounds.y + font.getSize2D() + 2);
+            Rectangle2D room = new Rectangle2D.Double(left, bottom - font.getSize2D(), width, font.getSize2D() + 2);
+            if (written.stream().noneMatch(room::intersects)) {
+                written.add(room);
+                Mark.paintText(g, font, text, left, bottom, COLOURS.get(kind));
             }
         }
     }
