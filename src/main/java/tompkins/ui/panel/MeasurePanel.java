@@ -13,6 +13,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import tompkins.io.CsvText;
+import tompkins.measure.ConicFit;
 import tompkins.measure.MeasureKind;
 import tompkins.measure.Measured;
 import tompkins.measure.Quantity;
@@ -46,8 +47,11 @@ public final class MeasurePanel {
     private static final String DEGREES = "\u00b0";
     private static final String GAP = " \u00b7 ";
 
-    /** Components of a direction, which only a table needs. */
-    private static final Pattern COMPONENT = Pattern.compile("(middle|normal)[XYZ]");
+    /** What only a table needs: components of a direction, and places of what is drawn in the picture. */
+    private static final Pattern IN_TABLE = Pattern.compile("(middle|normal)[XYZ]|centrePixel[XY]");
+
+    /** The size of a parabola; others have axes. */
+    private static final String WIDTH = "semiLatusRectum";
 
     private final JPanel panel = new JPanel(
             new MigLayout("novisualpadding, insets 6 10 6 10, fillx, hidemode 3, gap 6 4", "[][][][grow][][]"));
@@ -166,12 +170,16 @@ public final class MeasurePanel {
             return Texts.get("measure.noEdge");
         }
         String shape = measured.shape() == null ? "" : Texts.get("measure.shape." + measured.shape()) + " ";
-        return shape + joined(measured.quantities());
+        boolean isParabola = measured.shape() == ConicFit.Kind.PARABOLA;
+        return shape
+                + joined(measured.quantities().stream()
+                        .filter(quantity -> isParabola || !quantity.key().equals(WIDTH))
+                        .toList());
     }
 
     private static String joined(List<Quantity> quantities) {
         return quantities.stream()
-                .filter(quantity -> !COMPONENT.matcher(quantity.key()).matches())
+                .filter(quantity -> !IN_TABLE.matcher(quantity.key()).matches())
                 .map(MeasurePanel::words)
                 .collect(Collectors.joining(GAP));
     }
