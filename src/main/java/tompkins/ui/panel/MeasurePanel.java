@@ -2,9 +2,7 @@ package tompkins.ui.panel;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.BorderLayout;
-import java.util.List;
 import java.util.Objects;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JButton;
@@ -13,12 +11,8 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import tompkins.io.CsvText;
-import tompkins.measure.ConicFit;
 import tompkins.measure.MeasureKind;
 import tompkins.measure.Measured;
-import tompkins.measure.Quantity;
-import tompkins.measure.SizeRatios;
-import tompkins.property.NumberText;
 import tompkins.ui.picture.MeasureProbe;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
@@ -43,16 +37,6 @@ public final class MeasurePanel {
         void close();
     }
 
-    private static final int DIGITS = 5;
-    private static final String DEGREES = "\u00b0";
-    private static final String GAP = " \u00b7 ";
-
-    /** What only a table needs: components of a direction, and places of what is drawn in the picture. */
-    private static final Pattern IN_TABLE = Pattern.compile("(middle|normal)[XYZ]|centrePixel[XY]");
-
-    /** The size of a parabola; others have axes. */
-    private static final String WIDTH = "semiLatusRectum";
-
     private final JPanel panel = new JPanel(
             new MigLayout("novisualpadding, insets 6 10 6 10, fillx, hidemode 3, gap 6 4", "[][][][grow][][]"));
     private final JComboBox<MeasureKind> kinds = new JComboBox<>(MeasureKind.values());
@@ -63,8 +47,8 @@ public final class MeasurePanel {
 
     private ProfileChart chart;
 
-    /** With room for all numbers of a circle: the picture must not move under a click that adds a point. */
-    private final Note results = Note.ofLines(2);
+    /** With room for all numbers: the picture must not move under a click that adds a point. */
+    private final Note results = Note.ofLines(3);
 
     private final JButton copy;
     /** What was measured in the other picture, and how sizes compare; it has its room where two are seen. */
@@ -134,26 +118,31 @@ public final class MeasurePanel {
             chart().show(isProfile ? measured.profile() : null);
         }
         copy.setEnabled(measured != null || otherMeasured != null);
-        show(results, answer, "");
-        show(otherResults, otherAnswer, otherName == null ? "" : Texts.get("measure.inOther", otherName));
-        if (measured != null && otherMeasured != null) {
-            List<Quantity> ratios = SizeRatios.of(measured, otherMeasured);
-            if (!ratios.isEmpty()) {
-                otherResults.setText(otherResults.text() + "\n" + Texts.get("measure.ratio") + joined(ratios));
-            }
+        if (answer == null) {
+            results.setText(Texts.get("measure.ask." + kind().name()));
+        } else if (measured == null) {
+            results.setError(Texts.get("measure.problem", answer.problem()));
+        } else {
+            results.setText(MeasureWords.of(measured));
         }
-        otherResults.component().setVisible(otherName != null);
+        showOther(otherAnswer, otherName);
         panel.revalidate();
     }
 
-    private void show(Note note, MeasureProbe.Answer answer, String heading) {
+    private void showOther(MeasureProbe.Answer answer, String name) {
         if (answer == null) {
-            note.setText(heading + Texts.get("measure.ask." + kind().name()));
-        } else if (answer.measured() == null) {
-            note.setError(heading + Texts.get("measure.problem", answer.problem()));
+            otherResults.setText(name == null ? "" : Texts.get("measure.askOther", name));
+        } else if (otherMeasured == null) {
+            otherResults.setError(Texts.get("measure.inOther", name, Texts.get("measure.problem", answer.problem())));
         } else {
-            note.setText(heading + words(answer.measured()));
+            otherResults.setText(Texts.get(
+                    "measure.inOther",
+                    name,
+                    measured == null
+                            ? MeasureWords.of(otherMeasured)
+                            : MeasureWords.compared(otherMeasured, measured)));
         }
+        otherResults.component().setVisible(name != null);
     }
 
     private ProfileChart chart() {
@@ -163,37 +152,6 @@ public final class MeasurePanel {
             chartPlace.add(chart);
         }
         return chart;
-    }
-
-    private static String words(Measured measured) {
-        if (measured.quantities().isEmpty()) {
-            return Texts.get("measure.noEdge");
-        }
-        String shape = measured.shape() == null ? "" : Texts.get("measure.shape." + measured.shape()) + " ";
-        boolean isParabola = measured.shape() == ConicFit.Kind.PARABOLA;
-        return shape
-                + joined(measured.quantities().stream()
-                        .filter(quantity -> isParabola || !quantity.key().equals(WIDTH))
-                        .toList());
-    }
-
-    private static String joined(List<Quantity> quantities) {
-        return quantities.stream()
-                .filter(quantity -> !IN_TABLE.matcher(quantity.key()).matches())
-                .map(MeasurePanel::words)
-                .collect(Collectors.joining(GAP));
-    }
-
-    private static String words(Quantity quantity) {
-        String value = Double.isFinite(quantity.value()) ? NumberText.of(quantity.rounded(DIGITS)) : "\u2013";
-        String uncertainty = Double.isFinite(quantity.uncertainty())
-                ? " \u00b1 " + NumberText.of(NumberText.rounded(quantity.uncertainty(), 2))
-                : "";
-        return Texts.get("measure." + quantity.key()) + "\u00a0" + value + uncertainty + unit(quantity.unit());
-    }
-
-    private static String unit(String unit) {
-        return unit.isEmpty() ? "" : unit.equals("degrees") ? DEGREES : " " + unit;
     }
 
     /** A table of a profile, or a table of the numbers; with an empty line between those of two pictures. */

@@ -43,6 +43,9 @@ final class ProfileChart extends ChartPanel {
     private static final List<Color> COLOURS = List.of(new Color(0xd94040), new Color(0x2f9e44), new Color(0x3b6fe0));
     private static final int HEIGHT_IN_TYPES = 11;
 
+    /** Room above the highest number, as a part of all. */
+    private static final double ABOVE = 0.06;
+
     private transient Profile profile;
     private Content content = Content.COLOUR;
 
@@ -103,6 +106,7 @@ final class ProfileChart extends ChartPanel {
         }
         NumberAxis up = axis(null);
         up.setAutoRangeIncludesZero(false);
+        up.setUpperMargin(ABOVE);
         XYPlot plot = new XYPlot(curves, axis(Texts.get("measure.alongLine")), up, renderer);
         plot.setBackgroundPaint(UIManager.getColor("TextField.background"));
         plot.setDomainGridlinePaint(UIManager.getColor("Component.borderColor"));

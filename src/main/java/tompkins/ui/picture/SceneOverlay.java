@@ -43,6 +43,9 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
     private static final double DOT = 2.5;
     private static final double RING = 6;
 
+    /** Places at which a name is tried. */
+    private static final int MOST_TRIED = 1000;
+
     /** Type in a picture that leaves the program is so large a part of its height. */
     private static final double HEIGHT_SHARE = 1 / 36.0;
 
@@ -298,13 +301,14 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
             return new Ellipse2D.Double(x(place) - radius, y(place) - radius, 2 * radius, 2 * radius);
         }
 
-        /** Says what it is, above the highest of its places that is seen. */
+        /** Says what it is, above the highest of its places that is seen and has room. */
         private void writeGhost(OverlayDrawing drawing, Rectangle visible) {
             drawing.lines().stream()
                     .flatMap(List::stream)
                     .filter(place -> visible.contains(x(place), y(place)))
-                    .min(Comparator.comparingDouble(Vector2dc::y))
-                    .ifPresent(place -> write(drawing.kind(), Texts.get("overlay." + drawing.kind()), place));
+                    .sorted(Comparator.comparingDouble(Vector2dc::y))
+                    .limit(MOST_TRIED)
+                    .anyMatch(place -> write(drawing.kind(), Texts.get("overlay." + drawing.kind()), place));
         }
 
         /** Writes what has room: nothing over what is written already. */
@@ -318,15 +322,18 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
             }
         }
 
-        private void write(OverlayKind kind, String text, Vector2dc place) {
+        /** Whether there was room. */
+        private boolean write(OverlayKind kind, String text, Vector2dc place) {
             double width = g.getFontMetrics(font).stringWidth(text);
             double left = Math.min(x(place) + 5, bounds.getMaxX() - width - 4);
             double bottom = Math.max(y(place) - 4, bounds.y + font.getSize2D() + 2);
             Rectangle2D room = new Rectangle2D.Double(left, bottom - font.getSize2D(), width, font.getSize2D() + 2);
-            if (written.stream().noneMatch(room::intersects)) {
+            boolean free = written.stream().noneMatch(room::intersects);
+            if (free) {
                 written.add(room);
                 Mark.paintText(g, font, text, left, bottom, COLOURS.get(kind));
             }
+            return free;
         }
     }
 }
