@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import tompkins.camera.Aim.PicturePlace;
 import tompkins.camera.Camera;
+import tompkins.camera.FocusDistance;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
@@ -291,7 +292,7 @@ final class PhotographView implements AutoCloseable {
     void askDistance(PicturePlace place, DoubleConsumer answer) {
         Picture picture = canvas.shown().now();
         Camera camera = picture.studio().camera();
-        double focus = Math.abs(camera.focusDistance());
+        double focus = Math.abs(FocusDistance.of(camera));
         double usual = Double.isFinite(focus) && focus > 0 ? focus : 1;
         Point2D point = new Point2D.Double(place.x(), place.y());
         picked.ask(
