@@ -3,8 +3,8 @@ package tompkins.studio;
 import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import tompkins.camera.Aim;
 import tompkins.camera.Camera;
+import tompkins.camera.FieldOfView;
 import tompkins.math.Vectors;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.Rider;
@@ -75,7 +75,7 @@ public record RideMoment(Studio studio, Rider rider, double properTime, double s
     private RideMoment turned(RideLeg leg) {
         Camera camera = studio.camera();
         if (leg.zoom() != 1) {
-            camera = Aim.zoomed(camera, leg.zoom());
+            camera = FieldOfView.zoomed(camera, leg.zoom());
         }
         if (leg.turnRightDegrees() != 0 || leg.turnUpDegrees() != 0) {
             camera = leg.turn().turn(camera);

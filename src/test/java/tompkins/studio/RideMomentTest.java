@@ -13,6 +13,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.animation.RideFilm;
 import tompkins.camera.Aim;
 import tompkins.camera.Camera;
+import tompkins.camera.CameraMotion;
+import tompkins.camera.FieldOfView;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.property.Descriptions;
@@ -37,7 +39,7 @@ class RideMomentTest {
                 Studios.sphere(),
                 lattice,
                 lattice.withCamera(Descriptions.with(PanoramicCamera.DEFAULT, "position", new Vector3d(1, 2, 3))),
-                lattice.withCamera(aside.turned(new Vector3d(1, 0.1, 0.2), new Vector3d(0, 1, 0))),
+                lattice.withCamera(CameraMotion.turned(aside, new Vector3d(1, 0.1, 0.2), new Vector3d(0, 1, 0))),
                 lattice.withCamera(aside).withTransformation(TransformationLaw.GALILEAN),
                 lattice.withCamera(aside).withTransformation(TransformationLaw.NONE));
     }
@@ -46,8 +48,8 @@ class RideMomentTest {
         return Descriptions.members(Shutter.class).stream()
                 .map(type -> (Shutter) Descriptions.standard(type))
                 .map(shutter -> Studios.lattice()
-                        .withCamera(ThinLensCamera.DEFAULT
-                                .turned(new Vector3d(0.4, 0.1, 1), new Vector3d(0, 1, 0))
+                        .withCamera(CameraMotion.turned(
+                                        ThinLensCamera.DEFAULT, new Vector3d(0.4, 0.1, 1), new Vector3d(0, 1, 0))
                                 .withShutter(shutter.openedAt(0.7))));
     }
 
@@ -167,8 +169,8 @@ class RideMomentTest {
         for (int i = 0; i < 60; i++) {
             Vector3d thrust = i < 30 ? new Vector3d(0, 0, -0.8) : new Vector3d(0.5, 0.2, 0);
             if (i == 40) {
-                Camera turned =
-                        Aim.zoomed(new Aim(0.3, -0.1).turn(moment.studio().camera()), 1.5);
+                Camera turned = FieldOfView.zoomed(
+                        new Aim(0.3, -0.1).turn(moment.studio().camera()), 1.5);
                 moment = moment.with(moment.studio().withCamera(turned));
             }
             RideMoment next = moment.after(thrust, 0.06);
