@@ -43,16 +43,7 @@ final class ColdStart {
         double time = milliseconds(
                 starts,
                 List.of("-jar", JAR.toString()),
-                List.of(
-                        "render",
-                        scene,
-                        "--size",
-                        "640x480",
-                        "--samples",
-                        "1",
-                        "--force",
-                        "-o",
-                        picture.toString()));
+                List.of("render", scene, "--size", "640x480", "--samples", "1", "--force", "-o", picture.toString()));
         Files.delete(picture);
         measures.add(Measure.atMost("cold start to a 640 x 480 file, " + name, 900, "ms", time));
     }

@@ -55,11 +55,11 @@ final class PerformanceReport {
 
     private void measure(Part part) throws IOException, InterruptedException, RunnerException {
         switch (part) {
-            case FIGURES -> details.append(Figures.measure(quick ? 10 : 24, measures))
-                    .append(PACKETS);
+            case FIGURES ->
+                details.append(Figures.measure(quick ? 10 : 24, measures)).append(PACKETS);
             case DRAG -> Drag.measure(quick ? 3 : 30, measures);
-            case LENS -> measures.add(
-                    (quick ? new Convergence(160, 200, 4096) : new Convergence(640, 4000, 16384)).measure());
+            case LENS ->
+                measures.add((quick ? new Convergence(160, 200, 4096) : new Convergence(640, 4000, 16384)).measure());
             case GROWTH -> details.append(Growth.measure(quick ? 1 : 3, measures));
             case MOTION -> MotionCost.measure(quick ? 1 : 5, measures);
             case START -> ColdStart.measure(quick ? 1 : 7, measures);

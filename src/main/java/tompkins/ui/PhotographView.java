@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import tompkins.camera.Aim.PicturePlace;
 import tompkins.camera.Camera;
+import tompkins.shutter.Shutter;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
@@ -73,6 +74,9 @@ final class PhotographView implements AutoCloseable {
     /** The room for each picture; null while nobody knows it. */
     private Room room;
 
+    /** The studio of a camera at rest where one on a ride is; gives null where there is no ride. */
+    private Supplier<Studio> rideAtRest = () -> null;
+
     private Compared compared = Compared.NOTHING;
     private Studio otherStudio;
     private Dimension otherSize;
@@ -98,7 +102,7 @@ final class PhotographView implements AutoCloseable {
         controller = new RenderController(
                 screen::setNow, error -> SwingUtilities.invokeLater(() -> listener.noPicture(Messages.of(error))));
         otherController = new RenderController(this::showOther, this::fail);
-        model.addListener(this::renderChange);
+        model.addLiveListener(this::renderChange);
     }
 
     PictureCanvas canvas() {
@@ -179,25 +183,58 @@ final class PhotographView implements AutoCloseable {
         }
     }
 
+    /** Lets a camera at rest be where one on a ride is; the supplier gives null where there is no ride. */
+    void setRideAtRest(Supplier<Studio> atRest) {
+        rideAtRest = atRest;
+    }
+
+    private Studio comparedStudio() {
+        Studio onRide = compared.other() == ComparePanel.Other.AT_REST ? rideAtRest.get() : null;
+        return onRide != null
+                ? onRide
+                : compared.other() == ComparePanel.Other.KEPT_PICTURE && keptPicture != null
+                        ? keptPicture.studio()
+                        : compared.studio(model.studio());
+    }
+
     private void renderOther() {
-        Studio studio = compared.studio(model.studio());
-        if (compared.other() == ComparePanel.Other.KEPT_PICTURE && keptPicture != null) {
-            studio = keptPicture.studio();
-        }
+        Studio studio = comparedStudio();
         if (studio == null) {
             otherStudio = null;
             otherController.stop();
             screen.setOther(null);
-        } else if (!studio.equals(otherStudio) || !sizeOf(studio).equals(otherSize)) {
+        } else if (!sizeOf(studio).equals(otherSize) || !looksAsOther(studio)) {
             otherStudio = studio;
             otherSize = sizeOf(studio);
             if (keptPicture != null && studio == keptPicture.studio() && keptPicture.isOfSize(otherSize)) {
                 otherController.stop();
                 screen.setOther(keptPicture);
             } else {
-                otherController.show(studio, otherSize, pace.get());
+                otherController.show(studio, otherSize, pace.get().ofOther());
             }
         }
+    }
+
+    /**
+     * Whether the other picture is that of a studio, too: on a ride only time may go on, and nothing change with it.
+     */
+    private boolean looksAsOther(Studio studio) {
+        if (studio.equals(otherStudio)) {
+            return true;
+        }
+        Picture other = canvas.shown().other();
+        if (pace.get() != Pace.RIDE
+                || other == null
+                || !other.studio().equals(otherStudio)
+                || !other.plan().isStill()) {
+            return false;
+        }
+        Shutter shutter = studio.camera().shutter();
+        Shutter before = otherStudio.camera().shutter();
+        return shutter.hasOpeningTime()
+                && before.hasOpeningTime()
+                && otherStudio.equals(
+                        studio.withCamera(studio.camera().withShutter(shutter.openedAt(before.openingTime()))));
     }
 
     private void showOther(Picture picture) {
