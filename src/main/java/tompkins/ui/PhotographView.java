@@ -89,7 +89,7 @@ final class PhotographView implements AutoCloseable {
                 screen::setNow, error -> SwingUtilities.invokeLater(() -> listener.noPicture(Messages.of(error))));
         compared = new ComparedPicture(model, screen, this::sizeOf, pace, this::fail);
         pin = new PixelPin(canvas, this::nameOf, listener::pinned, this::fail);
-        model.addListener(this::renderChange);
+        model.addLiveListener(this::renderChange);
     }
 
     PictureCanvas canvas() {
@@ -159,6 +159,11 @@ final class PhotographView implements AutoCloseable {
         screen.setDifference(other.view() == Comparison.DIFFERENCE);
         compared.choose(other);
         pin.readAgain();
+    }
+
+    /** Lets a camera at rest be where one on a ride is; the supplier gives null where there is no ride. */
+    void setRideAtRest(Supplier<Studio> atRest) {
+        compared.setRideAtRest(atRest);
     }
 
     /** Keeps the picture that is on the screen, to compare others with it; says what to call it. */
