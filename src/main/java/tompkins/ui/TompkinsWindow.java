@@ -278,7 +278,7 @@ public final class TompkinsWindow {
             if (motion == null || !motion.pilot().isRiding() || seldom.mayHappen()) {
                 tell(picture);
             }
-            measure.show(picture);
+            measure.show();
         }
 
         private void tell(Picture picture) {
