@@ -37,10 +37,10 @@ import tompkins.trace.RenderPlan;
         mixinStandardHelpOptions = true,
         versionProvider = ProgramVersion.class,
         description =
-                "Measures in the picture of a scene, between pixels. \"between\" tells angles, distances, times and the"
+                "Measures in the picture of a scene, between pixels. \"between\" gives angles, distances, times and the"
                         + " interval between two pixels, in the frames of scene, camera and object; \"circle\" fits a circle of"
                         + " directions, such as the outline of a sphere, to three pixels or more; \"conic\" fits an ellipse, a parabola or a"
-                        + " hyperbola to five pixels or more; \"line\" tells how straight two"
+                        + " hyperbola to five pixels or more; \"line\" says how straight two"
                         + " pixels or more lie; \"profile\" follows the line between two pixels.")
 final class MeasureCommand implements Callable<Integer>, SceneCommand {
 

@@ -43,11 +43,6 @@ public final class LampShadows {
         return cells == null ? null : new LampShadows(view, objects.unbounded().toArray(Primitive[]::new), cells);
     }
 
-    /** Whether this is the grid of the lamp at (x, y, z). */
-    public boolean isOf(double lampX, double lampY, double lampZ) {
-        return view.isOf(lampX, lampY, lampZ);
-    }
-
     /**
      * Whether something throws a shadow on a hit.
      *

@@ -179,10 +179,6 @@ final class LightBufferProjection {
         return new LightBufferProjection(lamp, forward, all);
     }
 
-    boolean isOf(double lampX, double lampY, double lampZ) {
-        return x == lampX && y == lampY && z == lampZ;
-    }
-
     /** The slopes under which a box is seen, in a direction across the view. */
     private Range slopes(Bounds box, Vector3dc across) {
         Range ahead = extent(box, forward);

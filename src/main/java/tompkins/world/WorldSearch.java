@@ -130,11 +130,6 @@ public final class WorldSearch {
         compare(inFrame, index);
     }
 
-    /** The rays of the packet, in the scene frame. */
-    public RayPacket sceneRays() {
-        return sceneRays;
-    }
-
     private void begin(Ray newStart, int newFrom) {
         start = newStart;
         from = newFrom;
