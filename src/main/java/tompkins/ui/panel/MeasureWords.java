@@ -21,6 +21,8 @@ final class MeasureWords {
     /** Components of a direction, and places of what is drawn in the picture. */
     private static final Pattern IN_TABLE = Pattern.compile("(middle|normal)[XYZ]|centrePixel[XY]");
 
+    private static final Pattern PLACE = Pattern.compile(".*Pixel[XY]");
+
     /** The size of a parabola; others have axes. */
     private static final String WIDTH = "semiLatusRectum";
 
@@ -66,8 +68,9 @@ final class MeasureWords {
     }
 
     private static String words(Quantity quantity) {
-        return Texts.get("measure." + quantity.key()) + "\u00a0" + number(quantity)
-                + UNITS.getOrDefault(quantity.unit(), "");
+        // columns and rows are numbers, not lengths
+        String unit = PLACE.matcher(quantity.key()).matches() ? "" : UNITS.getOrDefault(quantity.unit(), "");
+        return Texts.get("measure." + quantity.key()) + "\u00a0" + number(quantity) + unit;
     }
 
     private static String number(Quantity quantity) {
