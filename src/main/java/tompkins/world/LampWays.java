@@ -10,6 +10,7 @@ import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.search.LampShadows;
+import tompkins.search.LampTrack;
 import tompkins.search.NearestHit;
 import tompkins.search.ObjectTree;
 import tompkins.spacetime.TransformationLaw;
@@ -161,9 +162,17 @@ public final class LampWays {
     }
 
     private boolean isDark(int source, int frame, Hit start, Ray ray, double length) {
-        LampShadows seen = lampFrames[source] == frame ? world.lampShadows(source) : null;
+        LampShadows seen = null;
+        double place = 0;
+        LampTrack track = world.lampTrack(source, frame);
+        if (lampFrames[source] == frame) {
+            seen = world.lampShadows(source);
+        } else if (track != null) {
+            place = track.at(ray, length);
+            seen = place == LampTrack.NOWHERE ? null : track.seenFrom(place);
+        }
         if (seen != null) {
-            return seen.shadows(start, ray.dx, ray.dy, ray.dz, length, eventRay, counts);
+            return seen.shadows(start, ray, place - Math.floor(place), length, counts);
         }
         Primitive last = lastShadows[frame];
         if (last != null && last.shadows(ray, length)) {
