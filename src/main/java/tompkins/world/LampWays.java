@@ -76,16 +76,15 @@ public final class LampWays {
             sight.set(at.x() - hit.x, at.y() - hit.y, at.z() - hit.z);
             return true;
         }
-        routes.transform(eventFrame, lampFrame, eventRay.setShadow(event, 0, 0, 1), eventRay);
-        double x = at.x() - eventRay.x;
-        double y = at.y() - eventRay.y;
-        double z = at.z() - eventRay.z;
+        routes.transform(eventFrame, lampFrame, way.setShadow(event, 0, 0, 1), way);
+        double x = at.x() - way.x;
+        double y = at.y() - way.y;
+        double z = at.z() - way.z;
         double length = Math.sqrt(x * x + y * y + z * z);
         if (length == 0) {
             return false;
         }
-        place.setPlace(eventRay.x, eventRay.y, eventRay.z, eventRay.time);
-        routes.transform(lampFrame, frame, way.setShadow(place, x / length, y / length, z / length), way);
+        routes.transform(lampFrame, frame, way.aim(x / length, y / length, z / length), way);
         double stretched = length * way.stretch;
         sight.set(way.dx * stretched, way.dy * stretched, way.dz * stretched, way.stretch, 1);
         return true;
