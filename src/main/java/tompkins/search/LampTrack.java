@@ -1,5 +1,6 @@
 package tompkins.search;
 
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -15,8 +16,11 @@ public final class LampTrack {
     /** What {@link #at} returns for a place for which nothing is prepared. */
     public static final double NOWHERE = -1;
 
-    /** With more primitives than this a piece takes too long to make for one picture. */
-    private static final int MOST_PRIMITIVES = 50_000;
+    /** With more primitives than this a piece takes longer to make than it saves in a picture. */
+    private static final int MOST_PRIMITIVES = 20_000;
+
+    /** What the cells of a piece take in memory, as so many primitives do. */
+    private static final int CELLS = 4_000;
 
     /** Length of a piece, in units of the least distance between the lamp and the middle of the primitives. */
     private static final double PIECE = 0.125;
@@ -33,6 +37,7 @@ public final class LampTrack {
     private record Piece(LampShadows seen) {}
 
     private final ObjectTree objects;
+    private final AtomicLong left;
     private final Vector3dc start;
     private final Vector3dc step;
     private final double farthest;
@@ -48,8 +53,9 @@ public final class LampTrack {
     private final double perSquare;
     private final double mostBeside;
 
-    private LampTrack(ObjectTree objects, Vector3dc start, Vector3dc step) {
+    private LampTrack(ObjectTree objects, AtomicLong left, Vector3dc start, Vector3dc step) {
         this.objects = objects;
+        this.left = left;
         this.start = start;
         this.step = step;
         farthest = LARGEST * step.length();
@@ -68,9 +74,10 @@ public final class LampTrack {
      *
      * @param from a place of the lamp
      * @param to another one
+     * @param left primitives that all tracks together may still prepare, piece by piece
      * @return null if it does not pay, because the primitives are few or very many, or if the lamp does not move
      */
-    public static LampTrack of(Vector3dc from, Vector3dc to, ObjectTree objects) {
+    public static LampTrack of(Vector3dc from, Vector3dc to, ObjectTree objects, AtomicLong left) {
         if (!objects.hasTree() || objects.size() > MOST_PRIMITIVES || from.equals(to)) {
             return null;
         }
@@ -82,7 +89,7 @@ public final class LampTrack {
         Vector3d step = direction.mul(PIECE * distance);
         Vector3d start = step.mul(-PIECES / 2.0, new Vector3d()).add(nearest);
         double largest = all.farthest() + start.length();
-        return largest < LARGEST * step.length() ? new LampTrack(objects, start, step) : null;
+        return largest < LARGEST * step.length() ? new LampTrack(objects, left, start, step) : null;
     }
 
     /**
@@ -114,7 +121,8 @@ public final class LampTrack {
     private synchronized Piece make(int number) {
         Piece piece = pieces.get(number);
         if (piece == null) {
-            piece = new Piece(LampShadows.of(place(number), place(number + 1), objects));
+            boolean hasRoom = left.addAndGet(-CELLS - objects.size()) >= 0;
+            piece = new Piece(hasRoom ? LampShadows.of(place(number), place(number + 1), objects) : null);
             pieces.set(number, piece);
         }
         return piece;

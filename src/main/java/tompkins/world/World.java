@@ -3,6 +3,7 @@ package tompkins.world;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Matrix3d;
@@ -41,7 +42,10 @@ public final class World {
      */
     private static final int MOST_BUFFERS = 16;
 
-    /** Primitives that all lamps with buffers see: a million take 30 MB and half a second for each lamp. */
+    /**
+     * Primitives that all lamps with buffers see: a million take 30 MB and half a second for each lamp. As many again are
+     * seen by those that pass.
+     */
     private static final int MOST_SEEN = 2_000_000;
 
     private final List<SceneObject> described;
@@ -151,13 +155,17 @@ public final class World {
     }
 
     private void prepareTracks(FrameRoutes routes) {
+        AtomicLong left = new AtomicLong(MOST_SEEN);
         for (int i = 0; i < Math.min(MOST_BUFFERS, lights.size()); i++) {
             Vector3dc lamp = lights.get(i).position();
             int own = frameOfLight(i);
             for (int frame = 0; frame < frames.size() && lamp != null; frame++) {
                 if (frame != own) {
                     lampTracks[i][frame] = LampTrack.of(
-                            place(routes, own, frame, lamp, 0), place(routes, own, frame, lamp, 1), objects.get(frame));
+                            place(routes, own, frame, lamp, 0),
+                            place(routes, own, frame, lamp, 1),
+                            objects.get(frame),
+                            left);
                 }
             }
         }
