@@ -39,7 +39,7 @@ public final class FrameWarnings {
         List<String> all = new ArrayList<>(sentences);
         if (others > 0) {
             all.add("there are warnings about " + others + (others == 1 ? " other picture" : " other pictures")
-                    + ", too; render takes a single one and tells them");
+                    + ", too; render a single one to read them");
         }
         return all;
     }

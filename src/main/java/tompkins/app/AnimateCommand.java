@@ -172,7 +172,7 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
         for (String other : List.of("--number", "--from", "--to", "--back")) {
             if (given.hasMatchedOption(other)) {
                 throw new MistakeException(
-                        other + ": a ride has no number that runs; leave this option out, or --ride");
+                        other + ": a ride has no number to animate; leave out this option or --ride");
             }
         }
         if (studio.ride().isEmpty()) {

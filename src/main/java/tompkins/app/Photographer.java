@@ -189,7 +189,7 @@ final class Photographer {
                 Locale.ROOT,
                 "%s  (%s%.2f s, %.2f million rays/s, %s per pixel%s)",
                 target.toRealPath(LinkOption.NOFOLLOW_LINKS),
-                view == View.MEASURED ? "measured, no photograph; " : "",
+                view == View.MEASURED ? "measured, not a photograph; " : "",
                 seconds,
                 (report.rays() + report.shadowRays()) / seconds / 1e6,
                 samples.equals("1") ? "1 sample" : samples + " samples",

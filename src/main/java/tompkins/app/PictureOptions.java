@@ -15,7 +15,7 @@ final class PictureOptions {
             names = "--tone",
             paramLabel = "CURVE",
             completionCandidates = OptionWords.ToneCurves.class,
-            description = "tone curve of pictures that are no Radiance pictures: ${COMPLETION-CANDIDATES}")
+            description = "tone curve of all pictures but Radiance pictures: ${COMPLETION-CANDIDATES}")
     private ToneCurve toneCurve;
 
     /** The studio with the seed and the tone curve that were given. */

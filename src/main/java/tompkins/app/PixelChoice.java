@@ -26,7 +26,7 @@ final class PixelChoice {
      * The choice that options name.
      *
      * @param pixels each {@code X,Y}, {@code X,Y..X,Y} or {@code all}
-     * @param every of the columns and rows of a rectangle, each so-many-th is taken
+     * @param every the step from one column or row of a rectangle to the next that is taken, 1 or more
      */
     static PixelChoice of(List<String> pixels, int every, RenderSettings settings) {
         if (every < 1) {

@@ -41,15 +41,14 @@ final class StudioOptions {
                 names = "--beta",
                 paramLabel = "B|X,Y,Z",
                 description =
-                        "speed of the camera in units of c, or as \"150000 km/s\"; it keeps its direction, along z if the scene"
-                                + " gives none; or its velocity; a Lorentz window in front of the lens that has the same keeps it")
+                        "speed of the camera in units of c, or as \"150000 km/s\"; its direction stays, or is z if the scene"
+                                + " gives none; or its velocity; a Lorentz window in front of the lens that had the same velocity follows")
         private String beta;
 
         @Option(
                 names = "--gamma",
                 paramLabel = "G",
-                description =
-                        "Lorentz factor of the camera, which keeps its direction; along z if the scene gives none")
+                description = "Lorentz factor of the camera; its direction stays, or is z if the scene gives none")
         private Double gamma;
     }
 
@@ -82,7 +81,7 @@ final class StudioOptions {
             names = "--rolling",
             paramLabel = "DIRECTION",
             completionCandidates = OptionWords.SweepDirections.class,
-            description = "the way in which the shutter rolls: ${COMPLETION-CANDIDATES}")
+            description = "the direction in which the shutter rolls: ${COMPLETION-CANDIDATES}")
     private SweepDirection rolling;
 
     @Option(
@@ -96,14 +95,14 @@ final class StudioOptions {
             names = "--metering",
             paramLabel = "WHERE",
             completionCandidates = OptionWords.Meterings.class,
-            description = "where light is metered that motion makes brighter or darker: ${COMPLETION-CANDIDATES}")
+            description = "where light is metered if motion makes it brighter or darker: ${COMPLETION-CANDIDATES}")
     private Metering metering;
 
     @Option(
             names = "--view",
             paramLabel = "VIEW",
             completionCandidates = OptionWords.Views.class,
-            description = "what light brings to the camera, or where things are, which is no photograph:"
+            description = "what light brings to the camera, or where things are, which is not a photograph:"
                     + " ${COMPLETION-CANDIDATES}")
     private View view;
 
@@ -154,7 +153,7 @@ final class StudioOptions {
         if (motion.beta != null) {
             double[] beta = beta(motion.beta);
             String hint = SpeedScale.roundingHint(Stream.of(motion.beta.split(",")));
-            String fasterSpeeds = hint.isEmpty() ? "" : hint + ", and --gamma";
+            String fasterSpeeds = hint.isEmpty() ? "" : hint + ", or --gamma";
             return MistakeException.inOption(
                     "--beta",
                     fasterSpeeds,

@@ -40,8 +40,8 @@ import tompkins.trace.RenderPlan;
         mixinStandardHelpOptions = true,
         versionProvider = ProgramVersion.class,
         description =
-                "Shows the life of a ray: its events and directions in both frames, its hits, its colour. Of what"
-                        + " moves by itself, hits are told in its own frame, too, with its proper time. Where"
+                "Shows the life of a ray: its events and directions in both frames, its hits, its colour. Hits on what"
+                        + " moves by itself are also given in its own frame, with its proper time. Where"
                         + " a ray splits, as in glass, all hits of the weaker branch come first, indented; entry and frequency are those of"
                         + " the main branch. The share is the most light of the pixel that the ray of a hit can still add."
                         + " Several --pixel show several rays, each under its pixel, with --json in one list, with --csv in one table.")
@@ -79,7 +79,7 @@ final class TraceCommand implements Callable<Integer>, SceneCommand {
             names = "--every",
             defaultValue = "1",
             paramLabel = "N",
-            description = "of the columns and rows of a rectangle, take each N-th; default: all")
+            description = "take each N-th column and row of a rectangle; default: all")
     private int every;
 
     @ArgGroup

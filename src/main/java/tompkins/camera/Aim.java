@@ -21,12 +21,6 @@ public record Aim(double right, double up) {
     /** No camera looks steeper than that: straight along its top direction, right and left have no meaning. */
     public static final double STEEPEST = Math.toRadians(89.5);
 
-    /** The least and the largest field of view to which it is changed by hand, in degrees. */
-    private static final double NARROWEST = 1e-3;
-
-    private static final double WIDEST_LENS = 170;
-    private static final double WIDEST_PANORAMA = 360;
-
     /** Where a camera looks, seen from its own axes: straight ahead, and so far up. */
     private static Aim of(Camera camera) {
         return new Aim(0, elevation(camera, Vectors.unit(camera.viewDirection())));
@@ -58,7 +52,7 @@ public record Aim(double right, double up) {
         Vector3d view = level.mul(Math.cos(steep) * Math.cos(right))
                 .fma(Math.cos(steep) * Math.sin(right), across)
                 .fma(Math.sin(steep), top);
-        return camera.turned(view, camera.topDirection());
+        return CameraMotion.turned(camera, view, camera.topDirection());
     }
 
     /**
@@ -101,15 +95,7 @@ public record Aim(double right, double up) {
     /** A camera whose field of view is changed by a factor, as far as it goes, while a place shows what it showed. */
     public static Camera zoomed(Camera camera, double factor, PicturePlace place) {
         Vector3dc direction = place.direction(camera);
-        return at(zoomed(camera, factor), direction, place);
-    }
-
-    /** A camera whose field of view is changed by a factor, as far as it goes. */
-    public static Camera zoomed(Camera camera, double factor) {
-        double widest = Math.max(
-                camera.horizontalAngleDegrees(), camera instanceof ThinLensCamera ? WIDEST_LENS : WIDEST_PANORAMA);
-        double wanted = Math.max(NARROWEST, Math.min(widest, camera.horizontalAngleDegrees() * factor));
-        return camera.withHorizontalAngle(wanted);
+        return at(FieldOfView.zoomed(camera, factor), direction, place);
     }
 
     /**

@@ -4,8 +4,6 @@ import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import tompkins.math.RigidMotion;
-import tompkins.property.Descriptions;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 import tompkins.ray.RayCounts;
@@ -99,52 +97,6 @@ public record PanoramicCamera(
         Require.present("shutter", shutter);
         Require.duration("exposureTime", exposureTime);
         Require.present("rollingShutter", rollingShutter);
-    }
-
-    @Override
-    public PanoramicCamera withShutter(Shutter newShutter) {
-        return Descriptions.with(this, "shutter", newShutter);
-    }
-
-    @Override
-    public PanoramicCamera withHorizontalAngle(double degrees) {
-        Require.positive("horizontalAngleDegrees", degrees, 360);
-        return new PanoramicCamera(
-                position,
-                viewDirection,
-                topDirection,
-                degrees,
-                Math.min(180, verticalAngleDegrees * degrees / horizontalAngleDegrees),
-                focusDistance,
-                exposureStops,
-                shutter,
-                exposureTime,
-                rollingShutter);
-    }
-
-    @Override
-    public double focusDistanceOf(Vector3dc point) {
-        return position.distance(point);
-    }
-
-    @Override
-    public PanoramicCamera focusedAt(double distance) {
-        return Descriptions.with(this, "focusDistance", distance);
-    }
-
-    @Override
-    public PanoramicCamera moved(RigidMotion motion, Vector3dc newPosition, Vector3dc newView, Vector3dc newTop) {
-        return new PanoramicCamera(
-                newPosition,
-                newView,
-                newTop,
-                horizontalAngleDegrees,
-                verticalAngleDegrees,
-                focusDistance,
-                exposureStops,
-                shutter.moved(motion),
-                exposureTime,
-                rollingShutter);
     }
 
     @Override

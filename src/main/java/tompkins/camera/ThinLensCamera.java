@@ -2,9 +2,6 @@ package tompkins.camera;
 
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import tompkins.math.RigidMotion;
-import tompkins.math.Vectors;
-import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 import tompkins.property.NumberText;
@@ -55,9 +52,6 @@ public record ThinLensCamera(
 
         @Meaning("How the shutter runs across the picture") RollingShutter rollingShutter)
         implements Camera {
-
-    /** Digits of an angle that follows another one; what comes after them is rounding. */
-    private static final int ANGLE_DIGITS = 12;
 
     /** The pinhole camera of the paper: 20 degrees wide, focused on the plane z = 10. */
     public static final ThinLensCamera DEFAULT = new ThinLensCamera(
@@ -128,68 +122,6 @@ public record ThinLensCamera(
         Require.present("shutter", shutter);
         Require.duration("exposureTime", exposureTime);
         Require.present("rollingShutter", rollingShutter);
-    }
-
-    @Override
-    public ThinLensCamera withShutter(Shutter newShutter) {
-        return Descriptions.with(this, "shutter", newShutter);
-    }
-
-    @Override
-    public double focusDistance() {
-        // a plane along the view gives a negative zero
-        return 1 / (new FocusSurface(focus).inverseDistance(position, Vectors.unit(viewDirection)) + 0.0);
-    }
-
-    @Override
-    public double focusDistanceOf(Vector3dc point) {
-        return Vectors.unit(viewDirection).dot(point.sub(position, new Vector3d()));
-    }
-
-    /** The same camera, focused on the plane across its view at a distance, which may lie behind it. */
-    @Override
-    public ThinLensCamera focusedAt(double distance) {
-        if (!(distance != 0 && Double.isFinite(distance))) {
-            throw new InvalidPropertyException("focusDistance", "a finite number, not 0", distance);
-        }
-        Vector3d view = Vectors.unit(viewDirection);
-        Vector3d point = new Vector3d(view).mul(distance).add(position);
-        return Descriptions.with(this, "focus", new Plane("focus", point, view, ColouredSurface.DEFAULT));
-    }
-
-    @Override
-    public ThinLensCamera withHorizontalAngle(double degrees) {
-        Require.between("horizontalAngleDegrees", degrees, 0, 180);
-        double scale = Math.tan(Math.toRadians(degrees) / 2) / Math.tan(Math.toRadians(horizontalAngleDegrees) / 2);
-        double vertical = 2 * Math.toDegrees(Math.atan(scale * Math.tan(Math.toRadians(verticalAngleDegrees) / 2)));
-        return new ThinLensCamera(
-                position,
-                viewDirection,
-                topDirection,
-                degrees,
-                NumberText.rounded(vertical, ANGLE_DIGITS),
-                apertureRadius,
-                focus,
-                exposureStops,
-                shutter,
-                exposureTime,
-                rollingShutter);
-    }
-
-    @Override
-    public ThinLensCamera moved(RigidMotion motion, Vector3dc newPosition, Vector3dc newView, Vector3dc newTop) {
-        return new ThinLensCamera(
-                newPosition,
-                newView,
-                newTop,
-                horizontalAngleDegrees,
-                verticalAngleDegrees,
-                apertureRadius,
-                focus.moved(motion),
-                exposureStops,
-                shutter.moved(motion),
-                exposureTime,
-                rollingShutter);
     }
 
     @Override

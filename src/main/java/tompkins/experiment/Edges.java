@@ -9,7 +9,7 @@ import tompkins.ray.Colour;
 /**
  * Finds edges on straight ways through a picture: places where two rays that lie ever closer together still see
  * different objects, or colours that differ by a tenth. It follows rays and not pixels, so that an edge is found to far
- * less than a pixel, and light that changes little by little is no edge.
+ * less than a pixel, and light that changes gradually is not an edge.
  */
 final class Edges {
 

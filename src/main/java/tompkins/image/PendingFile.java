@@ -95,7 +95,7 @@ public final class PendingFile implements Closeable {
             throw new FileException(target + ": cannot be written: it is a folder; name a file in it");
         }
         if (Files.exists(target) && !Files.isRegularFile(target)) {
-            throw new FileException(target + ": cannot be written: it is no file but a device or a pipe");
+            throw new FileException(target + ": cannot be written: it is a device or a pipe, not a file");
         }
         if (Files.exists(target) && !Files.isWritable(target)) {
             throw new FileException(target + ": cannot be written: the file is write-protected");

@@ -78,7 +78,7 @@ record PngChunk(String type, byte[] data) {
     /** What to say of a file whose chunk at a place is not as it was written. */
     static IOException damaged(long place) {
         return new IOException(
-                "the file is damaged in the part that begins at byte " + place + "; another copy of it may be whole");
+                "the file is damaged in the part that begins at byte " + place + "; another copy of it may be intact");
     }
 
     void write(OutputStream out) throws IOException {

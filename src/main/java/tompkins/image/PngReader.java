@@ -62,7 +62,7 @@ final class PngReader {
             int length = ByteBuffer.wrap(file).getInt(at);
             String type = new String(file, at + 4, 4, StandardCharsets.ISO_8859_1);
             if (type.equals(APPLE)) {
-                throw new FileException(name + ": is packed as only devices of Apple read it (" + APPLE
+                throw new FileException(name + ": is packed in a way that only Apple devices read (" + APPLE
                         + "); save it as an ordinary PNG picture");
             }
             int rest = file.length - at - (int) PngChunk.FRAME;

@@ -91,7 +91,7 @@ record TiffKind(Colours colours, int[] bits, boolean floating, int opacity, bool
         return compression == OLD_JPEG || compression == JPEG;
     }
 
-    /** Whether the samples are packed as for telefax. */
+    /** Whether the samples are packed as for fax. */
     boolean isFax() {
         return compression >= FAX_ROWS && compression <= FAX_GROUP_4;
     }
@@ -103,7 +103,7 @@ record TiffKind(Colours colours, int[] bits, boolean floating, int opacity, bool
                 compression;
             default ->
                 throw new FileException(name + ": its compression is " + compressionName(compression)
-                        + "; a TIFF picture must have none, LZW, Deflate, PackBits, JPEG or that of telefax");
+                        + "; a TIFF picture must have none, LZW, Deflate, PackBits, JPEG or fax");
         };
     }
 
@@ -113,7 +113,7 @@ record TiffKind(Colours colours, int[] bits, boolean floating, int opacity, bool
             case 9, 34661 -> "JBIG";
             case 10 -> "JBIG with colours";
             case 32766 -> "NeXT run lengths";
-            case 32771 -> "telefax in words of 16 bits";
+            case 32771 -> "fax in words of 16 bits";
             case 32809 -> "ThunderScan";
             case 34676, 34677 -> "SGI LogLuv";
             case 34712, 33003, 33004, 33005 -> "JPEG 2000";

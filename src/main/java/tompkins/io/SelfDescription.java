@@ -17,8 +17,8 @@ public final class SelfDescription {
 
     private static final String PROPERTIES = "Program.properties";
 
-    /** What the title of a picture begins with that is no photograph. */
-    private static final String MEASURED = "Measured, no photograph: ";
+    /** The beginning of the title of a picture that is not a photograph. */
+    private static final String MEASURED = "Measured, not a photograph: ";
 
     private SelfDescription() {}
 

@@ -6,7 +6,7 @@ import tompkins.property.Require;
 /** The angle between the directions in which a camera sees two points of its picture. */
 @Meaning("The angle between two points of the picture, as the camera sees it, in degrees")
 public record AngleBetween(
-        @Meaning("The one point") MeasuringPoint first,
+        @Meaning("One point") MeasuringPoint first,
         @Meaning("The other point") MeasuringPoint second) implements Measurement {
 
     /** From the left edge of the picture to the right one. */

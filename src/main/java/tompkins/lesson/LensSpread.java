@@ -4,9 +4,8 @@ import tompkins.property.Meaning;
 import tompkins.property.Require;
 
 /** How sharp a shutter is: how far apart in the scene the rays of one pixel pass the point in focus. */
-@Meaning(
-        "How far apart in the scene are the places in which the rays of one pixel, from all round the rim of the lens, pass"
-                + " the point in focus; 0 is sharp")
+@Meaning("How far apart in the scene the rays of one pixel, from all round the rim of the lens, pass"
+        + " the point in focus; 0 is sharp")
 public record LensSpread(
         @Meaning("Where in the picture, as a share of its width from the left, 0 to 1")
         double across,

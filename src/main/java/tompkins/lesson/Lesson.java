@@ -14,7 +14,8 @@ public record Lesson(
         @Meaning(value = "What is asked before anything moves, at most 300 letters", prose = true)
         String question,
 
-        @Meaning("What one may expect, two to four") List<Prediction> predictions,
+        @Meaning("The predictions to choose from, two to four")
+        List<Prediction> predictions,
 
         @Meaning("Which prediction is right, counted from 1")
         int right,
@@ -25,7 +26,7 @@ public record Lesson(
         @Meaning(value = "Why it is so, at most 450 letters", prose = true)
         String reveal,
 
-        @Meaning("What is measured in the end, at most four numbers")
+        @Meaning("What is measured at the end, at most four numbers")
         List<LessonNumber> numbers)
         implements LessonPlan {
 

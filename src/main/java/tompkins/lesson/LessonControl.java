@@ -21,7 +21,7 @@ public record LessonControl(
         @Meaning("The number at the right end of the slider")
         double to,
 
-        @Meaning("The number with which everything is measured in the end")
+        @Meaning("The number with which everything is measured at the end")
         double measuredAt) {
 
     /** The speed of the camera. */

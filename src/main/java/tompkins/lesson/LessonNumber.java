@@ -14,7 +14,7 @@ public record LessonNumber(
 
         @Meaning("What the formula gives") double value,
 
-        @Meaning("How far the measured number may be away from that, above 0")
+        @Meaning("How far the measured number may differ from it, above 0")
         double tolerance,
 
         @Meaning("Unit, such as `degrees`, at most 12 letters; may be empty")

@@ -8,7 +8,7 @@ public record Prediction(
         @Meaning("What is expected, at most 110 letters") String text,
 
         @Meaning(
-                value = "What to say in the end to somebody who chose it, at most 200 letters; may be empty",
+                value = "What to say at the end to those who chose it, at most 200 letters; may be empty",
                 prose = true)
         String reply) {
 

@@ -4,7 +4,8 @@ import tompkins.property.Meaning;
 import tompkins.property.Require;
 
 /** A measurement in the picture of a scene in which one number is another one: a little later, or at another speed. */
-@Meaning("A measurement in another picture, in which one number of the scene is another one, such as the opening time")
+@Meaning(
+        "A measurement in another picture, in which one number of the scene has another value, such as the opening time")
 public record WithNumber(
         @Meaning("The place of the number, as in the control of a lesson")
         String number,

@@ -1,5 +1,5 @@
 /**
  * Descriptions of lessons, as a scene file holds them: question, predictions, the number to move, the explanation, and
- * what is measured in the end.
+ * what is measured at the end.
  */
 package tompkins.lesson;

@@ -14,7 +14,8 @@ import tompkins.spacetime.Velocity;
 
 /** Light sources that move with one velocity. They are described at rest in a frame of their own, as moving objects. */
 @TypeName("Moving")
-@Meaning("Light sources that move together with a velocity of their own; they are described at rest, as moving objects")
+@Meaning(
+        "Light sources that move together with a velocity of their own; they are described at rest, like moving objects")
 public record MovingLights(
         @Meaning(value = "Velocity in the frame around it", unit = "c")
         Velocity velocity,

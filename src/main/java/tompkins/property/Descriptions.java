@@ -7,6 +7,7 @@ import java.lang.reflect.Type;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.stream.Stream;
 
 /**
@@ -90,10 +91,20 @@ public final class Descriptions {
      */
     public static <R> R with(R record, String name, Object value) {
         component(record.getClass(), name);
+        return changed(record, (component, before) -> component.equals(name) ? value : before);
+    }
+
+    /**
+     * The same record with other values.
+     *
+     * @param change gives the new value of a component from its name and its value
+     * @throws InvalidPropertyException if the record does not accept them
+     */
+    public static <R> R changed(R record, BiFunction<String, Object, Object> change) {
         @SuppressWarnings("unchecked")
         Class<R> type = (Class<R>) record.getClass();
         Object[] values = components(type).stream()
-                .map(component -> component.getName().equals(name) ? value : value(component, record))
+                .map(component -> change.apply(component.getName(), value(component, record)))
                 .toArray();
         return make(type, values);
     }

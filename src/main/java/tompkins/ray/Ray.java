@@ -136,11 +136,6 @@ public final class Ray {
         return this;
     }
 
-    /** The same ray with its start moved in space and time. */
-    public Ray moved(double byX, double byY, double byZ, double byTime) {
-        return copy().move(byX, byY, byZ, byTime);
-    }
-
     /** The ray that goes on from a hit in a new unit direction, with a share of this ray's light. */
     public Ray bent(Hit hit, double newDx, double newDy, double newDz, double share) {
         return bent(hit, newDx, newDy, newDz, lightSlowness(), 1, share);
@@ -240,7 +235,9 @@ public final class Ray {
         return this;
     }
 
-    /** Turns this, which has just begun as a shadow ray, into light in vacuum of another unit direction in its frame. */
+    /**
+     * Turns this, which has just begun as a shadow ray, into light in vacuum of another unit direction in its frame.
+     */
     public Ray aim(double toX, double toY, double toZ) {
         dx = toX;
         dy = toY;

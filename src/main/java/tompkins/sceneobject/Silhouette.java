@@ -12,8 +12,8 @@ import tompkins.surface.ColouredSurface;
 import tompkins.surface.CutOut;
 import tompkins.surface.Surface;
 
-/** A parallelogram of which only the dark parts of a picture are there. */
-@Meaning("A parallelogram of which only the dark parts of a picture are there; light passes through the rest")
+/** A parallelogram that is there only where a picture is dark. */
+@Meaning("A parallelogram that is there only where a picture is dark; light passes through the rest")
 public record Silhouette(
         @Meaning("Name of the object") String description,
 

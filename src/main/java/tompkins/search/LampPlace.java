@@ -124,7 +124,6 @@ final class LampPlace {
         double ny = sign * (across.y() - slope * forward.y());
         double nz = sign * (across.z() - slope * forward.z());
         return Math.max(
-                0,
-                primitive.conservativeMinimumAlong(nx, ny, nz) - (nx * place.x() + ny * place.y() + nz * place.z()));
+                0, primitive.conservativeMinimumAlong(nx, ny, nz) - (nx * place.x() + ny * place.y() + nz * place.z()));
     }
 }

@@ -84,7 +84,8 @@ public final class LampTrack {
         Bounds all = objects.bounds();
         Vector3d direction = to.sub(from, new Vector3d()).normalize();
         Vector3d toCentre = all.centre().sub(from);
-        Vector3d nearest = direction.mul(toCentre.dot(direction), new Vector3d()).add(from);
+        Vector3d nearest =
+                direction.mul(toCentre.dot(direction), new Vector3d()).add(from);
         double distance = Math.max(nearest.distance(all.centre()), all.halfDiagonal());
         Vector3d step = direction.mul(PIECE * distance);
         Vector3d start = step.mul(-PIECES / 2.0, new Vector3d()).add(nearest);

@@ -8,8 +8,8 @@ import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
 
 /**
- * What a lamp outside a scene sees of it, at rest or on a piece of its way: a square of cells, each a range of slopes to
- * the right and up.
+ * What a lamp outside a scene sees of it, at rest or on a piece of its way: a square of cells, each a range of slopes
+ * to the right and up.
  */
 final class LightBufferProjection {
 

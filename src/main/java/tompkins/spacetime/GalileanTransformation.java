@@ -58,16 +58,6 @@ final class GalileanTransformation implements SpaceTimeTransformation {
         return new PreciseEvent(moved);
     }
 
-    /** A fused multiplication and addition rounds once, and what it leaves is small. */
-    @Override
-    public Vector3d placeFrom(Vector3dc near, Event event) {
-        double time = event.time();
-        return new Vector3d(
-                Math.fma(beta.x(), time, -near.x()) + event.x(),
-                Math.fma(beta.y(), time, -near.y()) + event.y(),
-                Math.fma(beta.z(), time, -near.z()) + event.z());
-    }
-
     /**
      * The tangent (d, dt) of the ray becomes (d + beta dt, dt). Its spatial part is no longer of length |dt|: the ray
      * keeps both, as a unit direction and a slowness. The phase of a wave is the same in both frames: its frequency in

@@ -1,6 +1,5 @@
 package tompkins.spacetime;
 
-import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
@@ -11,11 +10,6 @@ public record IdentityTransformation() implements SpaceTimeTransformation {
     @Override
     public Event transform(Event event) {
         return event;
-    }
-
-    @Override
-    public Vector3d placeFrom(Vector3dc near, Event event) {
-        return event.position().sub(near);
     }
 
     @Override

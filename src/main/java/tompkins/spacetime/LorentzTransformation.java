@@ -73,13 +73,6 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
     }
 
     @Override
-    public Vector3d placeFrom(Vector3dc near, Event event) {
-        return transform(PreciseEvent.of(event))
-                .minus(new Event(near.x(), near.y(), near.z(), 0))
-                .position();
-    }
-
-    @Override
     public PreciseEvent transform(PreciseEvent event) {
         return new PreciseTransformation(velocity, sign).transform(event);
     }

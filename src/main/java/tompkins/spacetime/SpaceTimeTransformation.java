@@ -1,6 +1,5 @@
 package tompkins.spacetime;
 
-import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
@@ -12,13 +11,7 @@ public sealed interface SpaceTimeTransformation
     /** The same event in the other frame. */
     Event transform(Event event);
 
-    /**
-     * The place of an event in the other frame, as seen from a place near it there: with all digits, however far from
-     * the origin both are. Slower than {@link #transform(Event)}.
-     */
-    Vector3d placeFrom(Vector3dc near, Event event);
-
-    /** The same event in the other frame, with all digits. */
+    /** The same event in the other frame, with all digits. Slower than {@link #transform(Event)}. */
     PreciseEvent transform(PreciseEvent event);
 
     /**

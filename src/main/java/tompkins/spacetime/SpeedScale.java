@@ -65,7 +65,7 @@ public enum SpeedScale {
                 .filter(number -> BELOW_ONE.matcher(number).matches() && Math.abs(Double.parseDouble(number)) == 1)
                 .findFirst()
                 .map(number -> "; " + OneLine.shortened(number, LONGEST_SHOWN)
-                        + " was rounded to 1: nearer to the speed of light come \"gamma\" and"
+                        + " was rounded to 1: to come nearer to the speed of light, write \"gamma\" or"
                         + " \"oneMinusBeta\" in the velocity of a scene file")
                 .orElse("");
     }

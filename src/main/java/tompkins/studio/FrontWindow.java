@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.joml.Vector3d;
 import tompkins.camera.Camera;
+import tompkins.camera.CameraMotion;
 import tompkins.math.RigidMotion;
 import tompkins.math.Vectors;
 import tompkins.property.Descriptions;
@@ -84,7 +85,7 @@ public final class FrontWindow {
      * with the camera stays where it is on board.
      */
     public static Studio held(Studio studio, Camera moved) {
-        RigidMotion motion = studio.camera().motionTo(moved);
+        RigidMotion motion = CameraMotion.between(studio.camera(), moved);
         List<SceneObject> objects = new ArrayList<>(studio.cameraFrame());
         for (int i = 0; i < objects.size(); i++) {
             if (window(objects.get(i)).isPresent()) {

@@ -4,6 +4,7 @@ import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.joml.Vector3dc;
 import tompkins.camera.Camera;
+import tompkins.camera.CameraMotion;
 import tompkins.math.RigidMotion;
 import tompkins.math.Vectors;
 import tompkins.ray.Ray;
@@ -61,7 +62,7 @@ public final class LensEvent {
         Studio faster = FrontWindow.withVelocity(timed, velocity);
         Event after = faster.sceneFromCamera().inverse().transform(inScene);
         RigidMotion motion = RigidMotion.about(before.position(), turn, after.position());
-        Camera moved = faster.camera().moved(motion);
+        Camera moved = CameraMotion.moved(faster.camera(), motion);
         double opening = moved.shutter().openingTime() + (after.time() - before.time());
         return faster.withCamera(moved.withShutter(moved.shutter().openedAt(opening)))
                 .withCameraFrame(faster.cameraFrame().stream()

@@ -1,10 +1,11 @@
 package tompkins.studio;
 
 import java.util.List;
+import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
-import tompkins.camera.Aim;
 import tompkins.camera.Camera;
+import tompkins.camera.FieldOfView;
 import tompkins.math.Vectors;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.Rider;
@@ -46,6 +47,11 @@ public record RideMoment(Studio studio, Rider rider, double properTime, double s
                 && now.shutter().openingTime() == before.shutter().openingTime();
     }
 
+    /** What a camera at rest in the scene sees at this event, with the axes that the moving one has in its frame. */
+    public Studio atRest() {
+        return LensEvent.moved(studio, rider.event(), Velocity.REST, new Quaterniond());
+    }
+
     /**
      * A later moment, after constant thrust.
      *
@@ -75,7 +81,7 @@ public record RideMoment(Studio studio, Rider rider, double properTime, double s
     private RideMoment turned(RideLeg leg) {
         Camera camera = studio.camera();
         if (leg.zoom() != 1) {
-            camera = Aim.zoomed(camera, leg.zoom());
+            camera = FieldOfView.zoomed(camera, leg.zoom());
         }
         if (leg.turnRightDegrees() != 0 || leg.turnUpDegrees() != 0) {
             camera = leg.turn().turn(camera);

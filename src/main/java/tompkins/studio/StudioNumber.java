@@ -43,7 +43,7 @@ public record StudioNumber(StudioPath place) {
             String start = known.equals(StudioPath.ROOT) ? "that begins" : "that goes on after " + known;
             throw new InvalidPropertyException("place", "one " + start + " with " + String.join(", ", further), place);
         }
-        String leaf = known + " is none that can be changed little by little";
+        String leaf = known + " is not a number that can change step by step";
         throw new InvalidPropertyException("place", "that of a number, " + EXAMPLES + " (" + leaf + ")", place);
     }
 

@@ -1,10 +1,8 @@
 package tompkins.study;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.LongStream;
 import tompkins.studio.Studio;
 
 /** How best to choose places on the lens, and in the pixel. */
@@ -13,15 +11,10 @@ final class ApertureStudy implements Study {
     static final String INDEPENDENCE = "independence";
 
     private static final int SAMPLES_OF_INDEPENDENCE = 16;
-    private static final int SCENE_PIXELS = 768;
-    private static final int SCENE_REPEATS = 3;
 
     private final long seed;
-    private final int mostSamples;
-    private final int repeats;
     private final ExactTrials exact;
-    private final Map<String, ScenePixels> scenes;
-    private final String sceneSettings;
+    private final MethodTrials trials;
     private final Map<String, SamplingMethod.Factory> methods;
     private final String program;
     private final ApertureFindings findings;
@@ -43,16 +36,11 @@ final class ApertureStudy implements Study {
             Map<String, SamplingMethod.Factory> methods,
             String program) {
         this.seed = seed;
-        this.mostSamples = mostSamples;
-        this.repeats = repeats;
         exact = new ExactTrials(seed, mostSamples, repeats);
         this.methods = methods;
         this.program = program;
-        sceneSettings = StudySetup.settings(studios);
-        scenes = new LinkedHashMap<>();
-        studios.forEach((name, studio) -> scenes.put(
-                name, new ScenePixels(studio, SCENE_PIXELS, 16 * mostSamples, Double.POSITIVE_INFINITY, () -> false)));
-        findings = new ApertureFindings(methods.keySet(), program, scenes.keySet());
+        trials = new MethodTrials(studios, seed, mostSamples, repeats, methods);
+        findings = new ApertureFindings(methods.keySet(), program, trials.scenes());
     }
 
     @Override
@@ -65,26 +53,19 @@ final class ApertureStudy implements Study {
 
     @Override
     public String settings() {
-        return "seed " + seed + ", up to " + mostSamples + " samples, " + repeats + " runs, scenes " + sceneSettings;
+        return trials.settings();
     }
 
     @Override
     public List<Trial> trials() {
-        List<Trial> trials = new ArrayList<>();
+        List<Trial> all = new ArrayList<>();
         for (ExactProblem problem : ExactProblem.values()) {
-            methods.forEach((title, factory) -> exact.counts()
-                    .forEach(samples -> trials.add(new Trial(
-                            problem.key(),
-                            title,
-                            samples,
-                            () -> exact.figures(problem::instance, problem.space(), factory, samples)))));
+            all.addAll(trials.onProblem(problem.key(), problem.space(), problem::instance));
         }
         methods.forEach((title, factory) ->
-                trials.add(new Trial(INDEPENDENCE, title, SAMPLES_OF_INDEPENDENCE, () -> independence(factory))));
-        scenes.forEach((name, pixels) -> methods.forEach((title, factory) -> exact.counts()
-                .forEach(samples ->
-                        trials.add(new Trial(name, title, samples, () -> scene(pixels, factory, samples))))));
-        return trials;
+                all.add(new Trial(INDEPENDENCE, title, SAMPLES_OF_INDEPENDENCE, () -> independence(factory))));
+        all.addAll(trials.onScenes());
+        return all;
     }
 
     /**
@@ -110,16 +91,6 @@ final class ApertureStudy implements Study {
                 (double) samples * errors.length, Spread.exact(0), ofMeans / ofAll * ExactTrials.PIXELS_OF_INSTANCE);
     }
 
-    private Figures scene(ScenePixels pixels, SamplingMethod.Factory factory, int samples) {
-        if (samples <= 16) {
-            Stopwatch.warmUp(() -> pixels.light(factory.pattern(0, samples, pixels.space()), samples));
-        }
-        List<SamplePattern> patterns = LongStream.range(seed, seed + SCENE_REPEATS)
-                .mapToObj(run -> factory.pattern(run, samples, pixels.space()))
-                .toList();
-        return pixels.placed(patterns, samples);
-    }
-
     @Override
     public List<Chart> charts() {
         List<Chart> charts = new ArrayList<>();
@@ -127,7 +98,7 @@ final class ApertureStudy implements Study {
             charts.add(Chart.errorAgainstTime(problem.key(), problem.title() + ", exact answer")
                     .withOwn(program));
         }
-        for (String name : scenes.keySet()) {
+        for (String name : trials.scenes()) {
             charts.add(Chart.errorAgainstTime(name, name + ", wide aperture").withOwn(program));
         }
         return charts;

@@ -1,29 +1,19 @@
 package tompkins.study;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.LongStream;
 import tompkins.studio.Studio;
 
 /** How best to choose the moments of samples while the shutter stays open. */
 final class ExposureStudy implements Study {
 
-    private static final int SCENE_PIXELS = 768;
-    private static final int SCENE_REPEATS = 3;
     private static final double STRAIGHT = 0.98;
     private static final int COMPARED_AT = 256;
     private static final double SHARE_OF_RANDOM = 0.4;
     private static final String RANDOM = SamplingMethod.RANDOM.title();
 
-    private final long seed;
-    private final int mostSamples;
-    private final int repeats;
-    private final ExactTrials exact;
-    private final Map<String, ScenePixels> scenes = new LinkedHashMap<>();
-    private final String sceneSettings;
-    private final Map<String, SamplingMethod.Factory> methods;
+    private final MethodTrials trials;
     private final String program;
 
     /**
@@ -43,15 +33,8 @@ final class ExposureStudy implements Study {
             int repeats,
             Map<String, SamplingMethod.Factory> methods,
             String program) {
-        this.seed = seed;
-        this.mostSamples = mostSamples;
-        this.repeats = repeats;
-        this.methods = methods;
         this.program = program;
-        exact = new ExactTrials(seed, mostSamples, repeats);
-        sceneSettings = StudySetup.settings(studios);
-        studios.forEach((name, studio) -> scenes.put(
-                name, new ScenePixels(studio, SCENE_PIXELS, 16 * mostSamples, Double.POSITIVE_INFINITY, () -> false)));
+        trials = new MethodTrials(studios, seed, mostSamples, repeats, methods);
     }
 
     @Override
@@ -64,31 +47,17 @@ final class ExposureStudy implements Study {
 
     @Override
     public String settings() {
-        return "seed " + seed + ", up to " + mostSamples + " samples, " + repeats + " runs, scenes " + sceneSettings;
+        return trials.settings();
     }
 
     @Override
     public List<Trial> trials() {
-        List<Trial> trials = new ArrayList<>();
+        List<Trial> all = new ArrayList<>();
         for (MotionProblem problem : MotionProblem.values()) {
-            methods.forEach((title, factory) -> exact.counts()
-                    .forEach(samples -> trials.add(new Trial(
-                            problem.key(),
-                            title,
-                            samples,
-                            () -> exact.figures(problem::instance, SampledSpace.TIME_AND_PIXEL, factory, samples)))));
+            all.addAll(trials.onProblem(problem.key(), SampledSpace.TIME_AND_PIXEL, problem::instance));
         }
-        scenes.forEach((name, pixels) -> methods.forEach((title, factory) -> exact.counts()
-                .forEach(samples ->
-                        trials.add(new Trial(name, title, samples, () -> scene(pixels, factory, samples))))));
-        return trials;
-    }
-
-    private Figures scene(ScenePixels pixels, SamplingMethod.Factory factory, int samples) {
-        List<SamplePattern> patterns = LongStream.range(seed, seed + SCENE_REPEATS)
-                .mapToObj(run -> factory.pattern(run, samples, pixels.space()))
-                .toList();
-        return pixels.placed(patterns, samples);
+        all.addAll(trials.onScenes());
+        return all;
     }
 
     @Override
@@ -104,7 +73,7 @@ final class ExposureStudy implements Study {
                             true)
                     .withOwn(program));
         }
-        for (String name : scenes.keySet()) {
+        for (String name : trials.scenes()) {
             charts.add(Chart.errorAgainstTime(name, name + ", long exposure").withOwn(program));
         }
         return charts;
@@ -149,7 +118,7 @@ final class ExposureStudy implements Study {
                     own.rSquared()));
             findings.add(advantage(problem.key(), problem.title(), all));
         }
-        scenes.keySet().forEach(name -> findings.add(advantage(name, name, all)));
+        trials.scenes().forEach(name -> findings.add(advantage(name, name, all)));
         return findings;
     }
 

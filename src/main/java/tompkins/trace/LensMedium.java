@@ -71,7 +71,7 @@ final class LensMedium {
         return crossings.values();
     }
 
-    /** How often the line leaves more than it has entered, in the end. */
+    /** How many times more the line leaves than it enters. */
     private static int left(Collection<Integer> crossings) {
         return crossings.stream().mapToInt(Integer::intValue).sum();
     }

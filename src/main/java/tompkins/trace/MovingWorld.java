@@ -57,8 +57,8 @@ final class MovingWorld {
     /**
      * The colour that light has for the camera.
      *
-     * @param frequency that of the ray along which it is seen: in the frame in which it was sent out, divided by that in
-     *     the camera frame
+     * @param frequency that of the ray along which it is seen: in the frame in which it was sent out, divided by that
+     *     in the camera frame
      * @param lampFactor frequency in that frame divided by that in the frame of the lamp that it comes from
      */
     Colour seen(Colour light, double frequency, double lampFactor) {

@@ -65,7 +65,7 @@ final class Omissions {
         addShutter(sentences);
         if (hasImagePoints && !beforeLens.isEmpty()) {
             sentences.add("Image points are worked out as if nothing stood before the lens:"
-                    + " they do not know of the objects that move with the camera.");
+                    + " they ignore the objects that move with the camera.");
         }
         addLight(sentences);
         return sentences;
@@ -94,7 +94,7 @@ final class Omissions {
             return;
         }
         if (has(beforeLens, Omissions::turnsRays)) {
-            sentences.add("The focus does not know of windows, glass and mirrors before the lens:"
+            sentences.add("The focus ignores windows, glass and mirrors before the lens:"
                     + " it lies where the rays would meet it without them.");
         }
         RayCounts counts = tried();

@@ -88,9 +88,9 @@ final class PlanSentences {
         String time = together
                 ? "at the time " + NumberText.of(studio.camera().shutter().openingTime()) + " of the camera's frame"
                 : "in the camera's frame, for each ray at the time that the shutter gives";
-        return "Measured, no photograph: it shows where things are " + time
-                + ", as rulers and clocks find them there; light needs no time on its way to the camera, but as long as ever"
-                + " from the lamps, and behind mirrors and glass.";
+        return "Measured, not a photograph: it shows where things are " + time
+                + ", as rulers and clocks find them there; light needs no time on its way to the camera, but travels as usual"
+                + " from the lamps, and after mirrors and glass.";
     }
 
     /** What the picture may suffer from, in clauses. */
@@ -233,7 +233,7 @@ final class PlanSentences {
                 .collect(Collectors.joining("; "));
         int others = world.frameCount() - told;
         return format(
-                "%d inertial frames, and each ray is searched for in each that holds objects: %s%s.",
+                "%d inertial frames: each ray is searched for in every one that holds objects: %s%s.",
                 world.frameCount(), frames, others == 0 ? "" : "; and " + others + " more");
     }
 

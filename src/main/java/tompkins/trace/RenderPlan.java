@@ -270,16 +270,6 @@ public final class RenderPlan {
                 observer);
     }
 
-    /** The place from which the tracer describes the scene; usually the origin of the scene frame. */
-    Event sceneOrigin() {
-        return crossing.origin();
-    }
-
-    /** The frames of the scene. */
-    World world() {
-        return world;
-    }
-
     /** An event of a frame of the scene, in the coordinates of the scene itself. */
     Event inScene(int frame, Event event) {
         Event traced = frame == 0 ? event : routes.transform(frame, 0, event);

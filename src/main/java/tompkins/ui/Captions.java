@@ -65,25 +65,25 @@ public final class Captions {
     }
 
     /**
-     * What is written into a picture now: its caption, or if none is wanted at least that it is no photograph; empty if
-     * it is one.
+     * What is written into a picture now: its caption, or if none is wanted, a note if it is not a photograph;
+     * otherwise nothing.
      */
     String shown(Studio studio) {
         return areShown() ? of(studio, animated) : view(studio);
     }
 
-    /** What a picture is that is no photograph; empty if it is one. */
+    /** Says of a picture that it is not a photograph; empty if it is one. */
     private static String view(Studio studio) {
         return studio.view() == View.MEASURED ? Texts.get("caption.MEASURED") : "";
     }
 
-    /** Writes the captions of the pictures of an animation; if none are wanted, only what is no photograph says so. */
+    /** Writes the captions of the pictures of an animation; if none are wanted, only says what is not a photograph. */
     public static Film.Caption ofPictures(Studio studio, StudioNumber animated, boolean wanted) {
         NumberProperty number = NumberProperty.of(animated, studio);
         return (moment, frame) -> wanted ? of(moment, number) : view(moment);
     }
 
-    /** Writes the captions of the pictures of a ride; if none are wanted, only what is no photograph says so. */
+    /** Writes the captions of the pictures of a ride; if none are wanted, only says what is not a photograph. */
     public static Film.Caption ofPictures(RideFilm film, boolean wanted) {
         return (moment, frame) ->
                 wanted ? of(film.moment(frame)) : view(film.moment(frame).studio());

@@ -2,19 +2,17 @@ package tompkins.ui;
 
 import java.awt.Dimension;
 import java.awt.geom.Point2D;
-import java.util.Objects;
-import java.util.function.Consumer;
+import java.util.function.BiConsumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.DoublePredicate;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import tompkins.camera.Aim.PicturePlace;
 import tompkins.camera.Camera;
+import tompkins.camera.FocusDistance;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
-import tompkins.trace.RenderPlan;
 import tompkins.ui.model.StudioModel;
-import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.panel.Compared;
 import tompkins.ui.picture.Comparison;
 import tompkins.ui.picture.Pace;
@@ -63,28 +61,20 @@ final class PhotographView implements AutoCloseable {
     private final PictureNotice notice;
     private final ScreenPictures screen;
     private final RenderController controller;
-    private final RenderController otherController;
+    private final ComparedPicture compared;
     private final Supplier<Pace> pace;
     private final PixelProbe hover = new PixelProbe(this::fail);
-    private final PixelProbe pinned = new PixelProbe(this::fail);
+    private final PixelPin pin;
     private final PixelProbe picked = new PixelProbe(this::fail);
     private Studio rendered;
 
     /** The room for each picture; null while nobody knows it. */
     private Room room;
 
-    private Compared compared = Compared.NOTHING;
-    private Studio otherStudio;
-    private Dimension otherSize;
-    private Picture keptPicture;
-    private Point2D pin;
-    private boolean pinnedInOther;
-    private RenderPlan pinnedPlan;
-    private String pinnedName;
     private Picking picking;
 
     /** Told of clicks while somebody measures; null otherwise. */
-    private Consumer<Point2D> measuring;
+    private BiConsumer<Point2D, Picture> measuring;
 
     /** The photograph of a model; {@code pace} says how soon a picture of a change has to come. */
     PhotographView(StudioModel model, Listener listener, Supplier<Pace> pace) {
@@ -97,8 +87,9 @@ final class PhotographView implements AutoCloseable {
         notice = new PictureNotice(model, canvas);
         controller = new RenderController(
                 screen::setNow, error -> SwingUtilities.invokeLater(() -> listener.noPicture(Messages.of(error))));
-        otherController = new RenderController(this::showOther, this::fail);
-        model.addListener(this::renderChange);
+        compared = new ComparedPicture(model, screen, this::sizeOf, pace, this::fail);
+        pin = new PixelPin(canvas, this::nameOf, listener::pinned, this::fail);
+        model.addLiveListener(this::renderChange);
     }
 
     PictureCanvas canvas() {
@@ -125,7 +116,7 @@ final class PhotographView implements AutoCloseable {
     void render() {
         rendered = model.studio();
         controller.show(rendered, sizeOf(rendered), pace.get());
-        renderOther();
+        compared.render();
     }
 
     /** Pictures are taken in the size in which they are shown; in their own as long as nobody knows that. */
@@ -152,99 +143,40 @@ final class PhotographView implements AutoCloseable {
     /** Ends the work on all pictures; what is there stays until the next change. */
     void stop() {
         controller.stop();
-        otherController.stop();
-        otherStudio = null;
+        compared.stop();
     }
 
     private void show(ScreenPicture pictures) {
         canvas.show(pictures);
         notice.show(pictures.now());
         listener.shown(pictures.now());
-        if (pin != null && !pictures.now().holds(pin)) {
-            setPin(null);
-        } else if (pin != null
-                && (pinnedPicture().plan() != pinnedPlan || !Objects.equals(nameOf(pinnedPicture()), pinnedName))) {
-            readPin();
-        }
+        pin.follow();
     }
 
     /** Compares with another picture from now on. */
     void compare(Compared other) {
-        compared = other;
-        canvas.setComparison(compared.view(), compared.name());
-        screen.setDifference(compared.view() == Comparison.DIFFERENCE);
-        renderOther();
-        if (pin != null) {
-            readPin();
-        }
+        canvas.setComparison(other.view(), other.name());
+        screen.setDifference(other.view() == Comparison.DIFFERENCE);
+        compared.choose(other);
+        pin.readAgain();
     }
 
-    private void renderOther() {
-        Studio studio = compared.studio(model.studio());
-        if (compared.other() == ComparePanel.Other.KEPT_PICTURE && keptPicture != null) {
-            studio = keptPicture.studio();
-        }
-        if (studio == null) {
-            otherStudio = null;
-            otherController.stop();
-            screen.setOther(null);
-        } else if (!studio.equals(otherStudio) || !sizeOf(studio).equals(otherSize)) {
-            otherStudio = studio;
-            otherSize = sizeOf(studio);
-            if (keptPicture != null && studio == keptPicture.studio() && keptPicture.isOfSize(otherSize)) {
-                otherController.stop();
-                screen.setOther(keptPicture);
-            } else {
-                otherController.show(studio, otherSize, pace.get());
-            }
-        }
-    }
-
-    private void showOther(Picture picture) {
-        SwingUtilities.invokeLater(() -> {
-            // what is no longer wanted may still arrive
-            if (picture.studio().equals(otherStudio)) {
-                screen.setOther(picture);
-            }
-        });
+    /** Lets a camera at rest be where one on a ride is; the supplier gives null where there is no ride. */
+    void setRideAtRest(Supplier<Studio> atRest) {
+        compared.setRideAtRest(atRest);
     }
 
     /** Keeps the picture that is on the screen, to compare others with it; says what to call it. */
     String keepPicture() {
-        keptPicture = canvas.shown().now();
-        Studio kept = keptPicture == null ? model.studio() : keptPicture.studio();
+        Picture now = canvas.shown().now();
+        compared.keep(now);
+        Studio kept = now == null ? model.studio() : now.studio();
         return Texts.get("compare.kept", kept.shortTitle(), Captions.motion(kept));
     }
 
     /** Marks a place of the picture and tells the life of its ray; of no place if it is null. */
     void setPin(Point2D place) {
-        setPin(place, false);
-    }
-
-    private void setPin(Point2D place, boolean inOther) {
-        pin = place;
-        pinnedInOther = inOther;
-        canvas.setPin(place);
-        readPin();
-    }
-
-    private Picture pinnedPicture() {
-        ScreenPicture shown = canvas.shown();
-        return pinnedInOther && shown.otherImage() != null ? shown.other() : shown.now();
-    }
-
-    private void readPin() {
-        Picture picture = pinnedPicture();
-        if (pin == null || picture == null) {
-            // it may hold a large scene
-            pinnedPlan = null;
-            listener.pinned(null, null);
-            return;
-        }
-        pinnedPlan = picture.plan();
-        String name = nameOf(picture);
-        pinnedName = name;
-        pinned.ask(picture, placeIn(picture, pin), reading -> listener.pinned(pin == null ? null : reading, name));
+        pin.set(place, false);
     }
 
     /** What a picture is called where two are seen; null where the studio's is seen alone. */
@@ -255,11 +187,15 @@ final class PhotographView implements AutoCloseable {
         return canvas.showsTwo() ? Texts.get("compare.now") : null;
     }
 
-    /** The same place in another picture: a kept one may have another size. */
-    private Point2D placeIn(Picture picture, Point2D place) {
-        double scale = (double) picture.studio().settings().width()
-                / canvas.shown().now().studio().settings().width();
-        return new Point2D.Double(scale * place.getX(), scale * place.getY());
+    /** The picture that is compared with that of the studio; null if none is seen. */
+    Picture otherPicture() {
+        ScreenPicture shown = canvas.shown();
+        return shown.otherImage() == null ? null : shown.other();
+    }
+
+    /** What that picture is called. */
+    String otherName() {
+        return compared.name();
     }
 
     /**
@@ -281,8 +217,8 @@ final class PhotographView implements AutoCloseable {
         listener.picking(false);
     }
 
-    /** Lets clicks on the picture tell places, until it is called with null. */
-    void setMeasuring(Consumer<Point2D> taker) {
+    /** Lets clicks tell places, in pixels of the picture that is seen there, until it is called with null. */
+    void setMeasuring(BiConsumer<Point2D, Picture> taker) {
         measuring = taker;
         canvas.setMeasuring(taker != null);
     }
@@ -291,7 +227,7 @@ final class PhotographView implements AutoCloseable {
     void askDistance(PicturePlace place, DoubleConsumer answer) {
         Picture picture = canvas.shown().now();
         Camera camera = picture.studio().camera();
-        double focus = Math.abs(camera.focusDistance());
+        double focus = Math.abs(FocusDistance.of(camera));
         double usual = Double.isFinite(focus) && focus > 0 ? focus : 1;
         Point2D point = new Point2D.Double(place.x(), place.y());
         picked.ask(
@@ -323,7 +259,7 @@ final class PhotographView implements AutoCloseable {
         public void over(Point2D place, Picture seen) {
             isOver = seen != null;
             if (isOver) {
-                hover.ask(seen, placeIn(seen, place), this::read);
+                hover.ask(seen, canvas.shown().placeIn(seen, place), this::read);
             } else {
                 listener.read(null);
             }
@@ -348,9 +284,9 @@ final class PhotographView implements AutoCloseable {
                     }
                 });
             } else if (measuring != null) {
-                measuring.accept(place);
+                measuring.accept(canvas.shown().placeIn(seen, place), seen);
             } else {
-                setPin(place, seen != canvas.shown().now());
+                pin.set(place, seen != canvas.shown().now());
             }
         }
     }
@@ -358,10 +294,10 @@ final class PhotographView implements AutoCloseable {
     @Override
     public void close() {
         controller.close();
-        otherController.close();
+        compared.close();
         screen.close();
         hover.close();
-        pinned.close();
+        pin.close();
         picked.close();
     }
 }

@@ -12,6 +12,8 @@ import javax.swing.KeyStroke;
 import javax.swing.ScrollPaneConstants;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
+import tompkins.camera.Camera;
+import tompkins.camera.FocusDistance;
 import tompkins.property.NumberText;
 import tompkins.studio.StudioPath;
 import tompkins.trace.RenderPlan;
@@ -159,7 +161,8 @@ final class SidePanel {
     /** Focuses at a distance; a click beside all objects gives none, and the next one may be better. */
     private static boolean focus(StudioModel model, Consumer<String> teller, double distance) {
         if (distance > 0) {
-            model.set(model.studio().withCamera(model.studio().camera().focusedAt(NumberText.rounded(distance, 6))));
+            Camera camera = model.studio().camera();
+            model.set(model.studio().withCamera(FocusDistance.with(camera, NumberText.rounded(distance, 6))));
         } else {
             teller.accept(Texts.get("lens.pickedNothing"));
         }

@@ -1,7 +1,6 @@
 package tompkins.world;
 
 import java.util.Arrays;
-import java.util.List;
 import org.joml.Vector3dc;
 import tompkins.light.LightSource;
 import tompkins.light.Sightline;
@@ -180,10 +179,5 @@ public final class LampWays {
         scratch.forgetLeaf();
         lastShadows[frame] = trees[frame].shadow(ray, length, scratch);
         return lastShadows[frame] != null;
-    }
-
-    /** All light sources of the world. */
-    public List<LightSource> lights() {
-        return world.lights();
     }
 }

@@ -43,8 +43,8 @@ public final class World {
     private static final int MOST_BUFFERS = 16;
 
     /**
-     * Primitives that all lamps with buffers see: a million take 30 MB and half a second for each lamp. As many again are
-     * seen by those that pass.
+     * Primitives that all lamps with buffers see: a million take 30 MB and half a second for each lamp. As many again
+     * are seen by those that pass.
      */
     private static final int MOST_SEEN = 2_000_000;
 

@@ -13,6 +13,7 @@ import tompkins.shutter.LensRay;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.LorentzTransformation;
 import tompkins.spacetime.NaiveFrames;
+import tompkins.spacetime.Nearby;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.surface.NaiveRefraction;
@@ -100,7 +101,7 @@ record FailureMode(String quantity, String where, double naive, double ours) {
         double exact = place.subtract(new BigDecimal(near.z)).doubleValue();
         Event lens = new Event(0, 0, 0, time);
         double naive = sceneFromCamera.transform(lens).position().sub(near).z;
-        double ours = sceneFromCamera.placeFrom(near, lens).z;
+        double ours = Nearby.place(sceneFromCamera, near, lens).z;
         return of(
                 "place of the lens relative to objects beside it, in scene coordinates; absolute",
                 "camera time " + time,

@@ -222,7 +222,7 @@ class AnimateCommandTest {
                 .containsExactly(
                         "warning: picture 1 of 5: no ray met an object of the scene: another direction, a wider field of"
                                 + " view or a lower speed may show some",
-                        "warning: there are warnings about 4 other pictures, too; render takes a single one and tells"
+                        "warning: there are warnings about 4 other pictures, too; render a single one to read"
                                 + " them");
     }
 

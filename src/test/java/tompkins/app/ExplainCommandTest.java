@@ -133,7 +133,7 @@ class ExplainCommandTest {
             'camera': {'apertureRadius': 0.1} | 'scene': [{'type': 'Plane'}], 'camera': {'apertureRadius': 0.1}
             leave its frequency as it is | 'velocity': [0, 0, 0.5], 'colours': 'doppler', 'cameraFrame': [WINDOW] \
             | 'velocity': [0, 0, 0.5], 'colours': 'doppler'
-            The focus does not know of windows, glass and mirrors | 'cameraFrame': [WINDOW], 'camera': {'apertureRadius': 0.1} \
+            The focus ignores windows, glass and mirrors | 'cameraFrame': [WINDOW], 'camera': {'apertureRadius': 0.1} \
             | 'cameraFrame': [WINDOW]
             missed by about 75 % of the pixels: these are focused at infinity. | 'camera': {'apertureRadius': 0.1, 'focus': QUARTER} \
             | 'camera': {'focus': QUARTER}
@@ -149,7 +149,7 @@ class ExplainCommandTest {
             nothing is blurred by motion | 'velocity': [0, 0, 0.5] | 'velocity': [0, 0, 0]
             nothing is blurred by motion | 'velocity': [0, 0, 0.5] | 'velocity': [0, 0, 0.5], 'camera': {'exposureTime': 1}
             nothing is blurred by motion | 'scene': [{'type': 'Moving'}] | 'scene': [{'type': 'Moving', 'velocity': [0, 0, 0]}]
-            Measured, no photograph: it shows where things are at the time 0 of | 'view': 'measured' | 'view': 'seen'
+            Measured, not a photograph: it shows where things are at the time 0 of | 'view': 'measured' | 'view': 'seen'
             where things are in the camera's frame, for each ray | 'view': 'measured', \
             'camera': {'rollingShutter': {'sweep': 1}} | 'view': 'measured'
             no searchlight effect; what is measured has no Doppler | 'view': 'measured', 'colours': 'doppler', 'velocity': [0, 0, 0.5] \
@@ -175,7 +175,7 @@ class ExplainCommandTest {
                 """);
         assertThat(said)
                 .contains(
-                        "4 inertial frames, and each ray is searched for in each that holds objects: at rest 1 primitive"
+                        "4 inertial frames: each ray is searched for in every one that holds objects: at rest 1 primitive"
                                 + " and 1 lamp; moving with gamma 1.25: 2 primitives and 1 lamp;"
                                 + " moving with gamma 1.667: 0 primitives; moving with gamma 1.25 in what moves: 1 primitive.");
         String many = IntStream.range(1, 31)

@@ -67,8 +67,8 @@ class PictureOptionsTest {
                 "--beta 0,0,1 | --beta must be shorter than 1",
                 "--beta 0.6,0.8,0 | shorter than 1",
                 "--beta 0,-.99999999999999999,0 | was [0, -1, 0] with length 1; -.99999999999999999 was rounded to 1: "
-                        + "nearer to the speed of light come \"gamma\" and \"oneMinusBeta\" in the velocity of a scene "
-                        + "file, and --gamma",
+                        + "to come nearer to the speed of light, write \"gamma\" or \"oneMinusBeta\" in the velocity of a scene "
+                        + "file, or --gamma",
                 "--beta 0,0,NaN | such as --beta=0.9 or --beta=0,0,0.9, was 0,0,NaN",
                 "--beta 1,200 | --beta must be 1 or 3 numbers with commas between them, such as --beta=0.9 or "
                         + "--beta=0,0,0.9, was 1,200",

@@ -112,7 +112,7 @@ class PicturePlacesTest {
             ProgramRun film = ProgramRun.of("animate", FIG1B, "--from", 0, "--to", 0.5, "-o", pipe, force);
             for (ProgramRun run : List.of(picture, film)) {
                 assertThat(run.code()).isEqualTo(Failures.MISTAKE);
-                assertThat(run.err()).contains(pipe + ": cannot be written: it is no file but a device or a pipe");
+                assertThat(run.err()).contains(pipe + ": cannot be written: it is a device or a pipe, not a file");
             }
         }
         assertThat(Files.isRegularFile(pipe)).isFalse();

@@ -183,9 +183,9 @@ class RenderCommandTest {
         ProgramRun run = ProgramRun.of(
                 "render", "scenes/motion-barn-measured.json", "--size", "8x6", "--samples", "1", "-o", picture);
         assertThat(run.code()).as(run.err()).isZero();
-        assertThat(run.out()).contains("(measured, no photograph; ");
+        assertThat(run.out()).contains("(measured, not a photograph; ");
         assertThat(Files.readString(picture, StandardCharsets.ISO_8859_1))
-                .contains("Measured, no photograph: A rod fits into a shorter barn");
+                .contains("Measured, not a photograph: A rod fits into a shorter barn");
         Path seen = folder.resolve("seen.png");
         assertThat(ProgramRun.of("render", "scenes/motion-barn.json", "--size", "8x6", "--samples", "1", "-o", seen)
                         .out())

@@ -26,13 +26,14 @@ class AimTest {
     private static final Offset<Double> EXACT = within(1e-12);
 
     static Stream<Camera> cameras() {
-        Camera tilted = ThinLensCamera.DEFAULT.turned(new Vector3d(0.3, -0.5, -1), new Vector3d(0.1, 1, 0.2));
+        Camera tilted =
+                CameraMotion.turned(ThinLensCamera.DEFAULT, new Vector3d(0.3, -0.5, -1), new Vector3d(0.1, 1, 0.2));
         return Stream.of(
                 ThinLensCamera.DEFAULT,
                 tilted,
-                tilted.withHorizontalAngle(110),
+                FieldOfView.with(tilted, 110),
                 PanoramicCamera.DEFAULT,
-                PanoramicCamera.DEFAULT.turned(new Vector3d(1, 0.2, 0), new Vector3d(0, 1, 0)));
+                CameraMotion.turned(PanoramicCamera.DEFAULT, new Vector3d(1, 0.2, 0), new Vector3d(0, 1, 0)));
     }
 
     private static PicturePlace place(double x, double y) {
@@ -71,7 +72,7 @@ class AimTest {
         Camera narrow = Aim.zoomed(camera, 0.5, place);
         assertThat(narrow.horizontalAngleDegrees()).isCloseTo(camera.horizontalAngleDegrees() / 2, EXACT);
         assertThat(place.direction(narrow).distance(seen)).isLessThan(1e-12);
-        assertThat(Aim.zoomed(camera, 1e9).horizontalAngleDegrees())
+        assertThat(FieldOfView.zoomed(camera, 1e9).horizontalAngleDegrees())
                 .isEqualTo(camera instanceof ThinLensCamera ? 170 : 360);
     }
 
@@ -104,19 +105,20 @@ class AimTest {
     /** A turned camera is focused at the same distance, and its shutter is where it was in the picture. */
     @Test
     void focusAndShutterTurnWithTheCamera() {
-        ThinLensCamera camera = Descriptions.with(
+        Camera camera = Descriptions.with(
                 ThinLensCamera.DEFAULT.withShutter(
                         new ArbitraryPlaneShutter(1, new Vector3d(0.2, 0.1, 3), new Vector3d(0.1, 0, 1))),
                 "position",
                 new Vector3d(1, 2, -4));
         Camera turned = Aim.along(camera, new Vector3d(1, 0.3, 0.2));
-        assertThat(turned.focusDistance()).isCloseTo(14, EXACT);
+        assertThat(FocusDistance.of(turned)).isCloseTo(14, EXACT);
         for (PicturePlace place : new PicturePlace[] {place(100, 100), place(500, 300)}) {
             assertThat(time(turned, place)).isCloseTo(time(camera, place), EXACT);
         }
-        ThinLensCamera atSphere = Descriptions.with(
+        Camera atSphere = Descriptions.with(
                 camera, "focus", new Sphere("focus", new Vector3d(1, 2, 3), 2, ColouredSurface.DEFAULT));
-        assertThat(Aim.along(atSphere, new Vector3d(-1, 0, 0)).focusDistance()).isCloseTo(5, within(1e-9));
+        assertThat(FocusDistance.of(Aim.along(atSphere, new Vector3d(-1, 0, 0))))
+                .isCloseTo(5, within(1e-9));
         assertThat(((ThinLensCamera) turned).focus()).isInstanceOf(Plane.class);
     }
 

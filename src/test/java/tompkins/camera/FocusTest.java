@@ -200,37 +200,39 @@ class FocusTest {
                 AperturePlaneShutter.DEFAULT);
     }
 
+    private static double inFocus(SceneObject object) {
+        return FocusDistance.of(aside(object));
+    }
+
     /** The view runs from (1, 2, 3) along (0, 0.6, 0.8). */
     @Test
     void theDistanceInFocusIsThatAlongTheMiddle() {
-        assertThat(aside(plane(new Vector3d(0, 0, 11), new Vector3d(0, 0, 1))).focusDistance())
+        assertThat(inFocus(plane(new Vector3d(0, 0, 11), new Vector3d(0, 0, 1))))
                 .isCloseTo(10, within(1e-14));
-        assertThat(aside(plane(new Vector3d(0, 0, -1), new Vector3d(0, 0, 1))).focusDistance())
+        assertThat(inFocus(plane(new Vector3d(0, 0, -1), new Vector3d(0, 0, 1))))
                 .as("behind the camera")
                 .isCloseTo(-5, within(1e-14));
-        assertThat(aside(new Sphere("ball", new Vector3d(1, 8, 11), 2, ColouredSurface.DEFAULT))
-                        .focusDistance())
+        assertThat(inFocus(new Sphere("ball", new Vector3d(1, 8, 11), 2, ColouredSurface.DEFAULT)))
                 .as("the nearest point")
                 .isCloseTo(8, within(1e-14));
-        assertThat(aside(new Sphere("ball", new Vector3d(9, 8, 11), 2, ColouredSurface.DEFAULT))
-                        .focusDistance())
+        assertThat(inFocus(new Sphere("ball", new Vector3d(9, 8, 11), 2, ColouredSurface.DEFAULT)))
                 .as("nothing there")
                 .isNotFinite();
-        assertThat(aside(plane(new Vector3d(2, 0, 0), new Vector3d(1, 0, 0))).focusDistance())
+        assertThat(inFocus(plane(new Vector3d(2, 0, 0), new Vector3d(1, 0, 0))))
                 .as("at infinity")
                 .isInfinite();
     }
 
     @Test
     void aThinLensIsFocusedOnThePlaneAcrossItsView() {
-        ThinLensCamera focused = aside(Sphere.DEFAULT).focusedAt(10);
+        ThinLensCamera focused = (ThinLensCamera) FocusDistance.with(aside(Sphere.DEFAULT), 10);
         Plane plane = (Plane) focused.focus();
         assertThat(plane.point().distance(1, 8, 11)).isLessThan(1e-14);
         assertThat(plane.normal().distance(0, 0.6, 0.8)).isLessThan(1e-15);
-        assertThat(focused.focusDistance()).isCloseTo(10, within(1e-14));
+        assertThat(FocusDistance.of(focused)).isCloseTo(10, within(1e-14));
         assertThat(aside(focused.focus())).as("nothing else changes").isEqualTo(focused);
         for (double nowhere : new double[] {0, Double.NaN, Double.POSITIVE_INFINITY}) {
-            assertThatThrownBy(() -> focused.focusedAt(nowhere))
+            assertThatThrownBy(() -> FocusDistance.with(focused, nowhere))
                     .isInstanceOf(InvalidPropertyException.class)
                     .hasMessageStartingWith("focusDistance must be a finite number, not 0");
         }
@@ -238,9 +240,10 @@ class FocusTest {
 
     @Test
     void aPanoramaIsFocusedAtADistance() {
-        PanoramicCamera focused = PanoramicCamera.DEFAULT.focusedAt(7);
-        assertThat(focused.focusDistance()).isEqualTo(7);
-        assertThat(focused.focusedAt(PanoramicCamera.DEFAULT.focusDistance())).isEqualTo(PanoramicCamera.DEFAULT);
-        assertThatThrownBy(() -> focused.focusedAt(-7)).isInstanceOf(InvalidPropertyException.class);
+        Camera focused = FocusDistance.with(PanoramicCamera.DEFAULT, 7);
+        assertThat(FocusDistance.of(focused)).isEqualTo(7);
+        assertThat(FocusDistance.with(focused, PanoramicCamera.DEFAULT.focusDistance()))
+                .isEqualTo(PanoramicCamera.DEFAULT);
+        assertThatThrownBy(() -> FocusDistance.with(focused, -7)).isInstanceOf(InvalidPropertyException.class);
     }
 }

@@ -69,7 +69,7 @@ class ForeignPicturesTest {
                 "tiff-int8.tif|its numbers are signed; those of a picture must be unsigned or floating point",
                 "tiff-float24.tif|its numbers are floating point with 24 bits; those of a TIFF picture must have 16, 32 or 64",
                 "tiff-zstd.tif|its compression is Zstandard (50000);"
-                        + " a TIFF picture must have none, LZW, Deflate, PackBits, JPEG or that of telefax"
+                        + " a TIFF picture must have none, LZW, Deflate, PackBits, JPEG or fax"
             })
     void whatIsWholeAndNotReadIsNotDamaged(String name, String reason) {
         assertThatThrownBy(() -> PictureFile.read(file(name)))

@@ -115,7 +115,7 @@ class PendingFileTest {
                 .isZero();
 
         assertThatThrownBy(() -> PendingFile.replacing(pipe))
-                .hasMessage(pipe + ": cannot be written: it is no file but a device or a pipe");
+                .hasMessage(pipe + ": cannot be written: it is a device or a pipe, not a file");
         assertThat(Files.readAttributes(pipe, "isOther").get("isOther")).isEqualTo(true);
     }
 

@@ -176,7 +176,7 @@ class PngReaderTest {
         System.arraycopy(file, 8, apple, 24, file.length - 8);
         assertThatThrownBy(() -> PictureFile.read(apple, "p.png"))
                 .hasMessage(
-                        "p.png: is packed as only devices of Apple read it (CgBI); save it as an ordinary PNG picture");
+                        "p.png: is packed in a way that only Apple devices read (CgBI); save it as an ordinary PNG picture");
     }
 
     @Test

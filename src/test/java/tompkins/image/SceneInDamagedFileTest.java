@@ -116,7 +116,7 @@ class SceneInDamagedFileTest {
             assertThatThrownBy(() -> PhotographFile.readScene(file))
                     .isInstanceOf(FileException.class)
                     .hasMessage(file + ": cannot be read: the file is damaged in the part that begins at byte " + text
-                            + "; another copy of it may be whole");
+                            + "; another copy of it may be intact");
         }
     }
 

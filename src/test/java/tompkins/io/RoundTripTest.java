@@ -75,18 +75,8 @@ class RoundTripTest {
     }
 
     static Stream<Class<?>> types() {
-        Stream<Class<?>> families = Stream.of(
-                SceneObject.class,
-                Surface.class,
-                LightSource.class,
-                Shutter.class,
-                Camera.class,
-                Background.class,
-                LessonPlan.class,
-                Measurement.class,
-                MeasuringPoint.class);
         return Stream.concat(
-                families.flatMap(family -> Descriptions.members(family).stream()),
+                Families.ALL.stream().flatMap(family -> Descriptions.members(family).stream()),
                 Stream.of(RenderSettings.class, Studio.class));
     }
 

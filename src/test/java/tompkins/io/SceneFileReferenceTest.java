@@ -23,7 +23,6 @@ import tompkins.lesson.MeasuringPoint;
 import tompkins.light.LightSource;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.Shutter;
-import tompkins.studio.Background;
 import tompkins.studio.Studio;
 import tompkins.surface.Surface;
 
@@ -65,16 +64,7 @@ class SceneFileReferenceTest {
     @Test
     void everyTypeHasASectionAndEveryKeyALine() {
         String text = SceneFileReference.markdown();
-        List<Class<?>> types = Stream.of(
-                        SceneObject.class,
-                        Surface.class,
-                        LightSource.class,
-                        Shutter.class,
-                        Camera.class,
-                        Background.class,
-                        LessonPlan.class,
-                        Measurement.class,
-                        MeasuringPoint.class)
+        List<Class<?>> types = Families.ALL.stream()
                 .flatMap(family -> Stream.of(family.getPermittedSubclasses()))
                 .<Class<?>>map(type -> type)
                 .toList();

@@ -99,10 +99,10 @@ class SceneMistakesTest {
             {"velocity": [0.6, 0, 0.8]}   | f:1:14: velocity: must be shorter than 1 (the speed of light), was [0.6, 0, 0.8] \
             with length 1
             {"velocity": [0, 0, 0.99999999999999999]} | f:1:14: velocity: must be shorter than 1 (the speed of light), was \
-            [0, 0, 1] with length 1; 0.99999999999999999 was rounded to 1: nearer to the speed of light come "gamma" and \
+            [0, 0, 1] with length 1; 0.99999999999999999 was rounded to 1: to come nearer to the speed of light, write "gamma" or \
             "oneMinusBeta" in the velocity of a scene file
             {"velocity": {"beta": 0.999999999999999999999}} | f:1:23: velocity.beta: must be at least 0 and below 1 (the speed of light), was 1; \
-            0.999999999999999999999 was rounded to 1: nearer to the speed of light come "gamma" and "oneMinusBeta" in the \
+            0.999999999999999999999 was rounded to 1: to come nearer to the speed of light, write "gamma" or "oneMinusBeta" in the \
             velocity of a scene file
             {"velocity": {"beta": 1.0}}   | f:1:23: velocity.beta: must be at least 0 and below 1 (the speed of light), was 1
             {"velocity": {"oneMinusBeta": 1e-17}} | f:1:14: velocity: must be at most that of gamma 1e8, was that of gamma \

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.PanoramicCamera;
 import tompkins.image.LinearImage;
-import tompkins.lesson.NoLesson;
+import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.TransformationLaw;
@@ -27,23 +27,8 @@ class AberrationTest {
     private static Photograph halfLitSky(double speed, PanoramicCamera camera, int width, int height) {
         Studio dark = Photograph.of(List.of(), camera, Velocity.of(0, speed, 0), width, height)
                 .studio();
-        return new Photograph(new Studio(
-                dark.title(),
-                dark.topic(),
-                dark.remarks(),
-                dark.scene(),
-                dark.cameraFrame(),
-                dark.lights(),
-                new SkyBackground(Colour.WHITE, Colour.WHITE, Colour.BLACK),
-                dark.camera(),
-                dark.velocity(),
-                dark.transformation(),
-                dark.view(),
-                dark.colours(),
-                dark.metering(),
-                dark.settings(),
-                List.of(),
-                NoLesson.DEFAULT));
+        return new Photograph(
+                Descriptions.with(dark, "background", new SkyBackground(Colour.WHITE, Colour.WHITE, Colour.BLACK)));
     }
 
     @ParameterizedTest

@@ -10,18 +10,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.fuzz.RandomStudio;
-import tompkins.lesson.NoLesson;
-import tompkins.light.ColourLaw;
-import tompkins.light.Metering;
+import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.render.RenderReport;
 import tompkins.sceneobject.SampleShapes;
 import tompkins.sceneobject.SceneObject;
-import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
-import tompkins.studio.Studio;
 import tompkins.studio.UniformBackground;
-import tompkins.studio.View;
 import tompkins.surface.Clear;
 import tompkins.surface.ColourFilter;
 import tompkins.surface.LorentzWindow;
@@ -110,22 +105,10 @@ class EnergyTest {
     }
 
     private static Photograph glowing(List<SceneObject> scene, Velocity velocity, int size) {
-        return new Photograph(new Studio(
-                "",
-                "",
-                "",
-                scene,
-                List.of(),
-                List.of(),
-                new UniformBackground(GLOW),
-                Photograph.pinhole(new Vector3d(0, 0, 1), 20, 0),
-                velocity,
-                TransformationLaw.LORENTZ,
-                View.SEEN,
-                ColourLaw.UNCHANGED,
-                Metering.MIDDLE,
-                Studio.DEFAULT.settings().withSize(size, size),
-                List.of(),
-                NoLesson.DEFAULT));
+        return new Photograph(Descriptions.with(
+                Photograph.of(scene, Photograph.pinhole(new Vector3d(0, 0, 1), 20, 0), velocity, size, size)
+                        .studio(),
+                "background",
+                new UniformBackground(GLOW)));
     }
 }

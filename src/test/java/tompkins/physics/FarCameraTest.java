@@ -15,6 +15,7 @@ import tompkins.sceneobject.Sphere;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.LorentzTransformation;
+import tompkins.spacetime.Nearby;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
@@ -100,7 +101,7 @@ class FarCameraTest {
         LorentzTransformation sceneFromCamera = new LorentzTransformation(velocity);
         Event event = new Event(1, 2, 3, 1e12);
         Vector3d near = sceneFromCamera.transform(event).position();
-        Vector3d rest = sceneFromCamera.placeFrom(near, event);
+        Vector3d rest = Nearby.place(sceneFromCamera, near, event);
         // along z: z' = gamma z + gamma beta t
         BigDecimal one = BigDecimal.ONE;
         BigDecimal exactValue = new BigDecimal(value);

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import tompkins.camera.PanoramicCamera;
+import tompkins.camera.Camera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
 import tompkins.sceneobject.CylinderLattice;
@@ -50,7 +50,7 @@ class FramesOfReferenceTest {
         List<SceneObject> spheres = centres.stream()
                 .map(centre -> (SceneObject) new Sphere("sphere", centre, radius, Photograph.WHITE))
                 .toList();
-        PanoramicCamera camera = Photograph.wholeSky().withShutter(new AperturePlaneShutter(time));
+        Camera camera = Photograph.wholeSky().withShutter(new AperturePlaneShutter(time));
         Photograph photograph = Photograph.of(spheres, camera, Velocity.of(beta), 400, 200);
         double gamma = 1 / Math.sqrt(1 - beta.lengthSquared());
         int lit = 0;

@@ -10,19 +10,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.camera.ThinLensCamera;
-import tompkins.lesson.NoLesson;
-import tompkins.light.ColourLaw;
-import tompkins.light.Metering;
 import tompkins.ray.Colour;
 import tompkins.render.RenderReport;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
-import tompkins.spacetime.TransformationLaw;
-import tompkins.spacetime.Velocity;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
-import tompkins.studio.UniformBackground;
-import tompkins.studio.View;
+import tompkins.studio.Studios;
 import tompkins.surface.LuminousSurface;
 import tompkins.surface.Mirror;
 import tompkins.surface.Surface;
@@ -42,23 +36,7 @@ class MirrorCorridorTest {
         ThinLensCamera camera = Photograph.pinhole(new Vector3d(1, 0, 1), 1, 0);
         RenderSettings settings = new RenderSettings(
                 1, 1, 1, 0, 1, depth, Studio.DEFAULT.settings().toneCurve());
-        return new Photograph(new Studio(
-                "",
-                "",
-                "",
-                scene,
-                List.of(),
-                List.of(),
-                new UniformBackground(Colour.BLACK),
-                camera,
-                Velocity.REST,
-                TransformationLaw.LORENTZ,
-                View.SEEN,
-                ColourLaw.UNCHANGED,
-                Metering.MIDDLE,
-                settings,
-                List.of(),
-                NoLesson.DEFAULT));
+        return new Photograph(Studios.dark().withScene(scene).withCamera(camera).withSettings(settings));
     }
 
     private static double light(Photograph photograph) {

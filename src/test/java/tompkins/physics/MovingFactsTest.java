@@ -11,10 +11,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.ThinLensCamera;
-import tompkins.lesson.NoLesson;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
-import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.ray.Colour;
@@ -25,10 +23,10 @@ import tompkins.sceneobject.Parallelogram;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
-import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.Lighting;
 import tompkins.studio.Studio;
-import tompkins.studio.UniformBackground;
+import tompkins.studio.Studios;
 import tompkins.studio.View;
 import tompkins.surface.Blinking;
 import tompkins.surface.Clock;
@@ -45,23 +43,9 @@ class MovingFactsTest {
     private static final ColouredSurface DULL = new ColouredSurface(Colour.WHITE, Colour.BLACK);
 
     private static Studio studio(List<SceneObject> scene, List<LightSource> lights, ThinLensCamera camera, int size) {
-        return new Studio(
-                "",
-                "",
-                "",
-                scene,
-                List.of(),
-                lights,
-                new UniformBackground(Colour.BLACK),
-                camera,
-                Velocity.REST,
-                TransformationLaw.LORENTZ,
-                View.SEEN,
-                ColourLaw.UNCHANGED,
-                Metering.MIDDLE,
-                Studio.DEFAULT.settings().withSize(size, size),
-                List.of(),
-                NoLesson.DEFAULT);
+        return Lighting.of(Studios.dark().withScene(scene), lights)
+                .withCamera(camera)
+                .withSettings(Studio.DEFAULT.settings().withSize(size, size));
     }
 
     private static Moving moving(double speed, Vector3dc place, SceneObject... objects) {

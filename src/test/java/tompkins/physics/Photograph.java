@@ -10,20 +10,15 @@ import tompkins.camera.Camera;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
-import tompkins.lesson.NoLesson;
-import tompkins.light.ColourLaw;
-import tompkins.light.Metering;
 import tompkins.ray.Colour;
 import tompkins.render.RenderJob;
 import tompkins.render.Renderer;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.shutter.Shutter;
-import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
-import tompkins.studio.UniformBackground;
-import tompkins.studio.View;
+import tompkins.studio.Studios;
 import tompkins.surface.LuminousSurface;
 import tompkins.surface.Surface;
 import tompkins.trace.RayLife;
@@ -48,23 +43,11 @@ final class Photograph {
 
     /** Objects before a black sky, a camera with the given velocity, one sample per pixel. */
     static Photograph of(List<SceneObject> scene, Camera camera, Velocity velocity, int width, int height) {
-        return new Photograph(new Studio(
-                "",
-                "",
-                "",
-                scene,
-                List.of(),
-                List.of(),
-                new UniformBackground(Colour.BLACK),
-                camera,
-                velocity,
-                TransformationLaw.LORENTZ,
-                View.SEEN,
-                ColourLaw.UNCHANGED,
-                Metering.MIDDLE,
-                Studio.DEFAULT.settings().withSize(width, height),
-                List.of(),
-                NoLesson.DEFAULT));
+        return new Photograph(Studios.dark()
+                .withScene(scene)
+                .withCamera(camera)
+                .withVelocity(velocity)
+                .withSettings(Studio.DEFAULT.settings().withSize(width, height)));
     }
 
     /** A pinhole at the origin of the camera frame with a shutter in the aperture. */

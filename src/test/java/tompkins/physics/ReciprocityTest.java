@@ -14,11 +14,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.image.LinearImage;
-import tompkins.lesson.NoLesson;
 import tompkins.light.AmbientLight;
 import tompkins.light.ColourLaw;
 import tompkins.light.LightSource;
-import tompkins.light.Metering;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
 import tompkins.ray.Colour;
@@ -33,11 +31,10 @@ import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.SpeedScale;
-import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.Lighting;
 import tompkins.studio.Studio;
-import tompkins.studio.UniformBackground;
-import tompkins.studio.View;
+import tompkins.studio.Studios;
 import tompkins.surface.Blinking;
 import tompkins.surface.Clock;
 import tompkins.surface.ColourFilter;
@@ -101,23 +98,11 @@ class ReciprocityTest {
             List<SceneObject> scene, List<LightSource> lamps, Velocity camera, double time, ColourLaw colours) {
         List<LightSource> lights = new ArrayList<>(lamps);
         lights.add(new AmbientLight(Colour.grey(0.3)));
-        return new Studio(
-                "",
-                "",
-                "",
-                scene,
-                List.of(),
-                lights,
-                new UniformBackground(Colour.BLACK),
-                Photograph.pinhole(new Vector3d(0, 0, 1), 70, time),
-                camera,
-                TransformationLaw.LORENTZ,
-                View.SEEN,
-                colours,
-                Metering.MIDDLE,
-                Studio.DEFAULT.settings().withSize(160, 120),
-                List.of(),
-                NoLesson.DEFAULT);
+        return Lighting.of(Studios.dark().withScene(scene), lights)
+                .withCamera(Photograph.pinhole(new Vector3d(0, 0, 1), 70, time))
+                .withVelocity(camera)
+                .withColours(colours)
+                .withSettings(Studio.DEFAULT.settings().withSize(160, 120));
     }
 
     private static Moving moving(Velocity velocity, List<SceneObject> objects) {

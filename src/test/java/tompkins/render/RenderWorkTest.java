@@ -18,7 +18,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import tompkins.lesson.NoLesson;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
@@ -32,6 +31,7 @@ import tompkins.sceneobject.Sphere;
 import tompkins.sceneobject.Triangle;
 import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.Lighting;
 import tompkins.studio.PaperStudios;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
@@ -90,9 +90,9 @@ class RenderWorkTest {
     void motionCostsNoMoreThanTheSameAtRest(List<SceneObject> scene) throws InterruptedException {
         Studio paper = small(PaperStudios.fig1a().withScene(scene)).withVelocity(Velocity.of(0.2, -0.1, 0.3));
         Velocity beta = paper.velocity();
-        RenderReport rest = report(lit(paper, List.of(lamp())));
+        RenderReport rest = report(Lighting.of(paper, List.of(lamp())));
         Velocity back = Velocity.of(beta.components().negate(new Vector3d()));
-        RenderReport moving = report(lit(
+        RenderReport moving = report(Lighting.of(
                 paper.withScene(List.of(new Moving("", back, new Vector3d(), 0, scene)))
                         .withVelocity(Velocity.REST),
                 List.of(new MovingLights(back, new Vector3d(), List.of(lamp())))));
@@ -110,12 +110,14 @@ class RenderWorkTest {
         return Stream.of(List.of(CylinderLattice.DEFAULT), spheres(), hills());
     }
 
-    /** What a lamp at rest sees of a thousand balls that pass is prepared, piece by piece: no tree is searched for it. */
+    /**
+     * What a lamp at rest sees of a thousand balls that pass is prepared, piece by piece: no tree is searched for it.
+     */
     @Test
     void shadowsOfWhatPassesALampNeedNoNodes() throws InterruptedException {
         Studio paper = small(PaperStudios.fig1a());
         Velocity velocity = Velocity.of(0.5, 0, 0);
-        Studio passing = lit(
+        Studio passing = Lighting.of(
                 paper.withScene(List.of(new Moving("", velocity, new Vector3d(), 0, balls(1000, 0.05))))
                         .withCamera(paper.camera().withShutter(new AperturePlaneShutter(10))),
                 List.of(lamp()));
@@ -128,26 +130,6 @@ class RenderWorkTest {
 
     private static LightSource lamp() {
         return new PointLight(new Vector3d(5, 10, -5), Colour.grey(0.7), Colour.BLACK, 1);
-    }
-
-    private static Studio lit(Studio studio, List<LightSource> lights) {
-        return new Studio(
-                studio.title(),
-                studio.topic(),
-                studio.remarks(),
-                studio.scene(),
-                studio.cameraFrame(),
-                lights,
-                studio.background(),
-                studio.camera(),
-                studio.velocity(),
-                studio.transformation(),
-                studio.view(),
-                studio.colours(),
-                studio.metering(),
-                studio.settings(),
-                List.of(),
-                NoLesson.DEFAULT);
     }
 
     private static RenderReport report(Studio studio) throws InterruptedException {

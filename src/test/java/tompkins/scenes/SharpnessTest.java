@@ -8,7 +8,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import tompkins.image.LinearImage;
-import tompkins.lesson.NoLesson;
+import tompkins.property.Descriptions;
 import tompkins.ray.Colour;
 import tompkins.sceneobject.ImagePointGrid;
 import tompkins.sceneobject.Sphere;
@@ -95,22 +95,6 @@ class SharpnessTest {
     }
 
     private static Studio withBlackBackground(Studio studio) {
-        return new Studio(
-                studio.title(),
-                studio.topic(),
-                studio.remarks(),
-                studio.scene(),
-                studio.cameraFrame(),
-                studio.lights(),
-                new UniformBackground(Colour.BLACK),
-                studio.camera(),
-                studio.velocity(),
-                studio.transformation(),
-                studio.view(),
-                studio.colours(),
-                studio.metering(),
-                studio.settings(),
-                List.of(),
-                NoLesson.DEFAULT);
+        return Descriptions.with(studio, "background", new UniformBackground(Colour.BLACK));
     }
 }

@@ -101,7 +101,9 @@ class LampTrackTest {
         assertThat(track(from, to, 19)).as("no tree").isNull();
         assertThat(track(from, to, 20_001)).as("too many").isNull();
         assertThat(track(from, from, 30)).as("at rest").isNull();
-        assertThat(track(new Vector3d(0, 0, 2e7), new Vector3d(1, 0, 2e7), 30)).as("far away").isNotNull();
+        assertThat(track(new Vector3d(0, 0, 2e7), new Vector3d(1, 0, 2e7), 30))
+                .as("far away")
+                .isNotNull();
         ObjectTree far = balls(30, new Vector3d(0, 0, 2e7));
         assertThat(LampTrack.of(from, to, far, left)).as("objects far away").isNotNull();
         assertThat(LampTrack.of(new Vector3d(7, 0, 2e7), new Vector3d(8, 0, 2e7), far, left))
@@ -140,8 +142,7 @@ class LampTrackTest {
 
     /** The middle of the slopes of a point at (x, 0, z). */
     private static double slope(LampPlace place, double x, double z) {
-        Range slopes = place.slopes(
-                new Bounds(x, 0, z, x, 0, z), new Vector3d(1, 0, 0));
+        Range slopes = place.slopes(new Bounds(x, 0, z, x, 0, z), new Vector3d(1, 0, 0));
         return (slopes.least() + slopes.most()) / 2;
     }
 

@@ -160,9 +160,9 @@ class TransformationTest {
         SpaceTimeTransformation transformation = transformation(law);
         Vector3d near = new Vector3d(1, 2, 3);
         Vector3d expected = transformation.transform(EVENT).position().sub(near);
-        assertThat(transformation.placeFrom(near, EVENT).distance(expected)).isLessThan(1e-13);
+        assertThat(Nearby.place(transformation, near, EVENT).distance(expected)).isLessThan(1e-13);
         Vector3d back = transformation.inverse().transform(EVENT).position().sub(near);
-        assertThat(transformation.inverse().placeFrom(near, EVENT).distance(back))
+        assertThat(Nearby.place(transformation.inverse(), near, EVENT).distance(back))
                 .isLessThan(1e-13);
     }
 
@@ -178,7 +178,7 @@ class TransformationTest {
         for (Velocity velocity : same) {
             LorentzTransformation transformation = new LorentzTransformation(velocity);
             Vector3d expected = transformation.transform(EVENT).position();
-            assertThat(transformation.placeFrom(new Vector3d(), EVENT).distance(expected))
+            assertThat(Nearby.place(transformation, new Vector3d(), EVENT).distance(expected))
                     .isLessThan(1e-14 * (10 + expected.length()));
         }
     }
@@ -186,7 +186,7 @@ class TransformationTest {
     @Test
     void restIsNoChange() {
         LorentzTransformation rest = new LorentzTransformation(Velocity.REST);
-        assertThat(rest.placeFrom(new Vector3d(1, 1, 1), EVENT)).isEqualTo(new Vector3d(2, -3, 4));
+        assertThat(Nearby.place(rest, new Vector3d(1, 1, 1), EVENT)).isEqualTo(new Vector3d(2, -3, 4));
         for (TransformationLaw law : TransformationLaw.values()) {
             assertThat(law.sceneFromCamera(Velocity.REST)).isInstanceOf(IdentityTransformation.class);
         }

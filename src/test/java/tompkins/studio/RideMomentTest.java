@@ -13,6 +13,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.animation.RideFilm;
 import tompkins.camera.Aim;
 import tompkins.camera.Camera;
+import tompkins.camera.CameraMotion;
+import tompkins.camera.FieldOfView;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.property.Descriptions;
@@ -37,7 +39,7 @@ class RideMomentTest {
                 Studios.sphere(),
                 lattice,
                 lattice.withCamera(Descriptions.with(PanoramicCamera.DEFAULT, "position", new Vector3d(1, 2, 3))),
-                lattice.withCamera(aside.turned(new Vector3d(1, 0.1, 0.2), new Vector3d(0, 1, 0))),
+                lattice.withCamera(CameraMotion.turned(aside, new Vector3d(1, 0.1, 0.2), new Vector3d(0, 1, 0))),
                 lattice.withCamera(aside).withTransformation(TransformationLaw.GALILEAN),
                 lattice.withCamera(aside).withTransformation(TransformationLaw.NONE));
     }
@@ -46,8 +48,8 @@ class RideMomentTest {
         return Descriptions.members(Shutter.class).stream()
                 .map(type -> (Shutter) Descriptions.standard(type))
                 .map(shutter -> Studios.lattice()
-                        .withCamera(ThinLensCamera.DEFAULT
-                                .turned(new Vector3d(0.4, 0.1, 1), new Vector3d(0, 1, 0))
+                        .withCamera(CameraMotion.turned(
+                                        ThinLensCamera.DEFAULT, new Vector3d(0.4, 0.1, 1), new Vector3d(0, 1, 0))
                                 .withShutter(shutter.openedAt(0.7))));
     }
 
@@ -89,6 +91,20 @@ class RideMomentTest {
                 RideMoment.start(studio).after(new Vector3d(1, 0, 0), 1.5).studio();
         assertThat(aside.velocity().direction().distance(studio.camera().rightDirection()))
                 .isLessThan(1e-15);
+    }
+
+    /**
+     * From rest along z, the camera is at z = (cosh(a s) - 1)/a at the time sinh(a s)/a of the scene, and so is one at
+     * rest there; in the frame of the first, z would be (1 - cosh(a s))/a, behind the beginning.
+     */
+    @Test
+    void aCameraAtRestIsWhereTheRideIs() {
+        Studio studio = Studios.sphere();
+        Studio rest = RideMoment.start(studio).after(FORWARDS, 1.5).atRest();
+        assertThat(rest.velocity().isRest()).isTrue();
+        assertThat(rest.camera().position().z()).isCloseTo(Math.cosh(1.5) - 1, within(1e-12));
+        assertThat(rest.camera().shutter().openingTime()).isCloseTo(Math.sinh(1.5), within(1e-12));
+        assertThat(rest.camera().viewDirection()).isEqualTo(studio.camera().viewDirection());
     }
 
     /**
@@ -167,8 +183,8 @@ class RideMomentTest {
         for (int i = 0; i < 60; i++) {
             Vector3d thrust = i < 30 ? new Vector3d(0, 0, -0.8) : new Vector3d(0.5, 0.2, 0);
             if (i == 40) {
-                Camera turned =
-                        Aim.zoomed(new Aim(0.3, -0.1).turn(moment.studio().camera()), 1.5);
+                Camera turned = FieldOfView.zoomed(
+                        new Aim(0.3, -0.1).turn(moment.studio().camera()), 1.5);
                 moment = moment.with(moment.studio().withCamera(turned));
             }
             RideMoment next = moment.after(thrust, 0.06);

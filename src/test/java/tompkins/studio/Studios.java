@@ -3,6 +3,7 @@ package tompkins.studio;
 import java.util.List;
 import tompkins.camera.ThinLensCamera;
 import tompkins.property.Descriptions;
+import tompkins.ray.Colour;
 import tompkins.sceneobject.CylinderLattice;
 import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Velocity;
@@ -11,6 +12,12 @@ import tompkins.spacetime.Velocity;
 public final class Studios {
 
     private Studios() {}
+
+    /** An empty scene without lamps, before a black sky. */
+    public static Studio dark() {
+        return Descriptions.with(
+                Lighting.of(Studio.DEFAULT, List.of()), "background", new UniformBackground(Colour.BLACK));
+    }
 
     /** A sphere straight ahead, 64 x 48 pixels, at rest. */
     public static Studio sphere() {

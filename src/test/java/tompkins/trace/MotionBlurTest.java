@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.camera.Camera;
+import tompkins.camera.FieldOfView;
 import tompkins.camera.ThinLensCamera;
 import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
@@ -30,8 +31,7 @@ class MotionBlurTest {
 
     private static Studio wall(double speed, double exposure, RollingShutter rolling) {
         SceneObject wall = new Plane("wall", new Vector3d(0, 0, DEPTH), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT);
-        Camera camera = ThinLensCamera.DEFAULT
-                .withHorizontalAngle(50)
+        Camera camera = FieldOfView.with(ThinLensCamera.DEFAULT, 50)
                 .withShutter(new AperturePlaneShutter(3))
                 .withExposureTime(exposure)
                 .withRollingShutter(rolling);

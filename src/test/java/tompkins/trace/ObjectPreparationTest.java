@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import tompkins.camera.FocusDistance;
 import tompkins.camera.ThinLensCamera;
 import tompkins.property.InvalidPropertyException;
 import tompkins.sceneobject.Group;
@@ -118,7 +119,7 @@ class ObjectPreparationTest {
         RayLife life = RayLife.of(RenderPlan.of(Studio.DEFAULT.withScene(List.of(object))), 320.5, 239.5, 0, 0);
         assertThat(life.hits()).hasSize(1);
         assertThat(life.hits().get(0).event().position().isFinite()).isTrue();
-        assertThat(1 / focusedOn(object).focusDistance()).isFinite().isNotZero();
+        assertThat(1 / FocusDistance.of(focusedOn(object))).isFinite().isNotZero();
     }
 
     @Test

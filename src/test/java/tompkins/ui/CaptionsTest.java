@@ -42,12 +42,12 @@ class CaptionsTest {
         Captions captions =
                 new Captions(new PictureCanvas(size -> {}), new Settings(folder.resolve("window.properties")), false);
         assertThat(captions.shown(FAST)).isEmpty();
-        assertThat(captions.shown(measured)).isEqualTo("Measured, no photograph");
+        assertThat(captions.shown(measured)).isEqualTo("Measured, not a photograph");
         captions.setShown(true);
-        assertThat(captions.shown(measured)).isEqualTo("Measured, no photograph, \u03b2 = 0.6, \u03b3 = 1.25");
+        assertThat(captions.shown(measured)).isEqualTo("Measured, not a photograph, \u03b2 = 0.6, \u03b3 = 1.25");
         assertThat(Captions.ofPictures(measured, StudioNumber.OPENING_TIME, false)
                         .of(measured, 0))
-                .isEqualTo("Measured, no photograph");
+                .isEqualTo("Measured, not a photograph");
     }
 
     @Test

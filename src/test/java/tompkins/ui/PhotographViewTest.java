@@ -20,6 +20,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import tompkins.camera.FocusDistance;
 import tompkins.light.ColourLaw;
 import tompkins.render.Quality;
 import tompkins.spacetime.SpeedScale;
@@ -142,7 +143,7 @@ class PhotographViewTest {
             view.render();
         });
         awaitNow("a picture of the sphere");
-        double before = model.studio().camera().focusDistance();
+        double before = FocusDistance.of(model.studio().camera());
         JToggleButton pick = Components.find(panel, JToggleButton.class, "Pick a point to focus on");
         WindowDriver.onEventThread(() -> {
             pick.doClick();
@@ -151,13 +152,13 @@ class PhotographViewTest {
         });
         WindowDriver.await("the answer", () -> told.equals(List.of(Texts.get("lens.pickedNothing"))));
         assertThat(pick.isSelected()).isTrue();
-        assertThat(model.studio().camera().focusDistance()).isEqualTo(before);
+        assertThat(FocusDistance.of(model.studio().camera())).isEqualTo(before);
         WindowDriver.onEventThread(() -> {
             mouse(view.canvas(), MouseEvent.MOUSE_PRESSED);
             mouse(view.canvas(), MouseEvent.MOUSE_RELEASED);
         });
         WindowDriver.await("the end of the picking", () -> !pick.isSelected());
-        assertThat(model.studio().camera().focusDistance()).isNotEqualTo(before);
+        assertThat(FocusDistance.of(model.studio().camera())).isNotEqualTo(before);
     }
 
     private void awaitNow(String what) {

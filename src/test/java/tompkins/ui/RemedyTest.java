@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.camera.FieldOfView;
 import tompkins.image.LinearImage;
 import tompkins.light.ColourLaw;
 import tompkins.property.Descriptions;
@@ -88,7 +89,7 @@ class RemedyTest {
         assertThat(button().getParent().isVisible()).isFalse();
         // behind a moving camera the middle is darkest, and keeps its brightness
         Studio burnt = bright.withVelocity(Velocity.of(0, 0, -0.999))
-                .withCamera(bright.camera().withHorizontalAngle(150))
+                .withCamera(FieldOfView.with(bright.camera(), 150))
                 .withColours(ColourLaw.SEARCHLIGHT);
         assertThat(complete(burnt).flaw()).isEqualTo(Picture.Flaw.BURNT);
         WindowDriver.await("the offer", () -> button().getParent().isVisible());

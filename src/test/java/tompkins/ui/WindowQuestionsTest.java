@@ -361,7 +361,7 @@ class WindowQuestionsTest {
         PictureCanvas canvas = driver.find(PictureCanvas.class, "picture");
         driver.move(driver.centre(canvas));
         assertThat(WindowDriver.onEventThread(what::getText)).contains("scene[0]");
-        assertThat(WindowDriver.onEventThread(picture::getText)).isEqualTo("still showing the picture before");
+        assertThat(WindowDriver.onEventThread(picture::getText)).isEqualTo("still showing the previous picture");
         driver.key(KeyEvent.VK_Z, KeyEvent.VK_CONTROL);
         WindowDriver.await("the picture of the wall", () -> picture.getText().contains("1 sample per pixel"));
         assertThat(WindowDriver.onEventThread(what::getText)).doesNotContain("scene[0]");

@@ -68,12 +68,14 @@ class FrameCrossingTest {
         RayPacket block = new RayPacket(2);
         block.begin(2);
         block.set(0, start);
-        block.set(1, start.moved(0.1, 0.2, 0.3, 0.4));
+        block.set(1, start.dimmed(1).move(0.1, 0.2, 0.3, 0.4));
 
         crossing.cross(block);
 
         assertThat(block.ray(0)).usingRecursiveComparison().isEqualTo(crossing.cross(start));
-        assertThat(block.ray(1)).usingRecursiveComparison().isEqualTo(crossing.cross(start.moved(0.1, 0.2, 0.3, 0.4)));
+        assertThat(block.ray(1))
+                .usingRecursiveComparison()
+                .isEqualTo(crossing.cross(start.dimmed(1).move(0.1, 0.2, 0.3, 0.4)));
     }
 
     /** The lens is 3/4 t + 15/4 and a little more from the origin: up to a thousand units the scene keeps its own. */

@@ -3,7 +3,6 @@ package tompkins.world;
 import java.util.List;
 import org.joml.Vector3d;
 import tompkins.golden.GoldenRow;
-import tompkins.lesson.NoLesson;
 import tompkins.light.LightSource;
 import tompkins.light.MovingLights;
 import tompkins.light.PointLight;
@@ -23,6 +22,7 @@ import tompkins.search.NearestHit;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.Lighting;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
 
@@ -36,24 +36,9 @@ final class MovingRow {
 
     private MovingRow(List<SceneObject> scene, List<LightSource> lights, Vector3d beta, Event lens, boolean galilean) {
         law = galilean ? TransformationLaw.GALILEAN : TransformationLaw.LORENTZ;
-        Studio plain = Studio.DEFAULT;
-        Studio studio = new Studio(
-                "",
-                "",
-                "",
-                scene,
-                List.of(),
-                lights,
-                plain.background(),
-                plain.camera(),
-                Velocity.of(beta),
-                law,
-                plain.view(),
-                plain.colours(),
-                plain.metering(),
-                plain.settings(),
-                List.of(),
-                NoLesson.DEFAULT);
+        Studio studio = Lighting.of(Studio.DEFAULT.withScene(scene), lights)
+                .withVelocity(Velocity.of(beta))
+                .withTransformation(law);
         crossing = new FrameCrossing(studio.sceneFromCamera(), law, lens);
         world = new World(studio, crossing, point -> Event.ORIGIN, true);
         routes = world.routes(crossing);

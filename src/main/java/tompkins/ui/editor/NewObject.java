@@ -126,15 +126,9 @@ final class NewObject {
     }
 
     private static SceneObject moved(SceneObject object, double right) {
-        Object[] values = Descriptions.components(object.getClass()).stream()
-                .map(component -> {
-                    Object value = Descriptions.value(component, object);
-                    return PLACES.contains(component.getName())
-                            ? new Vector3d((Vector3dc) value).add(right, 0, 0)
-                            : value;
-                })
-                .toArray();
-        return (SceneObject) Descriptions.make(object.getClass(), values);
+        return Descriptions.changed(
+                object,
+                (name, value) -> PLACES.contains(name) ? new Vector3d((Vector3dc) value).add(right, 0, 0) : value);
     }
 
     private static boolean overlap(Bounds first, Bounds second) {

@@ -63,11 +63,6 @@ public final class RecordForm {
         return panel;
     }
 
-    /** Whether there is nothing to fill in. */
-    public boolean isEmpty() {
-        return editors.isEmpty();
-    }
-
     /** Shows a record of the form's type. */
     public void show(Object shown) {
         value = shown;

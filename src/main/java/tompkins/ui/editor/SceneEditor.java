@@ -1,21 +1,14 @@
 package tompkins.ui.editor;
 
-import java.awt.Dimension;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
-import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
-import javax.swing.JScrollPane;
-import javax.swing.JSplitPane;
 import javax.swing.KeyStroke;
-import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
 import tompkins.camera.ThinLensCamera;
 import tompkins.light.LightSource;
@@ -29,7 +22,6 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.Column;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Keys;
-import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Texts;
@@ -39,21 +31,12 @@ import tompkins.ui.widget.Wording;
 /** All of the studio: a tree of its parts, and a form for the chosen one. */
 public final class SceneEditor {
 
-    /** Sizes, in sizes of the type. */
-    private static final double TREE_WIDTH = 18;
-
-    private static final double LEAST_FORM_WIDTH = 26;
-    private static final double FORM_WIDTH = 30;
-    private static final double HEIGHT = 37;
-
     private final StudioModel model;
-    private final JScrollPane trees;
-    private final JScrollPane forms;
-    private final JSplitPane split;
     private final JPanel panel = new JPanel(
             new MigLayout("novisualpadding, insets 10, fill, wrap 1, gap 0 8", "[grow,fill]", "[grow,fill][]"));
     private final StudioTree tree = new StudioTree(this::leaveFor);
     private final Column formPanel = new Column();
+    private final TreeAndForm parts = new TreeAndForm(tree.component(), formPanel);
     private final Note note = new Note("");
     private final JButton add = button("add");
     private final JButton duplicate = button("duplicate");
@@ -68,62 +51,26 @@ public final class SceneEditor {
     /** An editor of the studio in a model, which follows its changes. */
     public SceneEditor(StudioModel model) {
         this.model = model;
-        trees = new JScrollPane(tree.component());
-        forms = new JScrollPane(
-                formPanel,
-                ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
-                ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
-        forms.setBorder(BorderFactory.createEmptyBorder());
-        split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, trees, forms);
-        split.setResizeWeight(0.4);
-        panel.add(split);
-        fitToLook();
-        tree.component().addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent event) {
-                makeRoomForTree();
-            }
-        });
+        panel.add(parts.component());
         panel.add(buttons());
         add.addActionListener(event -> offerTypes());
-        duplicate.addActionListener(event ->
-                changeList(list -> inserted(list, place() + 1, copy(list.get(place()), list)), 1));
-        hide.addActionListener(event ->
-                changeList(list -> replaced(list, place(), Hiding.hiddenOrShown((SceneObject) list.get(place()))), 0));
-        up.addActionListener(event -> changeList(list -> moved(list, place(), place() - 1), -1));
-        down.addActionListener(event -> changeList(list -> moved(list, place(), place() + 1), 1));
+        duplicate.addActionListener(event -> changeList(list -> ListEdits.duplicated(list, place()), 1));
+        hide.addActionListener(event -> changeList(list -> ListEdits.hiddenOrShown(list, place()), 0));
+        up.addActionListener(event -> changeList(list -> ListEdits.moved(list, place(), place() - 1), -1));
+        down.addActionListener(event -> changeList(list -> ListEdits.moved(list, place(), place() + 1), 1));
         remove.addActionListener(event -> {
             // goes with what it was typed for
             EntryField.in(formPanel).forEach(EntryField::revert);
-            changeList(list -> removed(list, place()), 0);
+            changeList(list -> ListEdits.removed(list, place()), 0);
         });
         Keys.bindFocused(tree.component(), KeyStroke.getKeyStroke("DELETE"), remove::doClick);
         model.addListener(this::update);
         update();
     }
 
-    /** What does not follow the look by itself. */
+    /** Sets the sizes that do not follow the look by themselves. */
     public void fitToLook() {
-        forms.setMinimumSize(new Dimension(Look.pixels(LEAST_FORM_WIDTH), 0));
-        forms.setPreferredSize(new Dimension(Look.pixels(FORM_WIDTH), Look.pixels(HEIGHT)));
-        trees.setPreferredSize(new Dimension(Math.max(treeWidth(), Look.pixels(TREE_WIDTH)), 0));
-        split.resetToPreferredSizes();
-    }
-
-    private int treeWidth() {
-        return tree.component().getPreferredSize().width
-                + trees.getVerticalScrollBar().getPreferredSize().width
-                + trees.getInsets().left
-                + trees.getInsets().right;
-    }
-
-    /** A branch that is opened may need more room, of which the form needs some. */
-    private void makeRoomForTree() {
-        int most = split.getWidth() - split.getDividerSize() - forms.getMinimumSize().width;
-        int wanted = Math.min(treeWidth(), most);
-        if (wanted > split.getDividerLocation()) {
-            split.setDividerLocation(wanted);
-        }
+        parts.fitToLook();
     }
 
     private static JButton button(String key) {
@@ -294,7 +241,7 @@ public final class SceneEditor {
         int place = isElement() ? place() + 1 : list().size();
         List<?> before = list();
         Object added = NewObject.of(type, before);
-        List<Object> longer = new ArrayList<>(inserted(before, place, added));
+        List<Object> longer = new ArrayList<>(ListEdits.inserted(before, place, added));
         if (isFirstObject(path)) {
             NewObject.floorBeneath(added).ifPresent(longer::add);
         }
@@ -323,49 +270,5 @@ public final class SceneEditor {
         if (note.attempt(() -> model.set(path.with(model.studio(), changed)))) {
             select(changed.isEmpty() ? path : path.then(Math.max(0, Math.min(changed.size() - 1, next))));
         }
-    }
-
-    /** A copy, with a number in its name that no other element of its list has. */
-    private static Object copy(Object element, List<?> list) {
-        if (!(element instanceof SceneObject object)) {
-            return element;
-        }
-        List<String> taken = list.stream().map(Wording::nameOf).toList();
-        String name = object.description().replaceFirst(" \\d+$", "");
-        int number = 2;
-        while (taken.contains(name + " " + number)) {
-            number++;
-        }
-        return renamed(object, name + " " + number);
-    }
-
-    private static SceneObject renamed(SceneObject object, String name) {
-        return object instanceof Hidden hidden
-                ? new Hidden(renamed(hidden.object(), name))
-                : Descriptions.with(object, "description", name);
-    }
-
-    private static List<?> inserted(List<?> list, int place, Object element) {
-        List<Object> copy = new ArrayList<>(list);
-        copy.add(place, element);
-        return copy;
-    }
-
-    private static List<?> replaced(List<?> list, int place, Object element) {
-        List<Object> copy = new ArrayList<>(list);
-        copy.set(place, element);
-        return copy;
-    }
-
-    private static List<?> removed(List<?> list, int place) {
-        List<Object> copy = new ArrayList<>(list);
-        copy.remove(place);
-        return copy;
-    }
-
-    private static List<?> moved(List<?> list, int from, int to) {
-        List<Object> copy = new ArrayList<>(list);
-        copy.add(to, copy.remove(from));
-        return copy;
     }
 }

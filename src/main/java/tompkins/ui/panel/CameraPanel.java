@@ -10,6 +10,7 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.Aim;
 import tompkins.camera.Camera;
+import tompkins.camera.CameraMotion;
 import tompkins.math.Vectors;
 import tompkins.primitive.Bounds;
 import tompkins.ray.Ray;
@@ -152,7 +153,7 @@ public final class CameraPanel {
             // straight up or down: what was at the lower or the upper edge of the picture
             view.set(camera.upDirection()).mul(camera.viewDirection().y() > 0 ? -1 : 1).y = 0;
         }
-        hold(camera.turned(Vectors.unit(view), UP));
+        hold(CameraMotion.turned(camera, Vectors.unit(view), UP));
     }
 
     private void goHome() {

@@ -42,7 +42,7 @@ public final class ComparePanel {
         UNCHANGED_COLOURS,
         /** What the camera sees, if the picture shows where things are. */
         SEEN,
-        /** Where things are at the time of the picture: no photograph. */
+        /** Where things are at the time of the picture: not a photograph. */
         MEASURED,
         /** The camera has a shutter of another model. */
         OTHER_SHUTTER,

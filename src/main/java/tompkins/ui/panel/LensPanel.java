@@ -6,6 +6,8 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import tompkins.camera.Camera;
+import tompkins.camera.FieldOfView;
+import tompkins.camera.FocusDistance;
 import tompkins.camera.ThinLensCamera;
 import tompkins.property.Descriptions;
 import tompkins.property.NumberText;
@@ -52,12 +54,14 @@ public final class LensPanel {
                 Texts.get("lens.focusTip"),
                 distances(),
                 refused,
-                value -> model.studio().withCamera(model.studio().camera().focusedAt(value)));
+                value -> model.studio()
+                        .withCamera(FocusDistance.with(model.studio().camera(), value)));
         NumberRow field = row(
                 "horizontalAngleDegrees",
                 Range.even(1, 170),
                 Wording.meaning(lens, "horizontalAngleDegrees"),
-                value -> model.studio().withCamera(model.studio().camera().withHorizontalAngle(value)));
+                value -> model.studio()
+                        .withCamera(FieldOfView.with(model.studio().camera(), value)));
         NumberRow exposure = row(
                 "exposureStops",
                 Range.even(-5, 5),
@@ -136,7 +140,7 @@ public final class LensPanel {
             aperture.show(0);
         }
         focus.setRange(distances());
-        focus.show(NumberText.rounded(camera.focusDistance(), 9));
+        focus.show(NumberText.rounded(FocusDistance.of(camera), 9));
         field.show(camera.horizontalAngleDegrees());
         exposure.show(camera.exposureStops());
         samples.show(studio.settings().samples());

@@ -3,14 +3,11 @@ package tompkins.ui.panel;
 import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Dimension;
 import java.awt.FontMetrics;
-import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
-import javax.swing.DefaultComboBoxModel;
-import javax.swing.DefaultListCellRenderer;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JComboBox;
@@ -23,7 +20,6 @@ import net.miginfocom.swing.MigLayout;
 import tompkins.animation.Animation;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Require;
-import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.EntryField;
@@ -48,7 +44,7 @@ public final class PlayPanel {
     private final SceneSize size = new SceneSize();
     private final JPanel panel = new JPanel(new MigLayout(
             "novisualpadding, insets 6 10 6 10, fillx, hidemode 3, gap 6 4", "[pref!][grow,fill][pref!][pref!]"));
-    private final JComboBox<NumberProperty> properties = new JComboBox<>();
+    private final NumberChoice numbers = new NumberChoice(this::suggestValues);
     private final JComboBox<Animation.Course> courses = new JComboBox<>(Animation.Course.values());
     private final JToggleButton play = new PlayButton();
     private final JCheckBox loop = new JCheckBox(Texts.get("play.loop"), true);
@@ -66,10 +62,7 @@ public final class PlayPanel {
     private final Timer timer = new Timer(TICK_MILLISECONDS, event -> tick());
     private final Object gesture = new Object();
     private final Updating updating = new Updating();
-    private List<NumberProperty> offered = List.of();
-    private Studio offeredOf;
-    private double from;
-    private double to;
+    private AnimatedRange ends = new AnimatedRange(0, 0);
     private double seconds;
     private double time;
     private long lastTick;
@@ -86,15 +79,12 @@ public final class PlayPanel {
     public PlayPanel(StudioModel model, BiConsumer<Studio, Animation> export, Consumer<NumberProperty> chosen) {
         this.model = model;
         this.chosen = chosen;
-        fromField = field("play.from", number -> setEnds(allowed("from", number), to));
-        toField = field("play.to", number -> setEnds(from, allowed("to", number)));
+        fromField = field("play.from", number -> setEnds(new AnimatedRange(allowed("from", number), ends.to())));
+        toField = field("play.to", number -> setEnds(new AnimatedRange(ends.from(), allowed("to", number))));
         secondsField = field(
                 "play.seconds",
                 number -> setSeconds(Require.within("seconds", number, Animation.SHORTEST, Animation.LONGEST)));
         setSeconds(4);
-        Naming.name(properties, "play.property");
-        properties.setRenderer(new DefaultListCellRenderer());
-        properties.addActionListener(event -> updating.unless(this::suggestValues));
         Naming.name(courses, "play.course");
         courses.addActionListener(event -> follow());
         Naming.items(courses, Wording::label);
@@ -120,7 +110,7 @@ public final class PlayPanel {
 
     private JComponent numberRow() {
         JPanel row = Rows.of("gap 6", "[grow,fill][][][]");
-        row.add(properties, "wmin 60");
+        row.add(numbers.component(), "wmin 60");
         row.add(courses);
         row.add(loop);
         row.add(closeButton());
@@ -188,7 +178,10 @@ public final class PlayPanel {
 
     private void update() {
         if (panel.isVisible()) {
-            offerNumbers(model.studio());
+            if (!numbers.show(model.studio())) {
+                setPlaying(false);
+                suggestValues();
+            }
             updating.unless(this::follow);
         }
     }
@@ -221,27 +214,6 @@ public final class PlayPanel {
         scrubber.show(time);
     }
 
-    /** Offers the numbers that the studio has; the chosen one stays if it is still there, otherwise nothing runs. */
-    private void offerNumbers(Studio studio) {
-        if (offeredOf != null && NumberProperty.unchanged(offeredOf, studio)) {
-            return;
-        }
-        offeredOf = studio;
-        List<NumberProperty> now = NumberProperty.of(studio);
-        if (now.equals(offered)) {
-            return;
-        }
-        offered = now;
-        NumberProperty chosen = property();
-        updating.during(() -> properties.setModel(new DefaultComboBoxModel<>(now.toArray(NumberProperty[]::new))));
-        if (now.contains(chosen)) {
-            updating.during(() -> properties.setSelectedItem(chosen));
-        } else {
-            setPlaying(false);
-            suggestValues();
-        }
-    }
-
     /** Whether the panel is shown. */
     public boolean isShown() {
         return panel.isVisible();
@@ -250,35 +222,21 @@ public final class PlayPanel {
     /** Runs a number, if the studio has it. */
     public void run(NumberProperty property) {
         setShown(true);
-        if (offered.contains(property)) {
-            properties.setSelectedItem(property);
+        if (numbers.choose(property)) {
             setPlaying(true);
         } else {
             note.setError(Texts.get("play.none", property.name()));
         }
     }
 
-    /**
-     * Values that show something: speeds from rest, times through the scene, other numbers from their value to twice
-     * it, or where that is too much to half of it.
-     */
+    /** Begins with values that show something. */
     private void suggestValues() {
         NumberProperty property = property();
-        double now = present();
-        played = now;
+        played = present();
         chosen.accept(property);
-        Object last = property.number().place().last();
-        if (last.equals(SpeedScale.BETA.key())) {
-            suggest(0, 0.99);
-        } else if (last.equals(SpeedScale.RAPIDITY.key())) {
-            suggest(0, 3);
-        } else if (property.equals(NumberProperty.openingTime())) {
-            Range times = size.times(model.studio());
-            suggest(times.minimum() / 2, times.maximum() / 2);
-        } else {
-            double twice = now == 0 ? 1 : 2 * now;
-            suggest(now, isAllowed(twice) ? twice : now / 2);
-        }
+        EntryField.in(panel).forEach(EntryField::revert);
+        setEnds(AnimatedRange.suggested(property, model.studio(), size, this::isAllowed));
+        note.setText("");
     }
 
     private boolean isAllowed(double number) {
@@ -290,17 +248,10 @@ public final class PlayPanel {
         }
     }
 
-    private void suggest(double first, double last) {
-        EntryField.in(panel).forEach(EntryField::revert);
-        setEnds(first, last);
-        note.setText("");
-    }
-
-    private void setEnds(double first, double last) {
-        from = first;
-        to = last;
-        fromField.show(first);
-        toField.show(last);
+    private void setEnds(AnimatedRange wanted) {
+        ends = wanted;
+        fromField.show(ends.from());
+        toField.show(ends.to());
         updating.unless(this::follow);
     }
 
@@ -310,7 +261,7 @@ public final class PlayPanel {
     }
 
     private NumberProperty property() {
-        return (NumberProperty) properties.getSelectedItem();
+        return numbers.chosen();
     }
 
     /** The animation that a shown panel describes; none if what is typed into it is refused. */
@@ -319,7 +270,8 @@ public final class PlayPanel {
     }
 
     private Animation animation() {
-        return new Animation(property().number(), from, to, seconds, (Animation.Course) courses.getSelectedItem());
+        return new Animation(
+                property().number(), ends.from(), ends.to(), seconds, (Animation.Course) courses.getSelectedItem());
     }
 
     /** Starts or stops the animation; it does not start with a value that was refused. */
@@ -347,9 +299,9 @@ public final class PlayPanel {
         long now = System.nanoTime();
         double next = time + (now - lastTick) * 1e-9 / seconds;
         lastTick = now;
-        boolean ends = next >= 1 && !loop.isSelected();
-        moveTo(ends ? 1 : next % 1);
-        if (ends || EntryField.isOvertaken()) {
+        boolean over = next >= 1 && !loop.isSelected();
+        moveTo(over ? 1 : next % 1);
+        if (over || EntryField.isOvertaken()) {
             setPlaying(false);
         }
     }

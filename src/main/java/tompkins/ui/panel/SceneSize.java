@@ -3,6 +3,7 @@ package tompkins.ui.panel;
 import java.lang.reflect.RecordComponent;
 import java.util.List;
 import org.joml.Vector3dc;
+import tompkins.camera.FocusDistance;
 import tompkins.property.Descriptions;
 import tompkins.ray.MeshData;
 import tompkins.sceneobject.SceneObject;
@@ -22,7 +23,7 @@ final class SceneSize {
 
     /** The largest coordinate that an object of the scene or the focus mentions; at least 1. */
     double of(Studio studio) {
-        double focus = studio.camera().focusDistance();
+        double focus = FocusDistance.of(studio.camera());
         if (scene != studio.scene()) {
             scene = studio.scene();
             coordinate = largest(scene);

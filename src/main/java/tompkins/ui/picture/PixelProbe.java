@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import org.joml.Vector3dc;
+import tompkins.camera.FocusDistance;
 import tompkins.measure.Angles;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.SpaceTimeTransformation;
@@ -120,7 +121,7 @@ public final class PixelProbe implements AutoCloseable {
         if (reading.inCamera() == null) {
             return Double.NaN;
         }
-        return plan.studio().camera().focusDistanceOf(reading.inCamera().position());
+        return FocusDistance.toPoint(plan.studio().camera(), reading.inCamera().position());
     }
 
     @Override

@@ -3,6 +3,7 @@ package tompkins.ui.picture;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import tompkins.image.BufferedImages;
 
@@ -20,6 +21,13 @@ public record ScreenPicture(
 
     /** Nothing yet. */
     static final ScreenPicture EMPTY = new ScreenPicture(null, null, null, null, null);
+
+    /** The same place in another picture: a kept one may have another size. */
+    public Point2D placeIn(Picture picture, Point2D place) {
+        double scale = (double) picture.studio().settings().width()
+                / now.studio().settings().width();
+        return new Point2D.Double(scale * place.getX(), scale * place.getY());
+    }
 
     /** A picture in its own size, as levels. */
     public static BufferedImage levels(Picture picture) {

@@ -7,6 +7,7 @@ import org.joml.Vector3dc;
 import tompkins.camera.Aim;
 import tompkins.camera.Aim.PicturePlace;
 import tompkins.camera.Camera;
+import tompkins.camera.CameraMotion;
 import tompkins.camera.ThinLensCamera;
 import tompkins.math.Vectors;
 
@@ -133,7 +134,7 @@ public final class Steering {
 
     private void move(Vector3dc way) {
         if (hand.canMove()) {
-            change(camera -> camera.shifted(way));
+            change(camera -> CameraMotion.shifted(camera, way));
         }
     }
 

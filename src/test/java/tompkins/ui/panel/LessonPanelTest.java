@@ -95,7 +95,7 @@ class LessonPanelTest {
         choose(Texts.get("lesson.unsure"));
         assertThat(next("LOOK").isEnabled()).isTrue();
         next("LOOK").doClick();
-        assertThat(Components.notes(strip())).contains("You expect, but are not sure: Nothing.");
+        assertThat(Components.notes(strip())).contains("You expect this, but are not sure: Nothing.");
     }
 
     @Test
@@ -115,7 +115,8 @@ class LessonPanelTest {
         go("Nothing.", "lesson.sure");
         assertThat(Components.labels(strip())).contains(Texts.get("lesson.wrongSure"));
         assertThat(Components.notes(strip()))
-                .contains("Right is: Something.", "Aberration crowds the scene towards the direction of motion.");
+                .contains(
+                        "The right answer: Something.", "Aberration crowds the scene towards the direction of motion.");
         assertThat(model.studio().velocity().speed())
                 .as("what is explained is seen")
                 .isEqualTo(0.9);

@@ -28,6 +28,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.camera.FocusDistance;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.image.LinearImage;
@@ -357,7 +358,8 @@ class PanelsTest {
 
     /** A shutter model in the place of that of the studio, with the camera focused at a distance. */
     private Shutter opened(Class<?> shutter, double focus) {
-        Studio focused = model.studio().withCamera(model.studio().camera().focusedAt(focus));
+        Studio focused =
+                model.studio().withCamera(FocusDistance.with(model.studio().camera(), focus));
         return Shutters.replaced(focused, shutter).camera().shutter();
     }
 
@@ -464,7 +466,7 @@ class PanelsTest {
         Components.enter(panel, "Samples", "16");
         ThinLensCamera camera = (ThinLensCamera) model.studio().camera();
         assertThat(camera.apertureRadius()).isEqualTo(0.1);
-        assertThat(camera.focusDistance()).isCloseTo(4, within(1e-12));
+        assertThat(FocusDistance.of(camera)).isCloseTo(4, within(1e-12));
         assertThat(camera.horizontalAngleDegrees()).isEqualTo(60);
         assertThat(camera.exposureStops()).isEqualTo(1);
         assertThat(model.studio().settings().samples()).isEqualTo(16);
@@ -495,7 +497,7 @@ class PanelsTest {
     @Test
     void aFocusBehindTheCameraIsShown() {
         Container panel = (Container) new LensPanel(model, picking -> {}).component();
-        model.set(model.studio().withCamera(model.studio().camera().focusedAt(-5)));
+        model.set(model.studio().withCamera(FocusDistance.with(model.studio().camera(), -5)));
         assertThat(Components.find(panel, JTextField.class, "Focus").getText()).isEqualTo("-5");
     }
 
@@ -509,7 +511,7 @@ class PanelsTest {
         Components.press(focus, "UP");
         assertThat(Components.isMarked(focus)).isTrue();
         Components.enter(panel, "Focus", "4");
-        assertThat(model.studio().camera().focusDistance()).isEqualTo(4);
+        assertThat(FocusDistance.of(model.studio().camera())).isEqualTo(4);
         Plane along = new Plane("focus", new Vector3d(1, 0, 0), new Vector3d(1, 0, 0), ColouredSurface.DEFAULT);
         model.set(model.studio().withCamera(Descriptions.with(model.studio().camera(), "focus", along)));
         assertThat(focus.getText()).isEqualTo("\u221e");
@@ -606,7 +608,7 @@ class PanelsTest {
     @Test
     void whatIsMeasuredIsChosen() {
         Container panel = (Container) LawPanel.ofView(model).component();
-        JRadioButton measured = Components.find(panel, JRadioButton.class, "Measured: no photograph");
+        JRadioButton measured = Components.find(panel, JRadioButton.class, "Measured: not a photograph");
         assertThat(measured.isSelected()).isFalse();
         Studio before = model.studio();
         measured.doClick();
@@ -651,7 +653,7 @@ class PanelsTest {
         assertThat(compared.studio(now)).isEqualTo(now.withTransformation(TransformationLaw.GALILEAN));
         compareWith(panel, ComparePanel.Other.MEASURED);
         assertThat(compared.studio(now)).isEqualTo(now.withView(View.MEASURED));
-        assertThat(compared.name()).contains("no photograph");
+        assertThat(compared.name()).contains("not a photograph");
         compareWith(panel, ComparePanel.Other.SEEN);
         assertThat(compared.studio(now.withView(View.MEASURED))).isEqualTo(now);
         compareWith(panel, ComparePanel.Other.UNCHANGED_COLOURS);

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.animation.Animation;
+import tompkins.camera.FocusDistance;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.property.Descriptions;
@@ -349,7 +350,8 @@ class PlayPanelTest {
             choose(SPEED);
             play.setPlaying(true);
 
-            model.set(model.studio().withCamera(model.studio().camera().focusedAt(7)));
+            model.set(
+                    model.studio().withCamera(FocusDistance.with(model.studio().camera(), 7)));
             assertThat(play.isPlaying()).as("another number").isTrue();
             model.adjust(model.studio().withVelocity(Velocity.of(0, 0, 0.33)), "drag");
 

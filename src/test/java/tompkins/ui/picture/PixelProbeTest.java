@@ -11,6 +11,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+import tompkins.camera.FocusDistance;
 import tompkins.camera.PanoramicCamera;
 import tompkins.image.LinearImage;
 import tompkins.ray.Colour;
@@ -93,8 +94,8 @@ class PixelProbeTest {
         RenderPlan plan = RenderPlan.of(moving);
         double depth = PixelProbe.depth(plan, PixelProbe.read(plan, new Point2D.Double(32, 24)));
         assertThat(depth).isCloseTo(27, within(1e-11));
-        Studio focused = moving.withCamera(moving.camera().focusedAt(depth));
-        assertThat(focused.camera().focusDistance()).isCloseTo(27, within(1e-11));
+        Studio focused = moving.withCamera(FocusDistance.with(moving.camera(), depth));
+        assertThat(FocusDistance.of(focused.camera())).isCloseTo(27, within(1e-11));
     }
 
     /** A panorama is in focus on a ball around the camera, also behind it. */

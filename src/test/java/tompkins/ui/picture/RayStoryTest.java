@@ -97,7 +97,7 @@ class RayStoryTest {
                         "Pixel 0, 0",
                         "Starts in the camera frame",
                         "Enters the scene frame",
-                        "Meets nothing more: the background");
+                        "Meets nothing else: the background");
     }
 
     /** Light that a camera of the speed 0.5 sees coming from ahead in a medium of index 2 has the speed 0 there. */
@@ -114,7 +114,7 @@ class RayStoryTest {
                         "Pixel 32, 24",
                         "Starts in the camera frame",
                         "Stands still in the scene: it comes from nowhere and brings no light");
-        assertThat(headings(story(studio, 33, 24))).endsWith("Meets nothing more: the background");
+        assertThat(headings(story(studio, 33, 24))).endsWith("Meets nothing else: the background");
     }
 
     /** What the slab before the lens reflects is told as a weaker branch, and crosses into the scene by itself. */

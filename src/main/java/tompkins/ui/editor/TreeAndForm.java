@@ -1,0 +1,72 @@
+package tompkins.ui.editor;
+
+import java.awt.Dimension;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
+import javax.swing.ScrollPaneConstants;
+import tompkins.ui.widget.Look;
+
+/** The tree and the form of the editor beside each other: the tree gets the room that it needs, the form the rest. */
+final class TreeAndForm {
+
+    /** Sizes, in sizes of the type. */
+    private static final double TREE_WIDTH = 18;
+
+    private static final double LEAST_FORM_WIDTH = 26;
+    private static final double FORM_WIDTH = 30;
+    private static final double HEIGHT = 37;
+
+    private final JComponent tree;
+    private final JScrollPane trees;
+    private final JScrollPane forms;
+    private final JSplitPane split;
+
+    TreeAndForm(JComponent tree, JComponent form) {
+        this.tree = tree;
+        trees = new JScrollPane(tree);
+        forms = new JScrollPane(
+                form, ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED, ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        forms.setBorder(BorderFactory.createEmptyBorder());
+        split = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, trees, forms);
+        split.setResizeWeight(0.4);
+        fitToLook();
+        tree.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                makeRoomForTree();
+            }
+        });
+    }
+
+    JComponent component() {
+        return split;
+    }
+
+    /** Sets the sizes that do not follow the look by themselves. */
+    void fitToLook() {
+        forms.setMinimumSize(new Dimension(Look.pixels(LEAST_FORM_WIDTH), 0));
+        forms.setPreferredSize(new Dimension(Look.pixels(FORM_WIDTH), Look.pixels(HEIGHT)));
+        trees.setPreferredSize(new Dimension(Math.max(treeWidth(), Look.pixels(TREE_WIDTH)), 0));
+        split.resetToPreferredSizes();
+    }
+
+    private int treeWidth() {
+        return tree.getPreferredSize().width
+                + trees.getVerticalScrollBar().getPreferredSize().width
+                + trees.getInsets().left
+                + trees.getInsets().right;
+    }
+
+    /** A branch that is opened may need more room, and the form gives up what it can. */
+    private void makeRoomForTree() {
+        int most = split.getWidth() - split.getDividerSize() - forms.getMinimumSize().width;
+        int wanted = Math.min(treeWidth(), most);
+        if (wanted > split.getDividerLocation()) {
+            split.setDividerLocation(wanted);
+        }
+    }
+}
