@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.sceneobject.PrimitiveCollector;
@@ -72,6 +73,11 @@ public final class ObjectTree {
     /** Whether most primitives that have an end are much longer than wide, as rods. */
     boolean isMostlyLong() {
         return mostlyLong;
+    }
+
+    /** A box around the primitives that have an end, or null if there are none. */
+    Bounds bounds() {
+        return bounded.stream().map(Primitive::bounds).reduce(Bounds::with).orElse(null);
     }
 
     /** The primitives that have an end. */

@@ -183,8 +183,11 @@ final class RayTracer implements Tracer, Lighting {
         counts.rays++;
         frame = 0;
         way = Colour.WHITE;
-        Ray start = rays.copy(index, startMemory);
-        return withBeyond(follow(start, movingWorld.search().nearest(index, start), hitMemory));
+        if (!movingWorld.search().nearest(index)) {
+            Colour far = beyond.colour(rays, index);
+            return shifts() ? movingWorld.seen(far, rays.frequency[index], 1) : far;
+        }
+        return withBeyond(follow(movingWorld.search().ray(), true, hitMemory));
     }
 
     /** The light that comes back along a ray of a packet, which is searched for alone. */
@@ -209,7 +212,7 @@ final class RayTracer implements Tracer, Lighting {
             return path.light();
         }
         Colour far = path.factor().times(beyond.colour(left));
-        return path.light().plus(shifts() ? movingWorld.seen(far, left, 1) : far);
+        return path.light().plus(shifts() ? movingWorld.seen(far, left.frequency, 1) : far);
     }
 
     /**
@@ -320,7 +323,7 @@ final class RayTracer implements Tracer, Lighting {
 
     @Override
     public Colour seen(Colour light, Ray ray, double dopplerFactor) {
-        return movingWorld.seen(light.times(way), ray, dopplerFactor);
+        return movingWorld.seen(light.times(way), ray.frequency, dopplerFactor);
     }
 
     @Override
