@@ -44,7 +44,7 @@ import tompkins.ui.Captions;
         versionProvider = ProgramVersion.class,
         description =
                 "Takes photographs while a number of the scene, such as the speed of the camera, runs from one value"
-                        + " to another, or of a recorded ride, and saves them as an animation.")
+                        + " to another, or along a recorded ride, and saves them as an animation.")
 final class AnimateCommand implements Callable<Integer>, SceneCommand {
 
     /** How long it plays if nobody says it. */

@@ -17,7 +17,7 @@ final class LightBufferProjection {
     /** Least cosine between the middle of the view and its edge. */
     private static final double LEAST_COSINE = 0.3;
 
-    /** Least sine of an angle that is told from 0. */
+    /** Least sine of an angle that counts as more than 0. */
     private static final double LEAST_SINE = 1e-3;
 
     /** Number of columns of cells, and of rows. */
@@ -88,7 +88,7 @@ final class LightBufferProjection {
      */
     record Strip(double perU, double perV, double least, double most) {}
 
-    /** Numbers from the least to the most. */
+    /** The numbers between two limits. */
     private record Range(double least, double most) {
 
         Range and(Range other) {
@@ -117,7 +117,7 @@ final class LightBufferProjection {
     private final double partsPerU;
     private final double partsPerV;
 
-    // the axes as plain numbers, for every shadow ray asks for them
+    // the axes as plain numbers, because every shadow ray asks for them
     private final double rightX;
     private final double rightY;
     private final double rightZ;
@@ -188,7 +188,7 @@ final class LightBufferProjection {
                 sideways.most / (sideways.most > 0 ? ahead.least : ahead.most) + MARGIN);
     }
 
-    /** How far a box reaches in a direction, from the lamp. */
+    /** From where to where a box reaches in a direction, seen from the lamp. */
     private Range extent(Bounds box, Vector3dc direction) {
         double centre = box.centre().sub(x, y, z).dot(direction);
         double half = 0.5
@@ -198,7 +198,7 @@ final class LightBufferProjection {
         return new Range(centre - half, centre + half);
     }
 
-    /** The slopes under which a primitive is seen: those of its box, less what the box has too much. */
+    /** The slopes under which a primitive is seen: those of its box, narrowed where the primitive is narrower. */
     private Range slopes(Primitive primitive, Bounds box, Vector3dc across) {
         Range range = slopes(box, across);
         double far = extent(box, forward).most;
@@ -224,7 +224,7 @@ final class LightBufferProjection {
                 limited((v.most - leastV) * partsPerV));
     }
 
-    /** The place of a part in the view that is nearest. */
+    /** The nearest place of a part that lies in the view. */
     private static int limited(double place) {
         return (int) Math.max(0, Math.min(ALL_PARTS - 1, Math.floor(place)));
     }
