@@ -24,7 +24,7 @@ public record OverlayDrawing(
      * What is written at a place.
      *
      * @param text the name of an object, or an angle in degrees
-     * @param frame of which frame the angle is; null for a name
+     * @param frame the frame in which the angle is measured; null for a name
      * @param place where
      */
     public record Label(String text, Frame frame, Vector2dc place) {}

@@ -14,6 +14,6 @@ public enum OverlayKind {
     CAMERA_GRID,
     /** What is across the motion in the scene frame, and in the camera frame. */
     HORIZON,
-    /** What objects are called. */
+    /** The names of objects. */
     LABELS
 }

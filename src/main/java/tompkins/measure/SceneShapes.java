@@ -20,13 +20,13 @@ import tompkins.surface.Refractive;
 import tompkins.surface.Surface;
 
 /**
- * What of a scene overlays are drawn of: the first spheres, rods and objects of it.
+ * The shapes of a scene for which overlays are drawn: its first spheres, rods and objects.
  *
  * @param spheres spheres
  * @param rods axes of rods
- * @param objects objects that have an end
+ * @param objects bounded objects
  * @param complete whether these are all
- * @param turnsRays whether the scene holds mirrors, glass or windows, in which things are seen elsewhere
+ * @param turnsRays whether the scene holds mirrors, glass or windows, in which objects are seen elsewhere
  */
 public record SceneShapes(
         List<Ball> spheres, List<Rod> rods, List<Thing> objects, boolean complete, boolean turnsRays) {
@@ -59,7 +59,7 @@ public record SceneShapes(
      * An object.
      *
      * @param motion how its frame moves; null for the scene frame
-     * @param name what it is called
+     * @param name its name
      * @param bounds the box around it in its frame
      */
     public record Thing(FrameMotion motion, String name, Bounds bounds) {

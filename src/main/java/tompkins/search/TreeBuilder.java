@@ -31,9 +31,8 @@ final class TreeBuilder {
     /**
      * Builds a tree.
      *
-     * @param primitives what it holds, all with bounds; at least one. Afterwards they stand in the order of the leaves,
-     *     and the tree holds copies, which lie in memory in this order, too: what is close together is searched
-     *     together. The copies have taken the place of the primitives
+     * @param primitives what it holds, all with bounds; at least one. Afterwards the array holds copies of them in the
+     *     order of the leaves, which also lie in memory in this order: what is searched together lies together
      * @param costOfNode cost of visiting a node, in tests of a primitive: leaves hold more if it is high
      */
     static TreeNode build(Primitive[] primitives, double costOfNode) {

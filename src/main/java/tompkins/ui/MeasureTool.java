@@ -12,8 +12,8 @@ import tompkins.ui.picture.MeasureProbe;
 import tompkins.ui.picture.Picture;
 
 /**
- * Measures in the photograph: while it is on, clicks mark places, and a panel under the picture tells what lies between
- * them. It follows each picture. A place too many begins anew.
+ * Measures in the photograph: while it is on, clicks mark places, and a panel under the picture says what lies between
+ * them. It measures again in each new picture. One place more than needed starts again.
  */
 final class MeasureTool implements MeasurePanel.Commands {
 
@@ -92,7 +92,7 @@ final class MeasureTool implements MeasurePanel.Commands {
         update();
     }
 
-    /** Another picture is on the screen: what was measured in the one before is measured again. */
+    /** Another picture is on the screen: measures in it what was measured in the previous one. */
     void show(Picture picture) {
         if (isOn()) {
             places.removeIf(place -> !picture.holds(place));
