@@ -48,8 +48,8 @@ import tompkins.surface.Tracer;
 /** What every ray goes through: nanoseconds for one call. */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
-@Warmup(iterations = 3, time = 1)
-@Measurement(iterations = 5, time = 1)
+@Warmup(iterations = 3)
+@Measurement(iterations = 5)
 @Fork(1)
 @State(Scope.Benchmark)
 public class HotMethodsBenchmark {

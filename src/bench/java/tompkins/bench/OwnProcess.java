@@ -17,7 +17,7 @@ import tompkins.trace.RenderPlan;
 final class OwnProcess {
 
     private static final int FEWEST_PICTURES = 10;
-    private static final long SHORTEST_NANOSECONDS = 3_000_000_000L;
+    private static final long SHORTEST_NANOSECONDS = 2_000_000_000L;
 
     private OwnProcess() {}
 

@@ -17,8 +17,12 @@ final class RideInWindow {
 
     private RideInWindow() {}
 
-    /** Rides through all of them in one process, and adds the medians of each. */
-    static void measure(List<Measure> measures) throws IOException, InterruptedException {
+    /**
+     * Rides through all of them in one process, and adds the medians of each.
+     *
+     * @param thrusts how often there is thrust in each scene
+     */
+    static void measure(int thrusts, List<Measure> measures) throws IOException, InterruptedException {
         if (!Window.isPossible()) {
             measures.add(Measure.missing("rides", Window.NO_DISPLAY));
             return;
@@ -28,6 +32,7 @@ final class RideInWindow {
                 "-cp",
                 System.getProperty("java.class.path"),
                 BENCHMARK,
+                Integer.toString(thrusts),
                 SCENES.resolve("fig1b.json").toString()));
         try (Stream<Path> files = Files.list(SCENES)) {
             files.filter(file -> file.getFileName().toString().startsWith("motion-"))

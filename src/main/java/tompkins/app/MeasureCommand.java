@@ -39,11 +39,12 @@ import tompkins.trace.RenderPlan;
         description =
                 "Measures in the picture of a scene, between pixels. \"between\" gives angles, distances, times and the"
                         + " interval between two pixels, in the frames of scene, camera and object; \"circle\" fits a circle of"
-                        + " directions, such as the outline of a sphere, to three pixels or more; \"line\" says how straight two"
+                        + " directions, such as the outline of a sphere, to three pixels or more; \"conic\" fits an ellipse, a parabola or a"
+                        + " hyperbola to five pixels or more; \"line\" says how straight two"
                         + " pixels or more lie; \"profile\" follows the line between two pixels.")
 final class MeasureCommand implements Callable<Integer>, SceneCommand {
 
-    @Parameters(index = "0", paramLabel = "WHAT", description = "between, profile, circle or line")
+    @Parameters(index = "0", paramLabel = "WHAT", description = "between, profile, circle, conic or line")
     private String what;
 
     @Parameters(index = "1", paramLabel = "SCENE", description = "scene file, or saved photograph")
@@ -105,8 +106,7 @@ final class MeasureCommand implements Callable<Integer>, SceneCommand {
         RenderPlan plan = ScenePlan.of(studio, scene);
         Measured measured = measure(kind, plan, places);
         output.write(
-                spec.commandLine().getOut(),
-                kind == MeasureKind.PROFILE ? lines(measured.profile()) : lines(measured.quantities()));
+                spec.commandLine().getOut(), kind == MeasureKind.PROFILE ? lines(measured.profile()) : lines(measured));
         return 0;
     }
 
@@ -114,8 +114,8 @@ final class MeasureCommand implements Callable<Integer>, SceneCommand {
         return Arrays.stream(MeasureKind.values())
                 .filter(kind -> kind.toString().equals(what))
                 .findFirst()
-                .orElseThrow(
-                        () -> new MistakeException("WHAT must be one of between, profile, circle, line; was " + what));
+                .orElseThrow(() ->
+                        new MistakeException("WHAT must be one of between, profile, circle, conic, line; was " + what));
     }
 
     private void requireCount(MeasureKind kind) {
@@ -171,22 +171,29 @@ final class MeasureCommand implements Callable<Integer>, SceneCommand {
         return String.join("  ", words);
     }
 
-    private Stream<String> lines(List<Quantity> quantities) {
+    private Stream<String> lines(Measured measured) {
         if (form.json) {
-            return Stream.of(MeasureWriter.json(quantities));
+            return Stream.of(MeasureWriter.json(measured));
         }
-        return form.csv
-                ? CsvText.quantities(quantities)
-                : quantities.stream()
-                        .map(quantity -> String.format(
-                                Locale.ROOT,
-                                "%-24s  %s%s%s",
-                                quantity.words(),
-                                number(quantity.value()),
-                                Double.isNaN(quantity.uncertainty())
-                                        ? ""
-                                        : " +- " + NumberText.of(NumberText.rounded(quantity.uncertainty(), 2)),
-                                quantity.unit().isEmpty() ? "" : " " + quantity.unit()));
+        if (form.csv) {
+            return CsvText.quantities(measured);
+        }
+        Stream<String> numbers = measured.quantities().stream().map(MeasureCommand::words);
+        return measured.shape() == null
+                ? numbers
+                : Stream.concat(Stream.of(line("shape", measured.shape().toString())), numbers);
+    }
+
+    private static String words(Quantity quantity) {
+        String uncertainty = Double.isNaN(quantity.uncertainty())
+                ? ""
+                : " +- " + NumberText.of(NumberText.rounded(quantity.uncertainty(), 2));
+        String unit = quantity.unit().isEmpty() ? "" : " " + quantity.unit();
+        return line(quantity.words(), number(quantity.value()) + uncertainty + unit);
+    }
+
+    private static String line(String name, String value) {
+        return String.format(Locale.ROOT, "%-24s  %s", name, value);
     }
 
     private static String number(double value) {

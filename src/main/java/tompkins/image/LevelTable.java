@@ -6,7 +6,7 @@ package tompkins.image;
  */
 final class LevelTable {
 
-    /** Fine enough that no cell holds more than a few levels; a power of two, so that the scaling is exact. */
+    /** Fine enough that no level lies within a cell; a power of two, so that the scaling is exact. */
     private static final int CELLS = 4096;
 
     private static final int TOP = 255;
@@ -36,10 +36,7 @@ final class LevelTable {
             return TOP;
         }
         int level = cellLevel[(int) (light * CELLS)];
-        while (light >= threshold[level + 1]) {
-            level++;
-        }
-        return level;
+        return light >= threshold[level + 1] ? level + 1 : level;
     }
 
     /** Bisects the floats from 0 to 1, which have the same order as their bits. */

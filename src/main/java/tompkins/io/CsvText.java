@@ -1,9 +1,8 @@
 package tompkins.io;
 
-import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import tompkins.measure.Quantity;
+import tompkins.measure.Measured;
 import tompkins.measure.RayTable;
 import tompkins.measure.Sighting;
 import tompkins.property.OneLine;
@@ -28,11 +27,12 @@ public final class CsvText {
                 .collect(Collectors.joining(","));
     }
 
-    /** Measured numbers: a row for each, under headings. */
-    public static Stream<String> quantities(List<Quantity> quantities) {
+    /** Measured numbers: a row for each, under headings; before them the shape of a conic. */
+    public static Stream<String> quantities(Measured measured) {
+        Stream<String> first = Stream.of("quantity,value,uncertainty,unit");
         return Stream.concat(
-                Stream.of("quantity,value,uncertainty,unit"),
-                quantities.stream()
+                measured.shape() == null ? first : Stream.concat(first, Stream.of("shape," + measured.shape() + ",,")),
+                measured.quantities().stream()
                         .map(quantity -> cell(quantity.key()) + "," + cell(quantity.value()) + ","
                                 + cell(quantity.uncertainty()) + "," + cell(quantity.unit())));
     }

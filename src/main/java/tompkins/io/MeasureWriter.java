@@ -2,6 +2,7 @@ package tompkins.io;
 
 import java.io.StringWriter;
 import java.util.List;
+import tompkins.measure.Measured;
 import tompkins.measure.Quantity;
 import tompkins.measure.RayTable;
 import tompkins.measure.Sighting;
@@ -12,12 +13,15 @@ public final class MeasureWriter {
 
     private MeasureWriter() {}
 
-    /** Measured numbers under their keys, each with its unit and its uncertainty. */
-    public static String json(List<Quantity> quantities) {
+    /** Measured numbers under their keys, each with its unit and its uncertainty; before them the shape of a conic. */
+    public static String json(Measured measured) {
         StringWriter text = new StringWriter();
         try (JsonGenerator json = JsonText.generator(text)) {
             json.writeStartObject();
-            for (Quantity quantity : quantities) {
+            if (measured.shape() != null) {
+                json.writeStringProperty("shape", measured.shape().toString());
+            }
+            for (Quantity quantity : measured.quantities()) {
                 json.writeObjectPropertyStart(quantity.key());
                 write(json, "value", quantity.value());
                 write(json, "uncertainty", quantity.uncertainty());

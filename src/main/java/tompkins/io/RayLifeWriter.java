@@ -22,7 +22,7 @@ public final class RayLifeWriter {
     /**
      * The life of a ray in a studio as JSON. The part {@code scene} is missing if the ray never enters the scene frame.
      * Each hit is told in the frame in which it was found, then in that of the camera and that of the scene, and, if
-     * its object moves by itself, in its own.
+     * its object moves by itself, in its own. The normal is that of the frame in which the object rests.
      */
     public static String json(RayLife life, Studio studio) {
         StringWriter text = new StringWriter();
@@ -63,6 +63,9 @@ public final class RayLifeWriter {
         write(json, "share", hit.share());
         json.writeNumberProperty("branch", hit.branch());
         json.writeStringProperty("surface", hit.surface().getClass().getSimpleName());
+        Vector3dc normal = hit.rest().normal();
+        write(json, "normal", normal.x(), normal.y(), normal.z());
+        write(json, "surfaceCoordinates", hit.rest().u(), hit.rest().v());
         writeEvent(json, "camera", hit.inCamera(sceneFromCamera));
         writeEvent(json, "scene", hit.inScene(sceneFromCamera));
         if (hit.movesByItself()) {

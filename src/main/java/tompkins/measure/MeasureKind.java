@@ -10,6 +10,8 @@ public enum MeasureKind {
     PROFILE(2, 2),
     /** The circle of directions through three places or more. */
     CIRCLE(3, Integer.MAX_VALUE),
+    /** The ellipse, parabola or hyperbola through five places or more. */
+    CONIC(ConicFit.FEWEST, Integer.MAX_VALUE),
     /** How straight two places or more lie. */
     LINE(2, Integer.MAX_VALUE);
 

@@ -47,6 +47,7 @@ public final class Measurements {
                         circle(places),
                         null,
                         lines(CircleFit.of(directions(places)).circle()));
+            case CONIC -> new ConicMeasurement(projection).measure(places, HALF);
             case LINE -> {
                 Vector3dc normal = LineFit.of(directions(places)).normal();
                 yield new Measured(kind, line(places), null, lines(LookCone.across(normal)));

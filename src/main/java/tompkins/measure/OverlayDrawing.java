@@ -23,8 +23,8 @@ public record OverlayDrawing(
     /**
      * What is written at a place.
      *
-     * @param text the name of an object, or an angle in degrees
-     * @param frame the frame in which the angle is measured; null for a name
+     * @param text a name, a Doppler factor, or an angle in degrees
+     * @param frame the frame in which the angle is measured; null if it is not an angle
      * @param place where
      */
     public record Label(String text, Frame frame, Vector2dc place) {}

@@ -4,8 +4,12 @@ package tompkins.measure;
 public enum OverlayKind {
     /** The predicted outlines of spheres. */
     OUTLINES,
-    /** The axes of rods: straight in space, hyperbolas in the picture. */
-    RODS,
+    /** The axes of rods and the edges of flat pieces: straight in space, hyperbolas in the picture. */
+    LINES,
+    /** The same, and the outlines, as a camera at rest sees them from the same place at the same time. */
+    AT_REST,
+    /** The same, where they are by the clocks of the camera: contracted, whatever is seen. */
+    MEASURED,
     /** Where objects are seen, and where they are when the picture is taken, by the clocks of the camera. */
     PLACES,
     /** Circles of equal angle to the motion in the scene frame, and meridians. */
@@ -14,6 +18,8 @@ public enum OverlayKind {
     CAMERA_GRID,
     /** What is across the motion in the scene frame, and in the camera frame. */
     HORIZON,
+    /** Circles of equal Doppler factor. */
+    DOPPLER,
     /** The names of objects. */
     LABELS
 }

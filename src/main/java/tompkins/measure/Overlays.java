@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import org.joml.Vector2d;
 import org.joml.Vector2dc;
 import org.joml.Vector3d;
@@ -12,7 +13,9 @@ import tompkins.property.NumberText;
 import tompkins.ray.Ray;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
+import tompkins.spacetime.IdentityTransformation;
 import tompkins.spacetime.SpaceTimeTransformation;
+import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.trace.Frame;
@@ -30,6 +33,8 @@ public final class Overlays {
     private static final int CIRCLES = 8;
 
     private static final double MERIDIAN = 15;
+
+    private static final double[] DOPPLER_FACTORS = {0.1, 0.2, 0.5, 0.8, 1, 1.25, 2, 5, 10};
 
     /** Half a turn, less what a meridian leaves out at its poles. */
     private static final double POLE = 1e-6;
@@ -55,12 +60,15 @@ public final class Overlays {
         OverlayDrawing drawing =
                 new OverlayDrawing(kind, new ArrayList<>(), new ArrayList<>(), new ArrayList<>(), new ArrayList<>());
         switch (kind) {
-            case OUTLINES -> shapes.spheres().forEach(ball -> addOutline(drawing, ball));
-            case RODS -> shapes.rods().forEach(rod -> addRod(drawing, rod));
+            case OUTLINES -> addOutlines(drawing, this::frame);
+            case LINES -> addLines(drawing, this::frame);
+            case AT_REST -> addGhost(drawing, motion -> SeenFrame.atRest(studio, motion));
+            case MEASURED -> addGhost(drawing, motion -> new SeenFrame(studio, motion, View.MEASURED));
             case PLACES -> shapes.objects().forEach(thing -> addPlaces(drawing, thing));
             case SCENE_GRID -> addGrid(drawing, Frame.SCENE);
             case CAMERA_GRID -> addGrid(drawing, Frame.CAMERA);
             case HORIZON -> addHorizon(drawing);
+            case DOPPLER -> addDopplerCircles(drawing);
             case LABELS -> shapes.objects().forEach(thing -> addName(drawing, thing));
         }
         return drawing;
@@ -70,8 +78,22 @@ public final class Overlays {
         return frames.computeIfAbsent(motion, each -> new SeenFrame(studio, each));
     }
 
-    private void addOutline(OverlayDrawing drawing, SceneShapes.Ball ball) {
-        SeenFrame frame = frame(ball.motion());
+    private void addGhost(OverlayDrawing drawing, Function<FrameMotion, SeenFrame> seen) {
+        Map<FrameMotion, SeenFrame> known = new HashMap<>();
+        Function<FrameMotion, SeenFrame> once = motion -> known.computeIfAbsent(motion, seen);
+        addOutlines(drawing, once);
+        addLines(drawing, once);
+    }
+
+    private void addOutlines(OverlayDrawing drawing, Function<FrameMotion, SeenFrame> seen) {
+        shapes.spheres().forEach(ball -> addOutline(drawing, ball, seen.apply(ball.motion())));
+    }
+
+    private void addLines(OverlayDrawing drawing, Function<FrameMotion, SeenFrame> seen) {
+        shapes.lines().forEach(line -> addLine(drawing, line, seen.apply(line.motion())));
+    }
+
+    private void addOutline(OverlayDrawing drawing, SceneShapes.Ball ball, SeenFrame frame) {
         drawing.lines()
                 .addAll(CurveTracer.lines(
                         projection,
@@ -84,14 +106,13 @@ public final class Overlays {
                         })));
     }
 
-    private void addRod(OverlayDrawing drawing, SceneShapes.Rod rod) {
-        SeenFrame frame = frame(rod.motion());
+    private void addLine(OverlayDrawing drawing, SceneShapes.Line line, SeenFrame frame) {
         drawing.lines()
                 .addAll(CurveTracer.lines(
                         projection,
                         0,
                         1,
-                        share -> projection.place(frame, rod.start().lerp(rod.end(), share, new Vector3d()))));
+                        share -> projection.place(frame, line.start().lerp(line.end(), share, new Vector3d()))));
     }
 
     private Vector2dc seen(SceneShapes.Thing thing) {
@@ -150,12 +171,16 @@ public final class Overlays {
     private void addCircle(OverlayDrawing drawing, Frame frame, double degrees) {
         LookCone circle =
                 degrees == QUARTER ? LookCone.across(ahead()) : LookCone.around(ahead(), Math.toRadians(degrees));
+        addCircle(drawing, frame, circle, NumberText.of(degrees), frame);
+    }
+
+    private void addCircle(OverlayDrawing drawing, Frame frame, LookCone circle, String text, Frame ofText) {
         List<List<Vector2dc>> lines =
                 CurveTracer.lines(projection, 0, 2 * Math.PI, azimuth -> place(frame, circle.direction(azimuth)));
         drawing.lines().addAll(lines);
         Vector2dc label = nearestToMiddle(lines);
         if (label != null) {
-            drawing.labels().add(new OverlayDrawing.Label(NumberText.of(degrees), frame, label));
+            drawing.labels().add(new OverlayDrawing.Label(text, ofText, label));
         }
     }
 
@@ -223,6 +248,29 @@ public final class Overlays {
             }
         }
         return new double[] {least, largest};
+    }
+
+    /** Where the frequency for the camera is that of the scene, times a number: cos a' = (1 - 1/(gamma D))/beta. */
+    private void addDopplerCircles(OverlayDrawing drawing) {
+        if (studio.sceneFromCamera() instanceof IdentityTransformation || studio.view() == View.MEASURED) {
+            return;
+        }
+        double speed = studio.velocity().speed();
+        // in a Galilean world no clock runs slow
+        double gamma = studio.transformation() == TransformationLaw.LORENTZ
+                ? studio.velocity().gamma()
+                : 1;
+        for (double factor : DOPPLER_FACTORS) {
+            double cosine = (1 - 1 / (gamma * factor)) / speed;
+            if (Math.abs(cosine) < 1) {
+                addCircle(
+                        drawing,
+                        Frame.CAMERA,
+                        LookCone.around(ahead(), Math.acos(cosine)),
+                        "D = " + NumberText.of(factor),
+                        null);
+            }
+        }
     }
 
     private void addHorizon(OverlayDrawing drawing) {

@@ -64,6 +64,11 @@ public final class RayTable {
         addEvent(columns, "hit_scene", Sighting::inScene);
         addEvent(columns, "hit_camera", Sighting::inCamera);
         addEvent(columns, "hit_own", ofHit(sighting -> sighting.hit().rest().event()));
+        addVector(columns, "normal", "", ofHit(sighting -> sighting.hit().rest().normal()));
+        columns.add(new Column(
+                "surface_u", "", ofHit(sighting -> sighting.hit().rest().u())));
+        columns.add(new Column(
+                "surface_v", "", ofHit(sighting -> sighting.hit().rest().v())));
         columns.add(new Column(
                 "proper_time", LENGTH, ofHit(sighting -> sighting.hit().rest().clockReading())));
         columns.add(

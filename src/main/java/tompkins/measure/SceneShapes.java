@@ -7,11 +7,14 @@ import java.util.Map;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.primitive.Bounds;
+import tompkins.primitive.BoxPrimitive;
 import tompkins.primitive.CylinderPrimitive;
 import tompkins.primitive.Described;
+import tompkins.primitive.FlatPrimitive;
 import tompkins.primitive.Primitive;
 import tompkins.primitive.SpherePrimitive;
 import tompkins.sceneobject.FrameObjects;
+import tompkins.sceneobject.TriangleMesh;
 import tompkins.spacetime.FrameMotion;
 import tompkins.surface.GalileoWindow;
 import tompkins.surface.LorentzWindow;
@@ -20,19 +23,21 @@ import tompkins.surface.Refractive;
 import tompkins.surface.Surface;
 
 /**
- * The shapes of a scene for which overlays are drawn: its first spheres, rods and objects.
+ * The shapes of a scene for which overlays are drawn: its first spheres, lines and objects.
  *
  * @param spheres spheres
- * @param rods axes of rods
+ * @param lines axes of rods, and edges of boxes and of flat pieces; not those of meshes
  * @param objects bounded objects
  * @param complete whether these are all
  * @param turnsRays whether the scene holds mirrors, glass or windows, in which objects are seen elsewhere
  */
 public record SceneShapes(
-        List<Ball> spheres, List<Rod> rods, List<Thing> objects, boolean complete, boolean turnsRays) {
+        List<Ball> spheres, List<Line> lines, List<Thing> objects, boolean complete, boolean turnsRays) {
 
-    /** The most of each. */
-    public static final int MOST = 400;
+    /** The most of each; a box has twelve lines. */
+    private static final int MOST = 400;
+
+    private static final int MOST_LINES = 12 * MOST;
 
     /** The most primitives that are looked at. */
     private static final int MOST_PRIMITIVES = 100_000;
@@ -47,13 +52,13 @@ public record SceneShapes(
     public record Ball(FrameMotion motion, Vector3dc centre, double radius) {}
 
     /**
-     * The axis of a rod.
+     * A straight line with two ends.
      *
      * @param motion how its frame moves; null for the scene frame
      * @param start one end in its frame
      * @param end the other end
      */
-    public record Rod(FrameMotion motion, Vector3dc start, Vector3dc end) {}
+    public record Line(FrameMotion motion, Vector3dc start, Vector3dc end) {}
 
     /**
      * An object.
@@ -80,7 +85,7 @@ public record SceneShapes(
     private static final class Collector {
 
         private final List<Ball> spheres = new ArrayList<>();
-        private final List<Rod> rods = new ArrayList<>();
+        private final List<Line> lines = new ArrayList<>();
         private final List<Thing> objects = new ArrayList<>();
         private int looked;
         private boolean complete = true;
@@ -104,10 +109,34 @@ public record SceneShapes(
         }
 
         private void add(FrameMotion motion, Vector3d origin, Primitive primitive) {
-            if (primitive instanceof SpherePrimitive sphere && hasRoom(spheres)) {
+            if (primitive instanceof SpherePrimitive sphere && hasRoom(spheres, MOST)) {
                 spheres.add(new Ball(motion, sphere.centre().add(origin), sphere.radius()));
-            } else if (primitive instanceof CylinderPrimitive rod && hasRoom(rods)) {
-                rods.add(new Rod(motion, rod.start().add(origin), rod.end().add(origin)));
+            } else if (primitive instanceof CylinderPrimitive rod) {
+                addLine(motion, origin, rod.start(), rod.end());
+            } else if (primitive instanceof BoxPrimitive box) {
+                addEdges(motion, origin, box.corners());
+            } else if (primitive instanceof FlatPrimitive piece && !(piece.object() instanceof TriangleMesh)) {
+                List<Vector3d> corners = piece.corners();
+                for (int i = 0; i < corners.size(); i++) {
+                    addLine(motion, origin, corners.get(i), corners.get((i + 1) % corners.size()));
+                }
+            }
+        }
+
+        /** Two corners of a box whose numbers differ by one bit have an edge between them. */
+        private void addEdges(FrameMotion motion, Vector3dc origin, List<Vector3d> corners) {
+            for (int corner = 0; corner < corners.size(); corner++) {
+                for (int bit = 1; bit < corners.size(); bit *= 2) {
+                    if ((corner & bit) == 0) {
+                        addLine(motion, origin, corners.get(corner), corners.get(corner | bit));
+                    }
+                }
+            }
+        }
+
+        private void addLine(FrameMotion motion, Vector3dc origin, Vector3dc start, Vector3dc end) {
+            if (hasRoom(lines, MOST_LINES)) {
+                lines.add(new Line(motion, start.add(origin, new Vector3d()), end.add(origin, new Vector3d())));
             }
         }
 
@@ -116,14 +145,14 @@ public record SceneShapes(
             if (known != null) {
                 Thing thing = objects.get(known);
                 objects.set(known, new Thing(motion, thing.name, thing.bounds.with(bounds)));
-            } else if (hasRoom(objects)) {
+            } else if (hasRoom(objects, MOST)) {
                 places.put(object, objects.size());
                 objects.add(new Thing(motion, object.description(), bounds));
             }
         }
 
-        private boolean hasRoom(List<?> shapes) {
-            boolean room = shapes.size() < MOST;
+        private boolean hasRoom(List<?> shapes, int most) {
+            boolean room = shapes.size() < most;
             complete &= room;
             return room;
         }
@@ -136,7 +165,7 @@ public record SceneShapes(
         }
 
         SceneShapes shapes() {
-            return new SceneShapes(List.copyOf(spheres), List.copyOf(rods), List.copyOf(objects), complete, turnsRays);
+            return new SceneShapes(List.copyOf(spheres), List.copyOf(lines), List.copyOf(objects), complete, turnsRays);
         }
     }
 }

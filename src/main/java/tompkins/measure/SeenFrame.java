@@ -8,6 +8,7 @@ import tompkins.math.Vectors;
 import tompkins.ray.Ray;
 import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
+import tompkins.spacetime.IdentityTransformation;
 import tompkins.spacetime.SpaceTimeTransformation;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
@@ -25,7 +26,10 @@ public final class SeenFrame {
     private static final Event REST = new Event(0, 0, 0, 1);
 
     private final SpaceTimeTransformation sceneFromCamera;
+
+    /** What the motion of the camera does to what it sees. */
     private final SpaceTimeTransformation cameraFromScene;
+
     private final TransformationLaw law;
     private final View view;
     private final List<FrameMotion> outerFirst = new ArrayList<>();
@@ -38,14 +42,26 @@ public final class SeenFrame {
 
     /** The frame of a motion, or the scene frame if that is null, in a view. */
     public SeenFrame(Studio studio, FrameMotion motion, View view) {
+        this(studio, motion, view, studio.sceneFromCamera().inverse());
+    }
+
+    private SeenFrame(Studio studio, FrameMotion motion, View view, SpaceTimeTransformation cameraFromScene) {
         this.view = view;
+        this.cameraFromScene = cameraFromScene;
         law = studio.transformation();
         sceneFromCamera = studio.sceneFromCamera();
-        cameraFromScene = sceneFromCamera.inverse();
         for (FrameMotion each = motion; each != null; each = each.outer()) {
             outerFirst.add(0, each);
             outwards.add(law.sceneFromCamera(each.velocity()));
         }
+    }
+
+    /**
+     * The frame of a motion, or the scene frame if that is null, as a camera sees it that rests in the scene, at the
+     * same event and with the same axes.
+     */
+    static SeenFrame atRest(Studio studio, FrameMotion motion) {
+        return new SeenFrame(studio, motion, studio.view(), new IdentityTransformation());
     }
 
     /** An event of the camera frame, in this frame. */

@@ -1,5 +1,7 @@
 package tompkins.primitive;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.ray.Hit;
@@ -22,7 +24,7 @@ public final class BoxPrimitive extends Primitive {
     private final Vector3d[] axes;
     private final double[] half;
 
-    // of each face; null if the surface asks for no coordinates
+    // of each face
     private final FaceCoordinates[] faces;
 
     /** The box of an object between two opposite corners, before it is placed. */
@@ -40,7 +42,7 @@ public final class BoxPrimitive extends Primitive {
         half = new double[] {
             size.x / 2 * placement.scale(), size.y / 2 * placement.scale(), size.z / 2 * placement.scale()
         };
-        faces = surface.usesCoordinates() ? faces(size, placement) : null;
+        faces = faces(size, placement);
     }
 
     private static FaceCoordinates[] faces(Vector3dc size, Placement placement) {
@@ -117,7 +119,20 @@ public final class BoxPrimitive extends Primitive {
                 side * normal.z,
                 this,
                 face,
-                faces == null ? null : faces[face].at(x, y, z));
+                hasCoordinates(memory) ? faces[face].at(x, y, z) : null);
+    }
+
+    /** Its eight corners: bit k of the number of a corner is 1 at the upper end of axis k. */
+    public List<Vector3d> corners() {
+        List<Vector3d> corners = new ArrayList<>();
+        for (int corner = 0; corner < 8; corner++) {
+            Vector3d place = new Vector3d(centre);
+            for (int axis = 0; axis < 3; axis++) {
+                place.fma((corner >> axis & 1) == 0 ? -half[axis] : half[axis], axes[axis]);
+            }
+            corners.add(place);
+        }
+        return corners;
     }
 
     @Override

@@ -19,7 +19,6 @@ public final class ConePrimitive extends Primitive {
     private final double baseRadius;
     private final double slope;
 
-    /** Null if the surface asks for no coordinates. */
     private final RoundCoordinates round;
 
     /**
@@ -43,9 +42,7 @@ public final class ConePrimitive extends Primitive {
         slope = this.baseRadius / height;
         requireSquare(height);
         requireSquare(1 + slope);
-        round = surface.usesCoordinates()
-                ? RoundCoordinates.around(describedTip.sub(baseCentre, new Vector3d()), placement)
-                : null;
+        round = RoundCoordinates.around(describedTip.sub(baseCentre, new Vector3d()), placement);
     }
 
     /**
@@ -132,9 +129,9 @@ public final class ConePrimitive extends Primitive {
                 normal.z,
                 this,
                 0,
-                round == null
-                        ? null
-                        : round.at(radial, Math.max(radius, baseRadius * SMALLEST), 1 - along / height, height));
+                hasCoordinates(memory)
+                        ? round.at(radial, Math.max(radius, baseRadius * SMALLEST), 1 - along / height, height)
+                        : null);
     }
 
     @Override

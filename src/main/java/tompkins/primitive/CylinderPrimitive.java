@@ -31,7 +31,6 @@ public final class CylinderPrimitive extends Primitive {
     private final double radius;
     private final boolean caps;
 
-    // null if the surface asks for no coordinates
     private final RoundCoordinates round;
     private final FaceCoordinates startFace;
     private final FaceCoordinates endFace;
@@ -65,12 +64,10 @@ public final class CylinderPrimitive extends Primitive {
         requireSquare(length);
         requireSquare(length + this.radius);
         this.caps = caps;
-        boolean usesCoordinates = surface.usesCoordinates();
-        round = usesCoordinates ? RoundCoordinates.around(toEnd, placement) : null;
+        round = RoundCoordinates.around(toEnd, placement);
         double width = 2 * radius;
-        endFace = usesCoordinates ? FaceCoordinates.across(Vectors.unit(toEnd), width, width, placement) : null;
-        startFace =
-                usesCoordinates ? FaceCoordinates.across(Vectors.unit(toEnd).negate(), width, width, placement) : null;
+        endFace = FaceCoordinates.across(Vectors.unit(toEnd), width, width, placement);
+        startFace = FaceCoordinates.across(Vectors.unit(toEnd).negate(), width, width, placement);
     }
 
     /** The centre of its start, after the placement. */
@@ -261,18 +258,18 @@ public final class CylinderPrimitive extends Primitive {
                 normal.z,
                 this,
                 MANTLE,
-                round == null ? null : round.at(normal, radius, along, length));
+                hasCoordinates(memory) ? round.at(normal, radius, along, length) : null);
     }
 
     private Hit capHit(Ray ray, double distance, int part, Hit memory) {
         double scale = (part == START_CAP ? -1 : 1) / length;
         FaceCoordinates face = part == START_CAP ? startFace : endFace;
-        SurfaceCoordinates coordinates = face == null
-                ? null
-                : face.at(
+        SurfaceCoordinates coordinates = hasCoordinates(memory)
+                ? face.at(
                         ray.x + distance * ray.dx - startX,
                         ray.y + distance * ray.dy - startY,
-                        ray.z + distance * ray.dz - startZ);
+                        ray.z + distance * ray.dz - startZ)
+                : null;
         return memory.set(ray, distance, axisX * scale, axisY * scale, axisZ * scale, this, part, coordinates);
     }
 

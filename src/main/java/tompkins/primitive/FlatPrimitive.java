@@ -1,5 +1,6 @@
 package tompkins.primitive;
 
+import java.util.List;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
@@ -150,7 +151,7 @@ public final class FlatPrimitive extends Primitive {
     @Override
     public Hit hit(Ray ray, double distance, Hit memory) {
         SurfaceCoordinates coordinates = null;
-        if (surface().usesCoordinates()) {
+        if (hasCoordinates(memory)) {
             double offsetX = ray.x - cornerX + distance * ray.dx;
             double offsetY = ray.y - cornerY + distance * ray.dy;
             double offsetZ = ray.z - cornerZ + distance * ray.dz;
@@ -165,6 +166,18 @@ public final class FlatPrimitive extends Primitive {
                     vZ);
         }
         return memory.set(ray, distance, normalX, normalY, normalZ, this, 0, coordinates);
+    }
+
+    /** Its corners, around the piece; none of an ellipse. */
+    public List<Vector3d> corners() {
+        Vector3d corner = new Vector3d(cornerX, cornerY, cornerZ);
+        Vector3d endU = new Vector3d(spanUX, spanUY, spanUZ).add(corner);
+        Vector3d endV = new Vector3d(spanVX, spanVY, spanVZ).add(corner);
+        return switch (outline) {
+            case PARALLELOGRAM -> List.of(corner, endU, new Vector3d(endU).add(spanVX, spanVY, spanVZ), endV);
+            case TRIANGLE -> List.of(corner, endU, endV);
+            case ELLIPSE -> List.of();
+        };
     }
 
     @Override

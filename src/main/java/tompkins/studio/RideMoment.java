@@ -1,6 +1,7 @@
 package tompkins.studio;
 
 import java.util.List;
+import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.camera.Camera;
@@ -44,6 +45,11 @@ public record RideMoment(Studio studio, Rider rider, double properTime, double s
                 && now.position().equals(before.position())
                 && now.shutter().getClass() == before.shutter().getClass()
                 && now.shutter().openingTime() == before.shutter().openingTime();
+    }
+
+    /** What a camera at rest in the scene sees at this event, with the axes that the moving one has in its frame. */
+    public Studio atRest() {
+        return LensEvent.moved(studio, rider.event(), Velocity.REST, new Quaterniond());
     }
 
     /**

@@ -89,8 +89,19 @@ public record RayLife(
      * @param event where, and at what proper time of the object
      * @param clockReading what a clock of the object shows there
      * @param dopplerFactor frequency in the camera frame divided by that in this frame; no number if there is none
+     * @param normal unit normal of the surface, out of the object or to the side named as front, along the axes of this
+     *     frame
+     * @param u first coordinate on the surface, as the object runs it
+     * @param v second coordinate
      */
-    public record Rest(FrameMotion motion, Event event, double clockReading, double dopplerFactor) {}
+    public record Rest(
+            FrameMotion motion,
+            Event event,
+            double clockReading,
+            double dopplerFactor,
+            Vector3dc normal,
+            double u,
+            double v) {}
 
     /** Whether the main branch goes on after all hits, and meets nothing more. */
     public boolean reachesBackground() {
@@ -186,7 +197,14 @@ public record RayLife(
                     ray.throughput,
                     branch,
                     primitive.surface(),
-                    new Rest(rest.motion(), rest.own(traced), hit.clockReading(), ratio(ray))));
+                    new Rest(
+                            rest.motion(),
+                            rest.own(traced),
+                            hit.clockReading(),
+                            ratio(ray),
+                            new Vector3d(hit.normalX, hit.normalY, hit.normalZ),
+                            hit.coordinates.u(),
+                            hit.coordinates.v())));
         }
 
         private static Event start(Ray ray) {

@@ -42,7 +42,7 @@ final class RayTracer implements Tracer, Lighting {
     private final RayCounts counts;
     private final PathObserver observer;
     private final NearestHit nearest;
-    private final Hit hitMemory = Hit.blank();
+    private final Hit hitMemory;
     private final Ray startMemory = Ray.blank();
     private final Ray shadowMemory = Ray.blank();
 
@@ -89,6 +89,7 @@ final class RayTracer implements Tracer, Lighting {
         this.counts = counts;
         this.nearest = nearest;
         this.observer = observer;
+        hitMemory = newHit();
     }
 
     /** Begins a packet: forgets what was seen before, so that the work for a packet depends on nothing else. */
@@ -140,7 +141,12 @@ final class RayTracer implements Tracer, Lighting {
         }
         counts.rays++;
         frame = startFrame;
-        return withBeyond(follow(start, search(start), Hit.blank()));
+        return withBeyond(follow(start, search(start), newHit()));
+    }
+
+    /** Memory for a hit; whoever watches wants to know where on the surface it is. */
+    private Hit newHit() {
+        return observer == null ? Hit.blank() : Hit.blankWithCoordinates();
     }
 
     private boolean search(Ray ray) {

@@ -5,6 +5,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
+import tompkins.shutter.Shutter;
 import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.ComparePanel;
@@ -26,6 +27,12 @@ final class ComparedPicture implements AutoCloseable {
     private Studio studio;
     private Dimension size;
     private Picture kept;
+
+    /** What is on the screen; null if nothing is. */
+    private Picture shown;
+
+    /** The studio of a camera at rest where one on a ride is; gives null where there is no ride. */
+    private Supplier<Studio> rideAtRest = () -> null;
 
     /**
      * The picture beside that of a model.
@@ -53,6 +60,11 @@ final class ComparedPicture implements AutoCloseable {
         render();
     }
 
+    /** Lets a camera at rest be where one on a ride is; the supplier gives null where there is no ride. */
+    void setRideAtRest(Supplier<Studio> atRest) {
+        rideAtRest = atRest;
+    }
+
     /** What the picture is called; null if there is none. */
     String name() {
         return compared.name();
@@ -63,30 +75,58 @@ final class ComparedPicture implements AutoCloseable {
         Studio wanted = wanted();
         if (wanted == null) {
             stop();
-            screen.setOther(null);
-        } else if (!wanted.equals(studio) || !sizes.apply(wanted).equals(size)) {
+            set(null);
+        } else if (!sizes.apply(wanted).equals(size) || !looksAsBefore(wanted)) {
             studio = wanted;
             size = sizes.apply(wanted);
             if (kept != null && studio == kept.studio() && kept.isOfSize(size)) {
                 controller.stop();
-                screen.setOther(kept);
+                set(kept);
             } else {
-                controller.show(studio, size, pace.get());
+                controller.show(studio, size, pace.get().ofOther());
             }
         }
     }
 
     private Studio wanted() {
+        Studio onRide = compared.other() == ComparePanel.Other.AT_REST ? rideAtRest.get() : null;
+        if (onRide != null) {
+            return onRide;
+        }
         return compared.other() == ComparePanel.Other.KEPT_PICTURE && kept != null
                 ? kept.studio()
                 : compared.studio(model.studio());
+    }
+
+    /** Whether the picture would be that of before: on a ride only time may go on, and nothing change with it. */
+    private boolean looksAsBefore(Studio wanted) {
+        if (wanted.equals(studio)) {
+            return true;
+        }
+        if (pace.get() != Pace.RIDE
+                || shown == null
+                || !shown.studio().equals(studio)
+                || !shown.plan().isStill()) {
+            return false;
+        }
+        Shutter shutter = wanted.camera().shutter();
+        Shutter before = studio.camera().shutter();
+        return shutter.hasOpeningTime()
+                && before.hasOpeningTime()
+                && studio.equals(
+                        wanted.withCamera(wanted.camera().withShutter(shutter.openedAt(before.openingTime()))));
+    }
+
+    private void set(Picture picture) {
+        shown = picture;
+        screen.setOther(picture);
     }
 
     private void show(Picture picture) {
         SwingUtilities.invokeLater(() -> {
             // what is no longer wanted may still arrive
             if (picture.studio().equals(studio)) {
-                screen.setOther(picture);
+                set(picture);
             }
         });
     }

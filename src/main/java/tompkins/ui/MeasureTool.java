@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
 import tompkins.measure.MeasureKind;
+import tompkins.measure.Measured;
 import tompkins.ui.panel.MeasurePanel;
 import tompkins.ui.picture.MeasureMarks;
 import tompkins.ui.picture.MeasureProbe;
@@ -13,19 +14,59 @@ import tompkins.ui.picture.Picture;
 
 /**
  * Measures in the photograph: while it is on, clicks mark places, and a panel under the picture says what lies between
- * them. It measures again in each new picture. One place more than needed starts again.
+ * them. If another picture is compared, clicks there mark places in that one, and sizes in both are compared, too. It
+ * measures again in each new picture. One place more than needed starts again.
  */
 final class MeasureTool implements MeasurePanel.Commands {
 
     private final PhotographView view;
     private final JPanel bars;
     private final Consumer<String> copier;
-    private final MeasureProbe probe;
-    private final MeasureMarks marks = new MeasureMarks();
-    private final List<Point2D> places = new ArrayList<>();
+    private final Ruler ruler;
+    private final Ruler otherRuler;
+    private final MeasureMarks marks;
 
     /** Null until it is first wanted. */
     private MeasurePanel panel;
+
+    /** The places in one of two pictures, and what lies between them. */
+    private final class Ruler {
+
+        private final MeasureProbe probe = new MeasureProbe(view::fail);
+        private final List<Point2D> places = new ArrayList<>();
+        private MeasureProbe.Answer answer;
+
+        void add(Point2D place) {
+            if (places.size() == panel.kind().most()) {
+                places.clear();
+            }
+            places.add(place);
+        }
+
+        /** Measures in a picture, or in none if that is null. */
+        void measure(Picture picture) {
+            places.removeIf(place -> picture == null || !picture.holds(place));
+            if (places.size() < panel.kind().fewest()) {
+                probe.forget();
+                answer = null;
+            } else {
+                probe.ask(picture, panel.kind(), places, found -> {
+                    answer = found;
+                    tell();
+                });
+            }
+        }
+
+        MeasureMarks.Marked marked() {
+            Measured measured = answer == null ? null : answer.measured();
+            return new MeasureMarks.Marked(places, measured == null ? List.of() : measured.lines());
+        }
+
+        void forget() {
+            places.clear();
+            answer = null;
+        }
+    }
 
     /**
      * A tool that is off.
@@ -37,7 +78,9 @@ final class MeasureTool implements MeasurePanel.Commands {
         this.view = view;
         this.bars = bars;
         this.copier = copier;
-        probe = new MeasureProbe(view::fail);
+        ruler = new Ruler();
+        otherRuler = new Ruler();
+        marks = new MeasureMarks(view::otherPicture);
         view.canvas().addOverlay(marks);
     }
 
@@ -68,7 +111,10 @@ final class MeasureTool implements MeasurePanel.Commands {
             bars.add(panel.component());
         }
         panel.component().setVisible(true);
-        view.setMeasuring(this::add);
+        view.setMeasuring((place, picture) -> {
+            (picture == view.otherPicture() ? otherRuler : ruler).add(place);
+            update();
+        });
         update();
         bars.revalidate();
     }
@@ -80,60 +126,45 @@ final class MeasureTool implements MeasurePanel.Commands {
             clear();
         }
         if (forGood) {
-            probe.close();
+            ruler.probe.close();
+            otherRuler.probe.close();
         }
     }
 
-    private void add(Point2D place) {
-        if (places.size() == panel.kind().most()) {
-            places.clear();
-        }
-        places.add(place);
-        update();
-    }
-
-    /** Another picture is on the screen: measures in it what was measured in the previous one. */
-    void show(Picture picture) {
+    /** Other pictures are on the screen: measures in them what was measured in the previous ones. */
+    void show() {
         if (isOn()) {
-            places.removeIf(place -> !picture.holds(place));
             update();
         }
     }
 
     private void update() {
-        Picture picture = view.canvas().shown().now();
-        MeasureKind kind = panel.kind();
-        if (picture == null || places.size() < kind.fewest()) {
-            probe.forget();
-            panel.show(null);
-            marks.show(places, List.of());
-        } else {
-            List<Point2D> asked = List.copyOf(places);
-            probe.ask(picture, kind, asked, answer -> {
-                panel.show(answer);
-                marks.show(
-                        asked,
-                        answer.measured() == null
-                                ? List.of()
-                                : answer.measured().lines());
-                view.canvas().repaint();
-            });
-            marks.show(places, List.of());
-        }
+        ruler.measure(view.canvas().shown().now());
+        otherRuler.measure(view.otherPicture());
+        tell();
+    }
+
+    private void tell() {
+        panel.show(ruler.answer, otherRuler.answer, view.otherPicture() == null ? null : view.otherName());
+        marks.show(ruler.marked(), otherRuler.marked());
         view.canvas().repaint();
     }
 
     @Override
     public void choose(MeasureKind kind) {
-        while (places.size() > kind.most()) {
-            places.remove(places.size() - 1);
+        for (Ruler each : List.of(ruler, otherRuler)) {
+            each.answer = null;
+            while (each.places.size() > kind.most()) {
+                each.places.remove(each.places.size() - 1);
+            }
         }
         update();
     }
 
     @Override
     public void clear() {
-        places.clear();
+        ruler.forget();
+        otherRuler.forget();
         update();
     }
 

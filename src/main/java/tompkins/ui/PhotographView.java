@@ -2,7 +2,7 @@ package tompkins.ui;
 
 import java.awt.Dimension;
 import java.awt.geom.Point2D;
-import java.util.function.Consumer;
+import java.util.function.BiConsumer;
 import java.util.function.DoubleConsumer;
 import java.util.function.DoublePredicate;
 import java.util.function.Supplier;
@@ -74,7 +74,7 @@ final class PhotographView implements AutoCloseable {
     private Picking picking;
 
     /** Told of clicks while somebody measures; null otherwise. */
-    private Consumer<Point2D> measuring;
+    private BiConsumer<Point2D, Picture> measuring;
 
     /** The photograph of a model; {@code pace} says how soon a picture of a change has to come. */
     PhotographView(StudioModel model, Listener listener, Supplier<Pace> pace) {
@@ -89,7 +89,7 @@ final class PhotographView implements AutoCloseable {
                 screen::setNow, error -> SwingUtilities.invokeLater(() -> listener.noPicture(Messages.of(error))));
         compared = new ComparedPicture(model, screen, this::sizeOf, pace, this::fail);
         pin = new PixelPin(canvas, this::nameOf, listener::pinned, this::fail);
-        model.addListener(this::renderChange);
+        model.addLiveListener(this::renderChange);
     }
 
     PictureCanvas canvas() {
@@ -161,6 +161,11 @@ final class PhotographView implements AutoCloseable {
         pin.readAgain();
     }
 
+    /** Lets a camera at rest be where one on a ride is; the supplier gives null where there is no ride. */
+    void setRideAtRest(Supplier<Studio> atRest) {
+        compared.setRideAtRest(atRest);
+    }
+
     /** Keeps the picture that is on the screen, to compare others with it; says what to call it. */
     String keepPicture() {
         Picture now = canvas.shown().now();
@@ -182,6 +187,17 @@ final class PhotographView implements AutoCloseable {
         return canvas.showsTwo() ? Texts.get("compare.now") : null;
     }
 
+    /** The picture that is compared with that of the studio; null if none is seen. */
+    Picture otherPicture() {
+        ScreenPicture shown = canvas.shown();
+        return shown.otherImage() == null ? null : shown.other();
+    }
+
+    /** What that picture is called. */
+    String otherName() {
+        return compared.name();
+    }
+
     /**
      * Lets clicks on the picture give the distance of what is there, until one is taken.
      *
@@ -201,8 +217,8 @@ final class PhotographView implements AutoCloseable {
         listener.picking(false);
     }
 
-    /** Lets clicks on the picture tell places, until it is called with null. */
-    void setMeasuring(Consumer<Point2D> taker) {
+    /** Lets clicks tell places, in pixels of the picture that is seen there, until it is called with null. */
+    void setMeasuring(BiConsumer<Point2D, Picture> taker) {
         measuring = taker;
         canvas.setMeasuring(taker != null);
     }
@@ -268,7 +284,7 @@ final class PhotographView implements AutoCloseable {
                     }
                 });
             } else if (measuring != null) {
-                measuring.accept(place);
+                measuring.accept(canvas.shown().placeIn(seen, place), seen);
             } else {
                 pin.set(place, seen != canvas.shown().now());
             }

@@ -25,9 +25,13 @@ final class Signs {
         MAP(false, null),
         /** Outlines of spheres. */
         OUTLINES(false, OverlayKind.OUTLINES),
-        /** Axes of rods. */
-        RODS(false, OverlayKind.RODS),
-        /** Where objects are seen, and where they are. */
+        /** Axes of rods and edges of flat pieces. */
+        LINES(false, OverlayKind.LINES),
+        /** All of that, as a camera at rest sees it. */
+        AT_REST(false, OverlayKind.AT_REST),
+        /** All of that, where it is. */
+        MEASURED(false, OverlayKind.MEASURED),
+        /** Where things are seen, and where they are. */
         PLACES(false, OverlayKind.PLACES),
         /** Angles to the motion in the scene frame. */
         SCENE_GRID(false, OverlayKind.SCENE_GRID),
@@ -35,6 +39,8 @@ final class Signs {
         CAMERA_GRID(false, OverlayKind.CAMERA_GRID),
         /** What is across the motion. */
         HORIZON(false, OverlayKind.HORIZON),
+        /** Circles of equal Doppler factor. */
+        DOPPLER(false, OverlayKind.DOPPLER),
         /** Names of objects. */
         LABELS(false, OverlayKind.LABELS);
 

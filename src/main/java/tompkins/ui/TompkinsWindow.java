@@ -18,6 +18,7 @@ import tompkins.studio.Studio;
 import tompkins.studio.StudioPath;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.file.PlainPath;
+import tompkins.ui.model.Seldom;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.panel.LessonPanel;
 import tompkins.ui.picture.Pace;
@@ -61,11 +62,15 @@ public final class TompkinsWindow {
 
     private final Motion motion;
 
+    /** When there is time to tell of the pictures of a ride. */
+    private final Seldom seldom = new Seldom();
+
     private TompkinsWindow(FirstScene first, CommandLineWriter commandLine) {
         settings.look().install();
         Path place = first.file() == null ? null : PlainPath.of(first.file());
         model = new StudioModel(first.studio(), place);
-        view = new PhotographView(model, new PictureListener(), this::pace);
+        PictureListener pictures = new PictureListener();
+        view = new PhotographView(model, pictures, this::pace);
         // the window is built while it is worked on
         view.render();
         status = new StatusBar(view.controller());
@@ -77,6 +82,7 @@ public final class TompkinsWindow {
         captions = new Captions(view.canvas(), settings, first.besideRest());
         signs = new Signs(view.canvas(), settings, view::fail);
         motion = new Motion(frame, model, view, status, new AnimationExport(frame, dialogs, captions, signs), captions);
+        motion.pilot().addListener(pictures::tellLast);
         frame.setContentPane(content());
         clipboard = new ClipboardActions(frame, model, view, captions, signs, commandLine, status);
         measure = new MeasureTool(view, motion.bars(), clipboard::copyMeasured);
@@ -271,12 +277,27 @@ public final class TompkinsWindow {
         @Override
         public void shown(Picture picture) {
             late.firstPictureDone();
+            // nobody reads thirty texts a second, and the pictures need the time
+            if (motion == null || !motion.pilot().isRiding() || seldom.mayHappen()) {
+                tell(picture);
+            }
+            measure.show();
+        }
+
+        private void tell(Picture picture) {
             side.show(picture);
             if (picture.studio().equals(model.studio())) {
                 status.endFailure();
             }
             status.show(picture);
-            measure.show(picture);
+        }
+
+        /** What was not said of the last picture of a ride. */
+        void tellLast() {
+            Picture last = view.canvas().shown().now();
+            if (last != null && !motion.pilot().isRiding()) {
+                tell(last);
+            }
         }
 
         @Override

@@ -20,8 +20,10 @@ import tompkins.camera.Camera;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.property.Descriptions;
+import tompkins.sceneobject.Box;
 import tompkins.sceneobject.Cylinder;
 import tompkins.sceneobject.Moving;
+import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.shutter.AperturePlaneShutter;
@@ -139,7 +141,7 @@ class OverlaysTest {
             Vector3d end = point(empty, motion, 500, 400, 14);
             Cylinder thick = new Cylinder("", start, end, 0.01, true, LuminousSurface.DEFAULT);
             List<Vector2dc> places =
-                    places(draw(empty.withScene(List.of(placed(motion, thick))), OverlayKind.RODS), empty);
+                    places(draw(empty.withScene(List.of(placed(motion, thick))), OverlayKind.LINES), empty);
             // as thin as half a pixel at its nearer end
             Projection projection = Projection.of(empty);
             double radius = HALF * projection.pixelAngle(120, 100) * 8 * doppler(empty, 120, 100) / 2;
@@ -153,6 +155,120 @@ class OverlaysTest {
                             .anyMatch(step -> hits(plan, place.x() + step, place.y())
                                     || hits(plan, place.x(), place.y() + step)));
         }
+    }
+
+    private static SceneObject box(Vector3d centre) {
+        return new Placed(
+                "",
+                new Box("", new Vector3d(-1, -0.6, -0.4), new Vector3d(1, 0.6, 0.4), LuminousSurface.DEFAULT),
+                0.7,
+                new Vector3d(1, 2, 3),
+                40,
+                centre);
+    }
+
+    /** Every so many columns and rows a ray is traced to find how far a thing reaches. */
+    private static final int STEP = 3;
+
+    /** Least and largest column and row, of the rays that hit something. */
+    private static double[] extent(RenderPlan plan) {
+        List<Vector2dc> hit = new ArrayList<>();
+        for (int x = 1; x < 640; x += STEP) {
+            for (int y = 1; y < 480; y += STEP) {
+                if (hits(plan, x, y)) {
+                    hit.add(new Vector2d(x, y));
+                }
+            }
+        }
+        return extent(hit);
+    }
+
+    private static double[] extent(List<Vector2dc> places) {
+        return new double[] {
+            places.stream().mapToDouble(Vector2dc::x).min().orElseThrow(),
+            places.stream().mapToDouble(Vector2dc::x).max().orElseThrow(),
+            places.stream().mapToDouble(Vector2dc::y).min().orElseThrow(),
+            places.stream().mapToDouble(Vector2dc::y).max().orElseThrow()
+        };
+    }
+
+    /** What is drawn reaches as far as what a traced picture shows, and lies on it. */
+    private static void assertCovers(OverlayDrawing drawing, Studio drawn, RenderPlan traced) {
+        List<Vector2dc> places = places(drawing, drawn);
+        double[] seen = extent(places);
+        double[] hit = extent(traced);
+        assertThat(hit[1] - hit[0]).isBetween(6.0, 500.0);
+        assertThat(seen[0]).isLessThan(hit[0] + HALF);
+        assertThat(seen[1]).isGreaterThan(hit[1] - HALF);
+        assertThat(seen[2]).isLessThan(hit[2] + HALF);
+        assertThat(seen[3]).isGreaterThan(hit[3] - HALF);
+        for (Vector2dc place : places) {
+            assertThat(IntStream.range(0, 16)
+                            .mapToDouble(step -> step * Math.PI / 8)
+                            .anyMatch(turn ->
+                                    hits(traced, place.x() + HALF * Math.cos(turn), place.y() + HALF * Math.sin(turn))))
+                    .as("%s", place)
+                    .isTrue();
+        }
+    }
+
+    @ParameterizedTest(name = "{index}")
+    @MethodSource("cameras")
+    void edgesOfBoxesAreDrawn(Velocity velocity, Camera camera) {
+        for (FrameMotion motion : new FrameMotion[] {null, MOTION}) {
+            Studio empty = studio(velocity, camera);
+            Studio studio = empty.withScene(List.of(placed(motion, box(point(empty, motion, 310, 250, 5)))));
+            assertCovers(draw(studio, OverlayKind.LINES), studio, RenderPlan.of(studio));
+        }
+    }
+
+    /** As a camera sees it that stands where and when this one is; and what the measured view shows. */
+    @Test
+    void ghostsAreWhatOtherCamerasSee() {
+        Velocity velocity = Velocity.of(0.15, -0.1, 0.4);
+        Camera camera = Descriptions.with(
+                        Descriptions.with(ThinLensCamera.DEFAULT, "position", new Vector3d(0.4, 0.3, -0.6)),
+                        "horizontalAngleDegrees",
+                        80.0)
+                .withShutter(new AperturePlaneShutter(0.7));
+        Studio empty = studio(velocity, camera);
+        Event lens = empty.sceneFromCamera().transform(new Event(0.4, 0.3, -0.6, 0.7));
+        Studio resting = empty.withVelocity(Velocity.REST)
+                .withCamera(Descriptions.with(camera, "position", lens.position())
+                        .withShutter(new AperturePlaneShutter(lens.time())));
+        for (FrameMotion motion : new FrameMotion[] {null, MOTION}) {
+            Vector3d centre = point(empty, motion, 310, 250, 6);
+            for (SceneObject object : List.of(box(centre), new Sphere("", centre, 0.7, LuminousSurface.DEFAULT))) {
+                Studio studio = empty.withScene(List.of(placed(motion, object)));
+                assertCovers(
+                        draw(studio, OverlayKind.AT_REST), studio, RenderPlan.of(resting.withScene(studio.scene())));
+                assertCovers(draw(studio, OverlayKind.MEASURED), studio, RenderPlan.of(studio.withView(View.MEASURED)));
+            }
+        }
+    }
+
+    @ParameterizedTest(name = "{index}")
+    @MethodSource("cameras")
+    void circlesHaveTheirDopplerFactor(Velocity velocity, Camera camera) {
+        Studio studio = studio(velocity, camera);
+        Projection projection = Projection.of(studio);
+        RenderPlan plan = RenderPlan.of(studio);
+        OverlayDrawing drawing = draw(studio, OverlayKind.DOPPLER);
+
+        for (OverlayDrawing.Label label : drawing.labels()) {
+            double x = label.place().x();
+            double y = label.place().y();
+            Sighting sighting = Sighting.of(plan, x, y);
+            double factor = Double.parseDouble(label.text().substring("D = ".length()));
+            double change = factor * factor * velocity.gamma() * projection.pixelAngle(x, y);
+            assertThat(sighting.dopplerFactor()).isCloseTo(factor, within(HALF * change));
+        }
+        if (camera instanceof PanoramicCamera) {
+            assertThat(drawing.labels()).hasSizeGreaterThanOrEqualTo(3);
+            assertThat(drawing.labels()).anyMatch(label -> label.text().equals("D = 1"));
+        }
+        assertThat(draw(studio.withVelocity(Velocity.REST), OverlayKind.DOPPLER).lines())
+                .isEmpty();
     }
 
     private static double doppler(Studio studio, double x, double y) {

@@ -94,6 +94,20 @@ class RideMomentTest {
     }
 
     /**
+     * From rest along z, the camera is at z = (cosh(a s) - 1)/a at the time sinh(a s)/a of the scene, and so is one at
+     * rest there; in the frame of the first, z would be (1 - cosh(a s))/a, behind the beginning.
+     */
+    @Test
+    void aCameraAtRestIsWhereTheRideIs() {
+        Studio studio = Studios.sphere();
+        Studio rest = RideMoment.start(studio).after(FORWARDS, 1.5).atRest();
+        assertThat(rest.velocity().isRest()).isTrue();
+        assertThat(rest.camera().position().z()).isCloseTo(Math.cosh(1.5) - 1, within(1e-12));
+        assertThat(rest.camera().shutter().openingTime()).isCloseTo(Math.sinh(1.5), within(1e-12));
+        assertThat(rest.camera().viewDirection()).isEqualTo(studio.camera().viewDirection());
+    }
+
+    /**
      * Sideways thrust at high speed: the picture changes no more than it must. A star that is seen in the middle is
      * aberrated by the small boost on board alone; without the turn of Wigner it would jump aside.
      */

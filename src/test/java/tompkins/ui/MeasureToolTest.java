@@ -138,4 +138,51 @@ class MeasureToolTest {
         assertThat(copied).startsWith("pixel_x [pixels],pixel_y [pixels],");
         assertThat(copied.lines().count()).isGreaterThan(200);
     }
+
+    private String otherResults() {
+        return Components.find(driver.window().frame(), JTextArea.class, "measure.other")
+                .getText();
+    }
+
+    /** Three clicks on a circle about the middle, on one side of it. */
+    private void clickArc(double radius, int side) {
+        for (int step = -1; step <= 1; step++) {
+            double turn = step * Math.PI / 5;
+            // a share of the width and of the height of 4:3
+            click(side * radius * Math.cos(turn), radius * Math.sin(turn) * 4 / 3);
+        }
+    }
+
+    /** The picture at 0.8 c is kept; at rest, circles in both halves are compared. */
+    @Test
+    void sizesInAKeptPictureAreCompared() throws Exception {
+        JComboBox<?> kinds = driver.find(JComboBox.class, "What to measure");
+        WindowDriver.onEventThread(() -> kinds.setSelectedItem(MeasureKind.CIRCLE));
+        JButton keep = driver.find(JButton.class, "Keep this picture");
+        WindowDriver.onEventThread(() -> keep.doClick());
+        WindowDriver.onEventThread(() ->
+                driver.window().model().set(driver.window().model().studio().withVelocity(Velocity.REST)));
+        driver.completePicture();
+        WindowDriver.await("both pictures", canvas::showsTwo);
+        clickArc(0.6, -1);
+        WindowDriver.await("the circle", () -> results().startsWith("half-angle"));
+        assertThat(otherResults()).startsWith("Kept: ").contains("Click at three points");
+
+        clickArc(0.2, 1);
+        WindowDriver.await("the ratio", () -> otherResults().contains("Ratio"));
+
+        double here = Math.toDegrees(Math.atan(0.6 * Math.tan(Math.toRadians(10))));
+        double there = Math.toDegrees(Math.atan(0.2 * Math.tan(Math.toRadians(10))));
+        assertThat(number("half-angle")).isCloseTo(here, within(0.1));
+        Matcher both = Pattern.compile("half-angle\u00a0(\\S+).*\n.*half-angle\u00a0(\\S+)")
+                .matcher(otherResults());
+        assertThat(both.find()).as(otherResults()).isTrue();
+        assertThat(Double.parseDouble(both.group(1))).isCloseTo(there, within(0.1));
+        assertThat(Double.parseDouble(both.group(2))).isCloseTo(here / there, within(0.15));
+        JButton copy = driver.find(JButton.class, "Copy");
+        WindowDriver.onEventThread(() -> copy.doClick());
+        String copied =
+                (String) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
+        assertThat(copied.lines().filter(line -> line.startsWith("halfAngle,"))).hasSize(2);
+    }
 }

@@ -26,8 +26,7 @@ public final class RideBenchmark {
     public static final String BESIDE_REST = "beside-rest";
 
     private static final Dimension SIZE = new Dimension(640, 480);
-    private static final int WARM_UP = 6;
-    private static final int THRUSTS = 15;
+    private static final int WARM_UP = 4;
 
     /** How long there is thrust in one direction, and none after it. */
     private static final long THRUST_NANOSECONDS = 600_000_000L;
@@ -36,26 +35,29 @@ public final class RideBenchmark {
 
     private final WindowDriver driver;
     private final RidePilot pilot;
+    private final int thrusts;
     private final List<Double> answers = new ArrayList<>();
     private final List<Double> rates = new ArrayList<>();
 
-    private RideBenchmark(WindowDriver driver) {
+    private RideBenchmark(WindowDriver driver, int thrusts) {
         this.driver = driver;
+        this.thrusts = thrusts;
         pilot = driver.window().motion().pilot();
     }
 
-    /** Measures scene files, one after the other. */
+    /** Measures scene files, one after the other; the first argument tells how often there is thrust in each. */
     public static void main(String[] arguments) throws Exception {
         Path settings = Files.createTempDirectory("tompkins-benchmark");
         boolean besideRest = false;
-        for (String argument : arguments) {
+        int thrusts = Integer.parseInt(arguments[0]);
+        for (String argument : List.of(arguments).subList(1, arguments.length)) {
             if (argument.equals(BESIDE_REST)) {
                 besideRest = true;
                 continue;
             }
             FirstScene first = new FirstScene(StudioReader.read(Path.of(argument)), null, "", besideRest);
             try (WindowDriver driver = new WindowDriver(settings, first, List.of())) {
-                RideBenchmark benchmark = new RideBenchmark(driver);
+                RideBenchmark benchmark = new RideBenchmark(driver, thrusts);
                 benchmark.resize();
                 benchmark.ride();
                 benchmark.print(Path.of(argument).getFileName() + (besideRest ? ", beside rest" : ""));
@@ -88,7 +90,7 @@ public final class RideBenchmark {
         driver.completePicture();
         WindowDriver.onEventThread(() -> pilot.setRiding(true));
         double sense = 1;
-        for (int i = 0; i < WARM_UP + THRUSTS; i++) {
+        for (int i = 0; i < WARM_UP + thrusts; i++) {
             if (i == WARM_UP) {
                 answers.clear();
                 rates.clear();

@@ -22,9 +22,9 @@ import tompkins.ui.picture.Picture;
  */
 public final class WindowBenchmark {
 
-    private static final int WARM_UP = 30;
-    private static final int CHANGES = 60;
-    private static final long DRAG_NANOSECONDS = 20_000_000_000L;
+    private static final int WARM_UP = 20;
+    private static final int CHANGES = 40;
+    private static final long DRAG_NANOSECONDS = 10_000_000_000L;
 
     /** A mouse tells where it is about so often. */
     private static final int MILLISECONDS_BETWEEN_MOVES = 8;

@@ -38,7 +38,13 @@ public final class StudioModel {
 
     private static final int LONGEST_HISTORY = 1000;
 
+    /** Those that keep up with what goes on by itself, and those that need not. */
+    private final List<Runnable> liveListeners = new ArrayList<>();
+
     private final List<Runnable> listeners = new ArrayList<>();
+    private final Seldom seldom = new Seldom();
+    private boolean untold;
+
     private final Deque<Step> past = new ArrayDeque<>();
     private final Deque<Step> future = new ArrayDeque<>();
     private Step current;
@@ -51,9 +57,17 @@ public final class StudioModel {
         current = new Step(studio, file, studio);
     }
 
-    /** Calls the listener after every change. */
+    /**
+     * Calls the listener after every change; while the studio {@linkplain #flow flows}, five times a second at most,
+     * and after its end.
+     */
     public void addListener(Runnable listener) {
         listeners.add(listener);
+    }
+
+    /** Calls the listener after every change, however fast they come, and before others. */
+    public void addLiveListener(Runnable listener) {
+        liveListeners.add(listener);
     }
 
     /** The studio as it is now. */
@@ -103,9 +117,26 @@ public final class StudioModel {
         change(current.with(studio), duringGesture);
     }
 
+    /**
+     * As {@link #adjust}, of changes that follow each other by themselves faster than anybody reads: only the live
+     * listeners are told of each. Whoever does so calls {@link #endGesture} in the end.
+     */
+    public void flow(Studio studio, Object duringGesture) {
+        if (take(current.with(studio), duringGesture)) {
+            untold = true;
+            tell(liveListeners);
+            if (seldom.mayHappen()) {
+                tellOthers();
+            }
+        }
+    }
+
     /** The next change of this gesture begins a step of its own. */
     public void endGesture(Object gesture) {
         gestures.remove(gesture);
+        if (untold) {
+            tellOthers();
+        }
     }
 
     /** Takes a studio that was read from a file, as a step that can be undone. */
@@ -169,8 +200,15 @@ public final class StudioModel {
 
     /** Takes a step of a gesture, or of none if that is null. */
     private void change(Step next, Object gesture) {
+        if (take(next, gesture)) {
+            tellListeners();
+        }
+    }
+
+    /** False if it is no change. */
+    private boolean take(Step next, Object gesture) {
         if (next.equals(current)) {
-            return;
+            return false;
         }
         if (gesture == null) {
             gestures.clear();
@@ -183,10 +221,20 @@ public final class StudioModel {
         }
         future.clear();
         current = next;
-        tellListeners();
+        return true;
     }
 
     private void tellListeners() {
+        tell(liveListeners);
+        tellOthers();
+    }
+
+    private void tellOthers() {
+        untold = false;
+        tell(listeners);
+    }
+
+    private static void tell(List<Runnable> listeners) {
         List.copyOf(listeners).forEach(Runnable::run);
     }
 }

@@ -2,6 +2,7 @@ package tompkins.ui.panel;
 
 import com.formdev.flatlaf.FlatClientProperties;
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JButton;
@@ -13,6 +14,7 @@ import tompkins.io.CsvText;
 import tompkins.measure.MeasureKind;
 import tompkins.measure.Measured;
 import tompkins.measure.Quantity;
+import tompkins.measure.SizeRatios;
 import tompkins.property.NumberText;
 import tompkins.ui.picture.MeasureProbe;
 import tompkins.ui.widget.Naming;
@@ -39,6 +41,7 @@ public final class MeasurePanel {
     }
 
     private static final int DIGITS = 5;
+    private static final String GAP = "   ";
 
     private final JPanel panel = new JPanel(
             new MigLayout("novisualpadding, insets 6 10 6 10, fillx, hidemode 3, gap 6 4", "[][][][grow][][]"));
@@ -49,7 +52,11 @@ public final class MeasurePanel {
     private final Note results = Note.ofLines(2);
 
     private final JButton copy;
+    /** What was measured in the other picture, and how sizes compare; it has its room where two are seen. */
+    private final Note otherResults = Note.ofLines(2);
+
     private Measured measured;
+    private Measured otherMeasured;
 
     /** A panel that is hidden. */
     public MeasurePanel(Commands commands) {
@@ -70,10 +77,12 @@ public final class MeasurePanel {
         panel.add(copy, "skip 1");
         panel.add(close, "wrap");
         panel.add(chart, "span, growx, wmin 0, wrap");
-        panel.add(results.component(), "span, growx, wmin 0");
+        panel.add(results.component(), "span, growx, wmin 0, wrap");
+        panel.add(otherResults.component(), "span, growx, wmin 0");
         panel.setVisible(false);
         panel.setName("measure");
         results.component().setName("measure.results");
+        otherResults.component().setName("measure.other");
     }
 
     private static JButton button(String key, Runnable action) {
@@ -93,29 +102,53 @@ public final class MeasurePanel {
         return (MeasureKind) kinds.getSelectedItem();
     }
 
-    /** Shows what came of measuring; says how many places are needed if that is null. */
-    public void show(MeasureProbe.Answer answer) {
+    /**
+     * Shows what came of measuring; says how many places are needed where that is null.
+     *
+     * @param answer what came of it in the picture
+     * @param otherAnswer what came of it in the picture with which that is compared
+     * @param otherName what that picture is called; null if there is none
+     */
+    public void show(MeasureProbe.Answer answer, MeasureProbe.Answer otherAnswer, String otherName) {
         measured = answer == null ? null : answer.measured();
+        otherMeasured = otherAnswer == null ? null : otherAnswer.measured();
         boolean isProfile = measured != null && measured.profile() != null;
         chart.setVisible(isProfile);
         contents.setVisible(isProfile);
         chart.show(isProfile ? measured.profile() : null);
-        copy.setEnabled(measured != null);
-        if (measured != null) {
-            results.setText(words().collect(Collectors.joining("   ")));
-        } else if (answer != null) {
-            results.setError(Texts.get("measure.problem", answer.problem()));
-        } else {
-            results.setText(Texts.get("measure.ask." + kind().name()));
+        copy.setEnabled(measured != null || otherMeasured != null);
+        show(results, answer, "");
+        show(otherResults, otherAnswer, otherName == null ? "" : Texts.get("measure.inOther", otherName));
+        if (measured != null && otherMeasured != null) {
+            List<Quantity> ratios = SizeRatios.of(measured, otherMeasured);
+            if (!ratios.isEmpty()) {
+                otherResults.setText(otherResults.text() + "\n" + Texts.get("measure.ratio") + joined(ratios));
+            }
         }
+        otherResults.component().setVisible(otherName != null);
         panel.revalidate();
     }
 
-    private Stream<String> words() {
-        List<Quantity> quantities = measured.quantities();
-        return quantities.isEmpty()
-                ? Stream.of(Texts.get("measure.noEdge"))
-                : quantities.stream().map(MeasurePanel::words);
+    private void show(Note note, MeasureProbe.Answer answer, String heading) {
+        if (answer == null) {
+            note.setText(heading + Texts.get("measure.ask." + kind().name()));
+        } else if (answer.measured() == null) {
+            note.setError(heading + Texts.get("measure.problem", answer.problem()));
+        } else {
+            note.setText(heading + words(answer.measured()));
+        }
+    }
+
+    private static String words(Measured measured) {
+        if (measured.quantities().isEmpty()) {
+            return Texts.get("measure.noEdge");
+        }
+        String shape = measured.shape() == null ? "" : Texts.get("measure.shape." + measured.shape()) + GAP;
+        return shape + joined(measured.quantities());
+    }
+
+    private static String joined(List<Quantity> quantities) {
+        return quantities.stream().map(MeasurePanel::words).collect(Collectors.joining(GAP));
     }
 
     private static String words(Quantity quantity) {
@@ -127,10 +160,17 @@ public final class MeasurePanel {
         return Texts.get("measure." + quantity.key()) + "\u00a0" + value + uncertainty + unit;
     }
 
-    /** A table of a profile, or a table of the numbers. */
+    /** A table of a profile, or a table of the numbers; with an empty line between those of two pictures. */
     private String text() {
+        return Stream.of(measured, otherMeasured)
+                .filter(Objects::nonNull)
+                .map(MeasurePanel::table)
+                .collect(Collectors.joining("\n"));
+    }
+
+    private static String table(Measured measured) {
         Stream<String> lines = measured.profile() == null
-                ? CsvText.quantities(measured.quantities())
+                ? CsvText.quantities(measured)
                 : Stream.concat(
                         Stream.of(CsvText.rayHeadings()),
                         measured.profile().places().stream().map(CsvText::rayRow));

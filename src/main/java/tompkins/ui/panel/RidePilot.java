@@ -86,11 +86,23 @@ public final class RidePilot {
         return moment != null && moment.studio() == model.studio() ? moment : null;
     }
 
-    /** Sets the wanted thrust: each component from -1 to 1, to the right, up and forwards. */
+    /**
+     * The present studio as a camera at rest takes it at the same event, which in the frame of a moving camera has
+     * other coordinates; null if the camera is not on a ride, nor on one that pauses.
+     */
+    public Studio atRest() {
+        Studio now = model.studio();
+        return moment == null || !moment.isOf(now) ? null : moment.with(now).atRest();
+    }
+
+    /** Where thrust is wished, at once: each component from -1 to 1, to the right, up and forwards. */
     public void setThrust(Vector3dc direction) {
         wish.set(direction);
         if (direction.lengthSquared() > 0) {
             braking = false;
+        }
+        if (isRiding()) {
+            tick();
         }
     }
 
@@ -241,7 +253,7 @@ public final class RidePilot {
     private void show(double seconds) {
         filmTime += seconds;
         moment = film.moment(filmTime);
-        model.adjust(moment.studio(), gesture);
+        model.flow(moment.studio(), gesture);
         if (filmTime >= film.seconds()) {
             setRiding(false);
         }
@@ -259,7 +271,7 @@ public final class RidePilot {
             double length = wish.length();
             step(wish.mul(length > 1 ? strength / length : strength, new Vector3d()), properTime);
         }
-        model.adjust(moment.studio(), gesture);
+        model.flow(moment.studio(), gesture);
     }
 
     private void step(Vector3dc thrust, double properTime) {

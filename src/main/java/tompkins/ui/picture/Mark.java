@@ -6,8 +6,6 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.Shape;
-import java.awt.font.TextLayout;
-import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
@@ -18,6 +16,11 @@ final class Mark {
     private static final double RADIUS = 7;
     private static final double INNER = 5;
     private static final double OUTER = 14;
+
+    /** How wide the black edge of a text is, and how often the text is drawn for it. */
+    private static final double EDGE = 1.5;
+
+    private static final int EDGES = 8;
 
     private Mark() {}
 
@@ -82,11 +85,14 @@ final class Mark {
         if (text.isEmpty()) {
             return;
         }
-        paint(
-                g,
-                new TextLayout(text, font, g.getFontRenderContext())
-                        .getOutline(AffineTransform.getTranslateInstance(x, y)));
+        g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         g.setFont(font);
+        g.setColor(Color.BLACK);
+        // glyphs are kept by the display; the lines around their outlines took longer than all else that is painted
+        for (int side = 0; side < EDGES; side++) {
+            double angle = 2 * Math.PI * side / EDGES;
+            g.drawString(text, (float) (x + EDGE * Math.cos(angle)), (float) (y + EDGE * Math.sin(angle)));
+        }
         g.setColor(colour);
         g.drawString(text, (float) x, (float) y);
     }

@@ -8,6 +8,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.util.List;
+import java.util.function.Supplier;
 import javax.swing.UIManager;
 import org.joml.Vector2dc;
 
@@ -18,24 +19,53 @@ public final class MeasureMarks implements Overlay {
     private static final double INNER = 2;
     private static final double OUTER = 8;
 
-    private List<Point2D> places = List.of();
-    private List<List<Vector2dc>> lines = List.of();
+    /**
+     * What is marked in one picture, in pixels of its photograph.
+     *
+     * @param places the places between which is measured
+     * @param lines what was fitted to them
+     */
+    public record Marked(List<Point2D> places, List<List<Vector2dc>> lines) {
 
-    /** Marks these places from now on, in pixels of the photograph, and what was fitted to them. */
-    public void show(List<Point2D> newPlaces, List<List<Vector2dc>> fitted) {
-        places = List.copyOf(newPlaces);
-        lines = fitted;
+        /** Keeps a copy of the places. */
+        public Marked {
+            places = List.copyOf(places);
+        }
+    }
+
+    private static final Marked NOTHING = new Marked(List.of(), List.of());
+
+    private final Supplier<Picture> otherPicture;
+    private Marked now = NOTHING;
+    private Marked other = NOTHING;
+
+    /** Marks nothing yet; {@code otherPicture} is that with which the picture is compared, or null. */
+    public MeasureMarks(Supplier<Picture> otherPicture) {
+        this.otherPicture = otherPicture;
+    }
+
+    /** Marks this from now on, in the picture and in that with which it is compared. */
+    public void show(Marked inPicture, Marked inOther) {
+        now = inPicture;
+        other = inOther;
+    }
+
+    @Override
+    public boolean isOfAllPictures() {
+        return true;
     }
 
     @Override
     public void paint(Graphics2D g, Picture picture, Rectangle bounds, Rectangle visible, Rectangle free) {
+        Marked marked = picture == otherPicture.get() ? other : now;
+        List<Point2D> places = marked.places;
         if (places.isEmpty()) {
             return;
         }
         double scaleX = (double) bounds.width / picture.ownWidth();
         double scaleY = (double) bounds.height / picture.ownHeight();
         Path2D marks = new Path2D.Double();
-        for (List<Vector2dc> line : lines) {
+        for (List<Vector2dc> line : marked.lines) {
             marks.moveTo(
                     bounds.x + line.get(0).x() * scaleX, bounds.y + line.get(0).y() * scaleY);
             line.forEach(place -> marks.lineTo(bounds.x + place.x() * scaleX, bounds.y + place.y() * scaleY));

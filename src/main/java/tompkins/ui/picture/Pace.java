@@ -29,6 +29,11 @@ public enum Pace {
         this.enough = enough;
     }
 
+    /** That of a picture beside: who steers looks at the one in front of him. */
+    public Pace ofOther() {
+        return this == RIDE ? FILM : this;
+    }
+
     /**
      * Whether to wait for a finer picture before anything is shown.
      *

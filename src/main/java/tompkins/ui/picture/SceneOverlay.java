@@ -49,15 +49,22 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
 
     private static final Map<OverlayKind, Color> COLOURS = Map.of(
             OverlayKind.OUTLINES, new Color(255, 215, 90),
-            OverlayKind.RODS, new Color(130, 230, 150),
+            OverlayKind.LINES, new Color(130, 230, 150),
+            OverlayKind.AT_REST, new Color(255, 255, 255),
+            OverlayKind.MEASURED, new Color(255, 150, 150),
+            OverlayKind.DOPPLER, new Color(120, 255, 190),
             OverlayKind.PLACES, new Color(255, 160, 120),
             OverlayKind.SCENE_GRID, new Color(150, 205, 255),
             OverlayKind.CAMERA_GRID, new Color(225, 225, 225),
             OverlayKind.HORIZON, new Color(255, 140, 230),
             OverlayKind.LABELS, Color.WHITE);
 
-    private static final List<OverlayKind> WRITTEN_FIRST =
-            List.of(OverlayKind.LABELS, OverlayKind.HORIZON, OverlayKind.CAMERA_GRID, OverlayKind.SCENE_GRID);
+    private static final List<OverlayKind> WRITTEN_FIRST = List.of(
+            OverlayKind.LABELS,
+            OverlayKind.DOPPLER,
+            OverlayKind.HORIZON,
+            OverlayKind.CAMERA_GRID,
+            OverlayKind.SCENE_GRID);
 
     /** What is drawn over the picture of a plan. */
     private record Drawn(RenderPlan plan, Set<OverlayKind> kinds, List<OverlayDrawing> drawings, String note) {}
@@ -203,7 +210,7 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
                 ? ""
                 : Texts.get("overlay.note")
                         + notes.stream()
-                                .map(note -> Texts.get("overlay.note." + note, SceneShapes.MOST))
+                                .map(note -> Texts.get("overlay.note." + note))
                                 .collect(Collectors.joining("; "));
     }
 
@@ -233,7 +240,7 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
 
         void paint(Drawn drawn, Rectangle visible) {
             for (OverlayDrawing drawing : drawn.drawings) {
-                Mark.paintLines(g, lines(drawing), COLOURS.get(drawing.kind()), isGrid(drawing.kind()));
+                Mark.paintLines(g, lines(drawing), COLOURS.get(drawing.kind()), isFine(drawing.kind()));
                 marks(drawing);
             }
             // names first, because later writing gives way
@@ -245,8 +252,11 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
             }
         }
 
-        private static boolean isGrid(OverlayKind kind) {
-            return kind == OverlayKind.SCENE_GRID || kind == OverlayKind.CAMERA_GRID;
+        private static boolean isFine(OverlayKind kind) {
+            return switch (kind) {
+                case SCENE_GRID, CAMERA_GRID, AT_REST, MEASURED -> true;
+                default -> false;
+            };
         }
 
         private double x(Vector2dc place) {

@@ -3,6 +3,8 @@ package tompkins.ui.model;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import tompkins.property.Descriptions;
@@ -42,6 +44,29 @@ class StudioModelTest {
         model.adjust(speed(0.3), drag);
         model.undo();
         assertThat(model.studio()).isEqualTo(speed(0));
+    }
+
+    @Test
+    void onlyLiveListenersKeepUpWithAFlow() {
+        List<Double> live = new ArrayList<>();
+        List<Double> others = new ArrayList<>();
+        model.addListener(() -> others.add(model.studio().velocity().speed()));
+        model.addLiveListener(() -> live.add(model.studio().velocity().speed()));
+        Object ride = new Object();
+        for (int i = 1; i <= 9; i++) {
+            model.flow(speed(i / 16.0), ride);
+        }
+        assertThat(live).hasSize(9);
+        // at once, and never again in a moment as short as this
+        assertThat(others).startsWith(1 / 16.0).hasSizeLessThan(9);
+        model.endGesture(ride);
+        assertThat(others).endsWith(9 / 16.0);
+        int told = others.size();
+        model.endGesture(ride);
+        assertThat(others).hasSize(told);
+        model.undo();
+        assertThat(model.studio()).isEqualTo(speed(0));
+        assertThat(others).endsWith(0.0);
     }
 
     /** As an animation does whose first moment is what is shown. */

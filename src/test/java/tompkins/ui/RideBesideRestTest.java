@@ -1,0 +1,122 @@
+package tompkins.ui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import tompkins.property.Descriptions;
+import tompkins.sceneobject.Sphere;
+import tompkins.shutter.AperturePlaneShutter;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.RideMoment;
+import tompkins.studio.Studio;
+import tompkins.studio.Studios;
+import tompkins.surface.Clock;
+import tompkins.surface.Surface;
+import tompkins.ui.model.StudioModel;
+import tompkins.ui.panel.ComparePanel;
+import tompkins.ui.panel.Compared;
+import tompkins.ui.picture.Comparison;
+import tompkins.ui.picture.Pace;
+import tompkins.ui.picture.Picture;
+import tompkins.ui.picture.ScreenPicture;
+import tompkins.ui.widget.Look;
+
+/** What is seen on a ride beside the picture of a camera at rest, without a display. */
+@Timeout(120)
+@Tag("alone")
+class RideBesideRestTest {
+
+    private final StudioModel model = new StudioModel(opened(Studios.sphere(), 0), null);
+    private final PhotographView view =
+            WindowDriver.onEventThread(() -> new PhotographView(model, new SilentListener(), () -> Pace.RIDE));
+
+    @BeforeAll
+    static void look() {
+        Look.LIGHT.install();
+    }
+
+    @BeforeEach
+    void size() {
+        WindowDriver.onEventThread(() -> {
+            view.canvas().setSize(64, 48);
+            view.render();
+            view.compare(new Compared(ComparePanel.Other.AT_REST, null, Comparison.SPLIT, "at rest"));
+        });
+    }
+
+    @AfterEach
+    void close() {
+        view.close();
+    }
+
+    private static Studio opened(Studio studio, double time) {
+        return studio.withVelocity(Velocity.REST)
+                .withCamera(studio.camera().withShutter(new AperturePlaneShutter(time)));
+    }
+
+    private ScreenPicture shown() {
+        return view.canvas().shown();
+    }
+
+    private void awaitPictures(String what) {
+        WindowDriver.await(
+                what,
+                () -> shown().now() != null
+                        && shown().other() != null
+                        && shown().now().complete()
+                        && shown().other().complete()
+                        && shown().now().studio().equals(model.studio()));
+    }
+
+    private static void goOn(StudioModel model, Studio studio) {
+        WindowDriver.onEventThread(() -> model.flow(studio, model));
+    }
+
+    @Test
+    void whatNothingChangesInIsNotTakenAgain() throws InterruptedException {
+        awaitPictures("the first pictures");
+        Picture other = shown().other();
+        goOn(model, opened(model.studio(), 3));
+        awaitPictures("the next picture");
+        // as long as another one would have taken many times
+        Thread.sleep(300);
+        assertThat(shown().other()).isSameAs(other);
+        Studio aside = model.studio();
+        goOn(model, aside.withCamera(Descriptions.with(aside.camera(), "position", new Vector3d(0.5, 0, 0))));
+        WindowDriver.await(
+                "the picture from another place",
+                () -> shown().other().studio().camera().position().x() == 0.5);
+    }
+
+    @Test
+    void clocksAreSeenToGo() {
+        Surface clock = Clock.DEFAULT;
+        Studio clocks = model.studio().withScene(List.of(new Sphere("clock", new Vector3d(0, 0, 10), 1, clock)));
+        WindowDriver.onEventThread(() -> model.set(clocks));
+        awaitPictures("the first pictures");
+        goOn(model, opened(clocks, 3));
+        WindowDriver.await(
+                "a later picture at rest",
+                () -> shown().other().studio().camera().shutter().openingTime() == 3);
+    }
+
+    /** In the frame of the moving camera z would be (1 - cosh(a s))/a. */
+    @Test
+    void theCameraAtRestIsWhereTheRideIs() {
+        RideMoment moment = RideMoment.start(model.studio()).after(new Vector3d(0, 0, 1), 0.5);
+        WindowDriver.onEventThread(() -> view.setRideAtRest(moment::atRest));
+        goOn(model, moment.studio());
+        double place = Math.cosh(0.5) - 1;
+        WindowDriver.await(
+                "the picture at rest where the ride is",
+                () -> shown().other() != null
+                        && Math.abs(shown().other().studio().camera().position().z() - place) < 1e-12);
+    }
+}
