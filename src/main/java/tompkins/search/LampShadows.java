@@ -8,10 +8,10 @@ import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 
 /**
- * The primitives as a lamp sees them: a grid of directions, each with the primitives that stand there, the nearest
- * first. A shadow ray asks only those of its direction (the light buffer of Haines and Greenberg 1986) that are nearer
- * to the lamp than its start. Built once for a scene and a lamp that stands outside it, or a piece of the way of one
- * that passes: then a cell holds what stands there as seen from any place of that piece.
+ * The primitives as a lamp sees them: a grid of directions, each with the primitives that lie there, the nearest first.
+ * A shadow ray tests only those in its direction that are nearer to the lamp than its start (the light buffer of Haines
+ * and Greenberg 1986). Built once for a scene and a lamp that stands outside it, or for a piece of the way of a lamp
+ * that passes: then a cell holds what lies there as seen from any place of that piece.
  */
 public final class LampShadows {
 
@@ -26,7 +26,7 @@ public final class LampShadows {
     }
 
     /**
-     * The grid of a lamp, or null if none can be made: the lamp stands among the primitives, or they are so many and
+     * The grid of a lamp, or null if none can be made: the lamp stands among the primitives, or they are so many or so
      * long that the tree is faster, or there are none.
      */
     public static LampShadows of(Vector3dc position, ObjectTree objects) {

@@ -16,7 +16,7 @@ final class LightBufferProjection {
     /** Widening of cells. */
     private static final double MARGIN = LampPlace.MARGIN;
 
-    /** Least sine of an angle that is told from 0. */
+    /** Least sine of an angle that counts as more than 0. */
     private static final double LEAST_SINE = 1e-3;
 
     /** Number of columns of cells, and of rows. */
@@ -106,7 +106,7 @@ final class LightBufferProjection {
     private final double shiftV;
     private final double approach;
 
-    // the axes as plain numbers, for every shadow ray asks for them
+    // the axes as plain numbers, because every shadow ray asks for them
     private final double rightX;
     private final double rightY;
     private final double rightZ;
@@ -208,7 +208,7 @@ final class LightBufferProjection {
                 limited((v.most() - leastV) * partsPerV));
     }
 
-    /** The place of a part in the view that is nearest. */
+    /** The nearest place of a part that lies in the view. */
     private static int limited(double place) {
         return (int) Math.max(0, Math.min(ALL_PARTS - 1, Math.floor(place)));
     }

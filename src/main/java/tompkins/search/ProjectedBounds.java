@@ -6,7 +6,7 @@ import tompkins.primitive.Primitive;
 /**
  * A primitive as a lamp sees it.
  *
- * @param leastDistance a distance from the lamp that no point of it falls below; 0 or more
+ * @param leastDistance a lower bound of its distance from the lamp; 0 or more
  * @param rectangle where it is seen
  * @param strip the same, if it is long; otherwise null
  */
@@ -16,7 +16,7 @@ record ProjectedBounds(
         LightBufferProjection.Rectangle rectangle,
         LightBufferProjection.Strip strip) {
 
-    /** How a primitive is seen in a view. */
+    /** A primitive as a lamp with the given view sees it. */
     static ProjectedBounds of(Primitive primitive, LightBufferProjection view) {
         Bounds box = primitive.bounds().widened();
         return new ProjectedBounds(

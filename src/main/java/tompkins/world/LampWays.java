@@ -60,7 +60,8 @@ public final class LampWays {
      * Finds the way from a hit to a lamp.
      *
      * @param frame the frame of the hit
-     * @param event the event of the hit in the frame in which the ray has come, where a fast object rounds it less
+     * @param event the event of the hit in the frame in which the ray came, where the speed of the object causes less
+     *     rounding
      * @param eventFrame that frame
      * @return false if no light of the lamp gets to the event
      */
@@ -92,7 +93,7 @@ public final class LampWays {
     /**
      * In a Galilean world light has speed 1 in the camera frame, on every leg. With R from the hit to where the lamp is
      * at the time of the hit, and its velocity w, both in the camera frame, the light has been on its way for the time
-     * s in which |R - w s| = s.
+     * s that solves |R - w s| = s.
      */
     private boolean findWithOneCarrier(Vector3dc at, int lampFrame, int frame, Hit hit, Sightline sight) {
         routes.toCamera(frame, eventRay.setShadow(hit, 0, 0, 1), eventRay);
@@ -133,7 +134,10 @@ public final class LampWays {
         return true;
     }
 
-    /** Whether nothing throws a shadow on a hit along a way that was found for it; asked as that. */
+    /**
+     * Whether nothing throws a shadow on a hit along a way that was found for it; the parameters are those of
+     * {@link #find}.
+     */
     public boolean isClear(int source, int frame, Hit hit, int eventFrame, Hit event, Sightline sight) {
         counts.shadowRays++;
         double length = Math.sqrt(sight.x * sight.x + sight.y * sight.y + sight.z * sight.z);

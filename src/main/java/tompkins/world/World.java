@@ -30,21 +30,18 @@ import tompkins.surface.Refractive;
 
 /**
  * The scene, ready to be met by rays: for each velocity in it an inertial frame with the primitives that rest there in
- * a tree; the lamps, each in its frame, and what each lamp sees of what rests with it. Nothing of it depends on the
+ * a tree; the lamps, each in its frame, and what each lamp sees of what rests with it. None of it depends on the
  * camera, unless the scene holds image points or the camera is far away; a film in which only the camera changes uses
  * one for all its pictures.
  */
 public final class World {
 
-    /**
-     * The lamps that get a light buffer, which takes milliseconds to make; with more of them the tree does for the
-     * rest.
-     */
+    /** The most lamps that get a light buffer, which takes milliseconds to make; for further lamps the tree is used. */
     private static final int MOST_BUFFERS = 16;
 
     /**
-     * Primitives that all lamps with buffers see: a million take 30 MB and half a second for each lamp. As many again
-     * are seen by those that pass.
+     * The most primitives that all lamps with buffers see together: a million take 30 MB and half a second for each
+     * lamp. Lamps that pass see as many again.
      */
     private static final int MOST_SEEN = 2_000_000;
 
@@ -69,7 +66,7 @@ public final class World {
      *
      * @param crossing says where the coordinates of each frame begin
      * @param imagePoints where the camera photographs the points that move with it
-     * @param plain whether to leave out all that only saves time: trees, and what the lamps see
+     * @param plain whether to leave out everything that only saves time: trees, and light buffers
      * @throws tompkins.property.InvalidPropertyException if an object is too large, too small or too fast to work with
      */
     public World(Studio studio, FrameCrossing crossing, ImagePoints imagePoints, boolean plain) {
@@ -127,8 +124,7 @@ public final class World {
     }
 
     /**
-     * What lights the camera's own frame: lamps as if they stood at the same coordinates of it, where they are at time
-     * 0.
+     * The lights of the camera's own frame: lamps as if they stood at the coordinates in it that they have at time 0.
      */
     public static List<LightSource> atRest(List<LightSource> lights) {
         return lights.stream()
@@ -176,7 +172,7 @@ public final class World {
                 .position();
     }
 
-    /** Whether this is what would be prepared for a studio, whatever its camera is. */
+    /** Whether the same would be prepared for a studio, whatever its camera is. */
     public boolean isOf(Studio studio, FrameCrossing crossing) {
         return !followsCamera
                 && described == studio.scene()
@@ -229,8 +225,8 @@ public final class World {
     }
 
     /**
-     * Boxes around the first objects that have an end, in the scene frame, where they are at a time of it; those of
-     * moving ones hold the corners of their boxes at rest.
+     * Boxes around the first bounded objects, in the scene frame, where they are at a time of it; boxes of moving
+     * objects hold the corners of their boxes at rest.
      */
     public List<Bounds> bounds(double sceneTime, int most) {
         return IntStream.range(0, frames.size())
