@@ -59,7 +59,7 @@ final class Motion {
         new RideKeys(canvas, new Keys());
         canvas.addOverlay(new RideHeadUp(this::line));
         pilot.addListener(canvas::repaint);
-        view.setRideAtRest(pilot::atRest);
+        view.other().setRideAtRest(pilot::atRest);
     }
 
     /** The bars, to be put under the photograph. */

@@ -10,12 +10,10 @@ import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import tompkins.camera.Aim.PicturePlace;
 import tompkins.camera.Camera;
-import tompkins.shutter.Shutter;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.model.StudioModel;
-import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.panel.Compared;
 import tompkins.ui.picture.Comparison;
 import tompkins.ui.picture.Pace;
@@ -64,7 +62,7 @@ final class PhotographView implements AutoCloseable {
     private final PictureNotice notice;
     private final ScreenPictures screen;
     private final RenderController controller;
-    private final RenderController otherController;
+    private final OtherPicture other;
     private final Supplier<Pace> pace;
     private final PixelProbe hover = new PixelProbe(this::fail);
     private final PixelProbe pinned = new PixelProbe(this::fail);
@@ -74,13 +72,6 @@ final class PhotographView implements AutoCloseable {
     /** The room for each picture; null while nobody knows it. */
     private Room room;
 
-    /** The studio of a camera at rest where one on a ride is; gives null where there is no ride. */
-    private Supplier<Studio> rideAtRest = () -> null;
-
-    private Compared compared = Compared.NOTHING;
-    private Studio otherStudio;
-    private Dimension otherSize;
-    private Picture keptPicture;
     private Point2D pin;
     private boolean pinnedInOther;
     private RenderPlan pinnedPlan;
@@ -101,7 +92,7 @@ final class PhotographView implements AutoCloseable {
         notice = new PictureNotice(model, canvas);
         controller = new RenderController(
                 screen::setNow, error -> SwingUtilities.invokeLater(() -> listener.noPicture(Messages.of(error))));
-        otherController = new RenderController(this::showOther, this::fail);
+        other = new OtherPicture(model, screen, pace, this::sizeOf, this::fail);
         model.addLiveListener(this::renderChange);
     }
 
@@ -129,7 +120,7 @@ final class PhotographView implements AutoCloseable {
     void render() {
         rendered = model.studio();
         controller.show(rendered, sizeOf(rendered), pace.get());
-        renderOther();
+        other.render();
     }
 
     /** Pictures are taken in the size in which they are shown; in their own as long as nobody knows that. */
@@ -156,8 +147,7 @@ final class PhotographView implements AutoCloseable {
     /** Ends the work on all pictures; what is there stays until the next change. */
     void stop() {
         controller.stop();
-        otherController.stop();
-        otherStudio = null;
+        other.stop();
     }
 
     private void show(ScreenPicture pictures) {
@@ -172,84 +162,27 @@ final class PhotographView implements AutoCloseable {
         }
     }
 
+    /** What the photograph is compared with. */
+    OtherPicture other() {
+        return other;
+    }
+
     /** Compares with another picture from now on. */
-    void compare(Compared other) {
-        compared = other;
+    void compare(Compared compared) {
+        other.compare(compared);
         canvas.setComparison(compared.view(), compared.name());
         screen.setDifference(compared.view() == Comparison.DIFFERENCE);
-        renderOther();
+        other.render();
         if (pin != null) {
             readPin();
         }
     }
 
-    /** Lets a camera at rest be where one on a ride is; the supplier gives null where there is no ride. */
-    void setRideAtRest(Supplier<Studio> atRest) {
-        rideAtRest = atRest;
-    }
-
-    private Studio comparedStudio() {
-        Studio onRide = compared.other() == ComparePanel.Other.AT_REST ? rideAtRest.get() : null;
-        return onRide != null
-                ? onRide
-                : compared.other() == ComparePanel.Other.KEPT_PICTURE && keptPicture != null
-                        ? keptPicture.studio()
-                        : compared.studio(model.studio());
-    }
-
-    private void renderOther() {
-        Studio studio = comparedStudio();
-        if (studio == null) {
-            otherStudio = null;
-            otherController.stop();
-            screen.setOther(null);
-        } else if (!sizeOf(studio).equals(otherSize) || !looksAsOther(studio)) {
-            otherStudio = studio;
-            otherSize = sizeOf(studio);
-            if (keptPicture != null && studio == keptPicture.studio() && keptPicture.isOfSize(otherSize)) {
-                otherController.stop();
-                screen.setOther(keptPicture);
-            } else {
-                otherController.show(studio, otherSize, pace.get().ofOther());
-            }
-        }
-    }
-
-    /**
-     * Whether the other picture is that of a studio, too: on a ride only time may go on, and nothing change with it.
-     */
-    private boolean looksAsOther(Studio studio) {
-        if (studio.equals(otherStudio)) {
-            return true;
-        }
-        Picture other = canvas.shown().other();
-        if (pace.get() != Pace.RIDE
-                || other == null
-                || !other.studio().equals(otherStudio)
-                || !other.plan().isStill()) {
-            return false;
-        }
-        Shutter shutter = studio.camera().shutter();
-        Shutter before = otherStudio.camera().shutter();
-        return shutter.hasOpeningTime()
-                && before.hasOpeningTime()
-                && otherStudio.equals(
-                        studio.withCamera(studio.camera().withShutter(shutter.openedAt(before.openingTime()))));
-    }
-
-    private void showOther(Picture picture) {
-        SwingUtilities.invokeLater(() -> {
-            // what is no longer wanted may still arrive
-            if (picture.studio().equals(otherStudio)) {
-                screen.setOther(picture);
-            }
-        });
-    }
-
     /** Keeps the picture that is on the screen, to compare others with it; says what to call it. */
     String keepPicture() {
-        keptPicture = canvas.shown().now();
-        Studio kept = keptPicture == null ? model.studio() : keptPicture.studio();
+        Picture picture = canvas.shown().now();
+        other.keep(picture);
+        Studio kept = picture == null ? model.studio() : picture.studio();
         return Texts.get("compare.kept", kept.shortTitle(), Captions.motion(kept));
     }
 
@@ -287,7 +220,7 @@ final class PhotographView implements AutoCloseable {
     /** What a picture is called where two are seen; null where the studio's is seen alone. */
     private String nameOf(Picture picture) {
         if (picture != canvas.shown().now()) {
-            return compared.name();
+            return other.compared().name();
         }
         return canvas.showsTwo() ? Texts.get("compare.now") : null;
     }
@@ -356,6 +289,11 @@ final class PhotographView implements AutoCloseable {
 
         private boolean isOver;
 
+        /** What was pinned before the last click. */
+        private Point2D pinBefore;
+
+        private boolean pinBeforeInOther;
+
         @Override
         public void over(Point2D place, Picture seen) {
             isOver = seen != null;
@@ -387,7 +325,16 @@ final class PhotographView implements AutoCloseable {
             } else if (measuring != null) {
                 measuring.accept(place);
             } else {
+                pinBefore = pin;
+                pinBeforeInOther = pinnedInOther;
                 setPin(place, seen != canvas.shown().now());
+            }
+        }
+
+        @Override
+        public void clickedTwice() {
+            if (picking == null) {
+                setPin(pinBefore, pinBeforeInOther);
             }
         }
     }
@@ -395,7 +342,7 @@ final class PhotographView implements AutoCloseable {
     @Override
     public void close() {
         controller.close();
-        otherController.close();
+        other.close();
         screen.close();
         hover.close();
         pinned.close();

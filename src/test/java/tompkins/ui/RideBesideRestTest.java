@@ -111,7 +111,7 @@ class RideBesideRestTest {
     @Test
     void theCameraAtRestIsWhereTheRideIs() {
         RideMoment moment = RideMoment.start(model.studio()).after(new Vector3d(0, 0, 1), 0.5);
-        WindowDriver.onEventThread(() -> view.setRideAtRest(moment::atRest));
+        WindowDriver.onEventThread(() -> view.other().setRideAtRest(moment::atRest));
         goOn(model, moment.studio());
         double place = Math.cosh(0.5) - 1;
         WindowDriver.await(
