@@ -79,12 +79,13 @@ public final class BundledScenes {
     }
 
     /**
-     * All scenes as a menu lists them, by topic and then by the names of their files; those that cannot be read are
-     * left out.
+     * All scenes as a menu lists them, by topic and then by the names of their files, the first scene of the program
+     * before them; those that cannot be read are left out.
      */
     public static List<Studio> studios() {
         try {
             return all().stream()
+                    .sorted(Comparator.comparing(file -> !file.endsWith(FIRST)))
                     .flatMap(file -> read(file).stream())
                     .sorted(Comparator.comparingInt(BundledScenes::rank).thenComparing(Studio::topic))
                     .toList();

@@ -30,7 +30,9 @@ final class HelpCommands {
 
     /** Shows the keys of some items, and all others. */
     void showKeys(List<JMenuItem> items) {
-        Messages.tell(frame, Texts.get("menu.keys"), new KeyTable(items).component());
+        KeyTable keys = new KeyTable(items);
+        keys.fitInto(Messages.width(frame));
+        Messages.tell(frame, Texts.get("menu.keys"), keys.component());
     }
 
     void showAbout() {

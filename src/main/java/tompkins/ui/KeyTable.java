@@ -15,10 +15,10 @@ import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import tompkins.ui.widget.Texts;
 
-/** The keys and the mouse, group by group in two columns, each beside its meaning. */
+/** The keys and the mouse, group by group in two columns or one, each beside its meaning. */
 final class KeyTable {
 
-    private final JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 0, gap 48 0"));
+    private final JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 0, gap 32 0"));
 
     /** A table that begins with some menu items, which all have keys. */
     KeyTable(List<JMenuItem> items) {
@@ -53,8 +53,15 @@ final class KeyTable {
                 .orElse(lines.size());
     }
 
+    /** Puts the columns below each other where both are wider than the room for them. */
+    void fitInto(int width) {
+        if (panel.getPreferredSize().width > width) {
+            panel.setLayout(new MigLayout("novisualpadding, insets 0, wrap 1, gap 0 9"));
+        }
+    }
+
     private static JComponent column(List<String> lines) {
-        JPanel column = new JPanel(new MigLayout("novisualpadding, insets 0, wrap 2, gap 24 2"));
+        JPanel column = new JPanel(new MigLayout("novisualpadding, insets 0, wrap 2, gap 16 2"));
         for (String line : lines) {
             if (isHeading(line)) {
                 JLabel heading = new JLabel(line);

@@ -289,6 +289,13 @@ final class PhotographView implements AutoCloseable {
                 pin.set(place, seen != canvas.shown().now());
             }
         }
+
+        @Override
+        public void clickedTwice() {
+            if (picking == null) {
+                pin.putBack();
+            }
+        }
     }
 
     @Override

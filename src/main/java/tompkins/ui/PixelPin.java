@@ -21,6 +21,11 @@ final class PixelPin implements AutoCloseable {
     private Point2D place;
     private boolean inOther;
 
+    /** What was pinned before. */
+    private Point2D placeBefore;
+
+    private boolean beforeInOther;
+
     /** The plan of the picture that was read, and the name of the picture at that time. */
     private RenderPlan readPlan;
 
@@ -46,10 +51,17 @@ final class PixelPin implements AutoCloseable {
 
     /** Pins a place of the picture, or of the one beside it; no place if it is null. */
     void set(Point2D newPlace, boolean newInOther) {
+        placeBefore = place;
+        beforeInOther = inOther;
         place = newPlace;
         inOther = newInOther;
         canvas.setPin(place);
         read();
+    }
+
+    /** Pins again what was pinned before the last {@link #set set}. */
+    void putBack() {
+        set(placeBefore, beforeInOther);
     }
 
     /** Another picture is on the screen. */

@@ -77,7 +77,7 @@ final class SidePanel {
         lens = new LensPanel(model, picking -> pick(model, view, teller, picking));
         ComparePanel compare = new ComparePanel(model, view::compare, view.canvas()::setOtherAlone, view::keepPicture);
         if (besideRest) {
-            compare.choose(ComparePanel.Other.AT_REST);
+            compare.begin(ComparePanel.Other.AT_REST);
         }
         ray = new RaySection(model, () -> view.setPin(null), editor);
         Note remarks = new Note(model.studio().remarks());

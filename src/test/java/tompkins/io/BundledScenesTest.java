@@ -76,6 +76,6 @@ class BundledScenesTest {
                     .isTrue();
         }
         assertThat(scenes.stream().map(Studio::title))
-                .startsWith("A ride: between columns", "A town square at 0.8 c", "Fig. 1(a): camera at rest");
+                .startsWith("A town square at 0.8 c", "A ride: between columns", "Fig. 1(a): camera at rest");
     }
 }

@@ -11,7 +11,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tompkins.io.BundledScenes;
+import tompkins.property.Descriptions;
 import tompkins.studio.Studio;
+import tompkins.studio.Studios;
 import tompkins.ui.panel.ComparePanel;
 import tompkins.ui.picture.PictureCanvas;
 
@@ -19,6 +21,8 @@ import tompkins.ui.picture.PictureCanvas;
 @NeedsDisplay
 @Timeout(180)
 class FirstSceneTest {
+
+    private static final Studio ANOTHER = Descriptions.with(Studios.sphere(), "title", "Another scene");
 
     @TempDir
     private Path folder;
@@ -42,6 +46,42 @@ class FirstSceneTest {
             assertThat(others.getSelectedItem()).isEqualTo(ComparePanel.Other.AT_REST);
             assertThat(driver.find(JMenuItem.class, "menu.caption").isSelected())
                     .isTrue();
+        }
+    }
+
+    private void openAnother(WindowDriver driver) {
+        JMenuItem another = driver.find(JMenuItem.class, ANOTHER.title());
+        WindowDriver.onEventThread(() -> another.doClick());
+        WindowDriver.await(
+                "the other scene", () -> driver.picture().studio().title().equals(ANOTHER.title()));
+    }
+
+    /** Nobody asked for the camera at rest; who opens a scene wants to see that. */
+    @Test
+    void theComparisonEndsWithTheFirstScene() throws IOException {
+        try (WindowDriver driver = new WindowDriver(folder, FirstScene.ofProgram(own(), ""), List.of(ANOTHER))) {
+            PictureCanvas canvas = driver.find(PictureCanvas.class, "picture");
+            WindowDriver.await("the camera at rest", () -> canvas.shown().other() != null);
+            JComboBox<?> others = driver.find(JComboBox.class, "Compare with");
+
+            openAnother(driver);
+
+            assertThat(others.getSelectedItem()).isEqualTo(ComparePanel.Other.NOTHING);
+            assertThat(WindowDriver.onEventThread(canvas::showsTwo)).isFalse();
+        }
+    }
+
+    @Test
+    void aComparisonThatWasChosenStays() throws IOException {
+        try (WindowDriver driver = new WindowDriver(folder, FirstScene.ofProgram(own(), ""), List.of(ANOTHER))) {
+            PictureCanvas canvas = driver.find(PictureCanvas.class, "picture");
+            WindowDriver.await("the camera at rest", () -> canvas.shown().other() != null);
+            JComboBox<?> others = driver.find(JComboBox.class, "Compare with");
+            WindowDriver.onEventThread(() -> others.setSelectedItem(ComparePanel.Other.GALILEAN_CAMERA));
+
+            openAnother(driver);
+
+            assertThat(others.getSelectedItem()).isEqualTo(ComparePanel.Other.GALILEAN_CAMERA);
         }
     }
 

@@ -200,6 +200,49 @@ class PhotographViewTest {
         }
     }
 
+    /** A double click brings a place into the middle: the pin of its first half goes, and the one before stays. */
+    @Test
+    void aDoubleClickPinsNothing() {
+        List<PixelProbe.Reading> pinned = new ArrayList<>();
+        PhotographView watched = WindowDriver.onEventThread(() -> new PhotographView(
+                model,
+                new SilentListener() {
+                    @Override
+                    public void pinned(PixelProbe.Reading reading, String picture) {
+                        pinned.add(reading);
+                    }
+                },
+                () -> Pace.HAND));
+        try (watched) {
+            PictureCanvas canvas = watched.canvas();
+            WindowDriver.onEventThread(() -> {
+                canvas.setSize(64, 48);
+                watched.render();
+            });
+            WindowDriver.await("a picture", () -> canvas.shown().now() != null);
+            WindowDriver.onEventThread(() -> doubleClick(canvas, 32, 24));
+            assertThat(pinned).endsWith((PixelProbe.Reading) null);
+            WindowDriver.onEventThread(() -> {
+                watched.setPin(new Point2D.Double(10.5, 12.5));
+                doubleClick(canvas, 32, 24);
+            });
+            WindowDriver.await(
+                    "the reading of the pin before",
+                    () -> pinned.get(pinned.size() - 1) != null
+                            && pinned.get(pinned.size() - 1).column() == 10
+                            && pinned.get(pinned.size() - 1).row() == 12);
+        }
+    }
+
+    private static void doubleClick(PictureCanvas canvas, int x, int y) {
+        for (int count = 1; count <= 2; count++) {
+            for (int event : new int[] {MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED}) {
+                canvas.dispatchEvent(
+                        new MouseEvent(canvas, event, 0, 0, x, y, count, false, MouseEvent.BUTTON1));
+            }
+        }
+    }
+
     private static void sleep(int milliseconds) {
         try {
             Thread.sleep(milliseconds);

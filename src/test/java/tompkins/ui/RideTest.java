@@ -216,6 +216,27 @@ class RideTest {
         assertThat(driver.studio()).isEqualTo(end);
     }
 
+    /** A ride by hand takes the camera away from where the recorded one begins, which can still be seen. */
+    @Test
+    void theRecordedRideIsThereAfterOneByHand() {
+        driver.close();
+        Studio withRide = start.withRide(List.of(new RideLeg(0.3, 0.3, new Vector3d(0, 0, 1), 0, 0, 1)));
+        driver = new WindowDriver(folder.resolve("settings"), withRide, null, List.of());
+        driver.key(KeyEvent.VK_F6);
+        RidePilot pilot = driver.window().motion().pilot();
+        WindowDriver.await("a ride", () -> pilot.moment() != null && pilot.moment().properTime() > 0.1);
+        JButton replay = driver.find(JButton.class, "Replay");
+        assertThat(replay.isEnabled()).isTrue();
+
+        driver.click(replay);
+
+        WindowDriver.await("the replay", pilot::isReplaying);
+        WindowDriver.await("its end", () -> !pilot.isRiding());
+        // thrust of 1 for a time of 0.3
+        assertThat(driver.studio().velocity().rapidity())
+                .isCloseTo(start.velocity().rapidity() + 0.3, within(1e-9));
+    }
+
     @Test
     void rideBeginsWhereverTheFocusIs() {
         driver.click(driver.find(JButton.class, "Sideways"));

@@ -17,6 +17,7 @@ import tompkins.lesson.Lesson;
 import tompkins.lesson.LessonPlan;
 import tompkins.property.Descriptions;
 import tompkins.shutter.Shutter;
+import tompkins.studio.Studio;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.picture.Comparison;
 import tompkins.ui.widget.ChoiceRow;
@@ -61,8 +62,13 @@ public final class ComparePanel {
     private final Consumer<Compared> changed;
     private String keptName;
 
-    /** What the scene that was opened teaches. */
+    /** What the scene that was opened teaches, and its title. */
     private LessonPlan lesson;
+
+    private String title;
+
+    /** Whether nobody asked for this comparison: it is part of the scene with which the program begins. */
+    private boolean ofScene;
 
     private final Updating updating = new Updating();
 
@@ -101,16 +107,23 @@ public final class ComparePanel {
         panel.add(buttons);
         panel.add(hint.component(), "wmin 0");
         lesson = model.opened().lesson();
+        title = model.opened().title();
         model.addListener(this::follow);
         update();
     }
 
-    /** Ends the comparison when a lesson begins, because it would show the answer beside the question. */
+    /**
+     * Ends the comparison when a lesson begins, because it would show the answer beside the question. Ends the one of
+     * the first scene when another scene is opened.
+     */
     private void follow() {
-        LessonPlan opened = model.opened().lesson();
-        boolean begins = opened instanceof Lesson && !opened.equals(lesson);
-        lesson = opened;
-        if (begins) {
+        Studio opened = model.opened();
+        boolean lessonBegins =
+                opened.lesson() instanceof Lesson && !opened.lesson().equals(lesson);
+        boolean otherScene = !opened.title().equals(title);
+        lesson = opened.lesson();
+        title = opened.title();
+        if (lessonBegins || otherScene && ofScene) {
             choose(Other.NOTHING);
         }
         update();
@@ -144,7 +157,14 @@ public final class ComparePanel {
         others.setSelectedItem(other);
     }
 
+    /** Compares the scene with which the program begins, until another one is opened. */
+    public void begin(Other other) {
+        choose(other);
+        ofScene = true;
+    }
+
     private void choose() {
+        ofScene = false;
         if (other() == Other.OTHER_SHUTTER
                 && shutters.getSelectedItem()
                         == model.studio().camera().shutter().getClass()) {

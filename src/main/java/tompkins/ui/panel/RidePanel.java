@@ -112,7 +112,7 @@ public final class RidePanel {
     private void setUnits(double exact) {
         double rounded = NumberText.rounded(exact, 2);
         pilot.setUnitsPerSecond(rounded);
-        units.setText(Texts.get("ride.units", Numbers.brief(rounded)));
+        units.setText(Texts.get(rounded == 1 ? "ride.unit" : "ride.units", Numbers.brief(rounded)));
     }
 
     private void update() {

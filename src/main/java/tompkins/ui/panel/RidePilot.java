@@ -41,7 +41,10 @@ public final class RidePilot {
     private double unitsPerSecond = 1;
     private RideMoment moment;
     private RideRecorder recorder;
+
+    /** Where the ride begins that was shown last, or that was there before one by hand; null if there was none. */
     private Studio replayed;
+
     private RideFilm film;
     private double filmTime;
     private long lastTick;
@@ -148,6 +151,10 @@ public final class RidePilot {
 
     private void begin() {
         if (moment() == null) {
+            if (!model.studio().ride().isEmpty()) {
+                // a ride by hand leaves the place where the recorded one begins
+                replayed = model.studio();
+            }
             moment = RideMoment.start(model.studio());
         }
         stopThrust();
@@ -200,7 +207,8 @@ public final class RidePilot {
     }
 
     /**
-     * Shows the ride that begins with the present studio, or the one that was shown last if its end is on the screen.
+     * Shows the ride that begins with the present studio; if that is on a ride, the one that was shown last or was there
+     * before.
      */
     public void replay() {
         setRiding(false);

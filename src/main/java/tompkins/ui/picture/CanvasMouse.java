@@ -104,7 +104,11 @@ final class CanvasMouse extends MouseAdapter {
     public void mouseReleased(MouseEvent event) {
         if (!draggingDivider && !dragged && event.getButton() == MouseEvent.BUTTON1) {
             canvas.pointMouse(event.getPoint());
-            canvas.click();
+            if (event.getClickCount() == 2) {
+                canvas.clickAgain();
+            } else {
+                canvas.click();
+            }
         }
         draggingDivider = false;
     }

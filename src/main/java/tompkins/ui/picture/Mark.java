@@ -39,14 +39,14 @@ final class Mark {
         paint(g, new Ellipse2D.Double(x - RADIUS, y - RADIUS, 2 * RADIUS, 2 * RADIUS));
     }
 
-    /** A line from top to bottom with a handle in its middle. */
+    /** A line from top to bottom with a handle, below the middle, where it would lie over what is ahead. */
     static void paintDivider(Graphics2D g, int x, int y, int height) {
         g.setColor(Color.BLACK);
         g.fillRect(x - 2, y, 4, height);
         g.setColor(Color.WHITE);
         g.fillRect(x - 1, y, 2, height);
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        int middle = y + height / 2;
+        int middle = y + height * 2 / 3;
         g.fillRoundRect(x - 5, middle - 18, 10, 36, 10, 10);
         g.setColor(Color.DARK_GRAY);
         g.drawRoundRect(x - 5, middle - 18, 10, 36, 10, 10);

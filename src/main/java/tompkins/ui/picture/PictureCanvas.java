@@ -32,6 +32,9 @@ public final class PictureCanvas extends JPanel {
 
         /** The mouse was clicked at a place of the picture that is seen there. */
         void clicked(Point2D place, Picture seen);
+
+        /** What was taken for a click was the first half of a double click, which means something else. */
+        default void clickedTwice() {}
     }
 
     /** The distance between two pictures beside each other. */
@@ -125,6 +128,15 @@ public final class PictureCanvas extends JPanel {
         Point2D place = pointedPlace();
         if (place != null) {
             mouse.clicked(place, pointedPicture());
+        }
+    }
+
+    /** Clicks for the second time at once: two points to measure between may be as close as that. */
+    void clickAgain() {
+        if (measuring) {
+            click();
+        } else {
+            mouse.clickedTwice();
         }
     }
 
