@@ -118,7 +118,8 @@ final class OtherPicture implements AutoCloseable {
         Shutter before = studio.camera().shutter();
         return shutter.hasOpeningTime()
                 && before.hasOpeningTime()
-                && studio.equals(wanted.withCamera(wanted.camera().withShutter(shutter.openedAt(before.openingTime()))));
+                && studio.equals(
+                        wanted.withCamera(wanted.camera().withShutter(shutter.openedAt(before.openingTime()))));
     }
 
     private void take(Picture picture) {

@@ -201,14 +201,15 @@ public final class RidePilot {
         return !beginning().ride().isEmpty();
     }
 
-    private Studio beginning() {
+    /** Where the recorded ride begins, if there is one to show; otherwise the present studio. */
+    public Studio beginning() {
         Studio now = model.studio();
         return now.ride().isEmpty() && replayed != null && moment() != null ? replayed : now;
     }
 
     /**
-     * Shows the ride that begins with the present studio; if that is on a ride, the one that was shown last, or that was
-     * there before.
+     * Shows the ride that begins with the present studio; if that is on a ride, the one that was shown last, or that
+     * was there before.
      */
     public void replay() {
         setRiding(false);
