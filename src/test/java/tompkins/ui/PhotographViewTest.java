@@ -237,8 +237,7 @@ class PhotographViewTest {
     private static void doubleClick(PictureCanvas canvas, int x, int y) {
         for (int count = 1; count <= 2; count++) {
             for (int event : new int[] {MouseEvent.MOUSE_PRESSED, MouseEvent.MOUSE_RELEASED}) {
-                canvas.dispatchEvent(
-                        new MouseEvent(canvas, event, 0, 0, x, y, count, false, MouseEvent.BUTTON1));
+                canvas.dispatchEvent(new MouseEvent(canvas, event, 0, 0, x, y, count, false, MouseEvent.BUTTON1));
             }
         }
     }

@@ -224,7 +224,8 @@ class RideTest {
         driver = new WindowDriver(folder.resolve("settings"), withRide, null, List.of());
         driver.key(KeyEvent.VK_F6);
         RidePilot pilot = driver.window().motion().pilot();
-        WindowDriver.await("a ride", () -> pilot.moment() != null && pilot.moment().properTime() > 0.1);
+        WindowDriver.await(
+                "a ride", () -> pilot.moment() != null && pilot.moment().properTime() > 0.1);
         JButton replay = driver.find(JButton.class, "Replay");
         assertThat(replay.isEnabled()).isTrue();
 

@@ -70,9 +70,10 @@ public final class MeasurePanel {
         JButton close = button("measure.close", commands::close);
         close.setText("\u00d7");
         close.putClientProperty(FlatClientProperties.BUTTON_TYPE, FlatClientProperties.BUTTON_TYPE_TOOLBAR_BUTTON);
-        panel.add(kinds);
+        // a narrow window has no room for the longest name
+        panel.add(kinds, "wmin 0");
         panel.add(button("measure.clear", commands::clear));
-        panel.add(contents);
+        panel.add(contents, "wmin 0");
         panel.add(copy, "skip 1");
         panel.add(close, "wrap");
         panel.add(chartPlace, "span, growx, wmin 0, wrap");

@@ -26,7 +26,6 @@ public final class RidePanel {
 
     private static final double FASTEST = 50;
 
-    private final StudioModel model;
     private final RidePilot pilot;
     private final JPanel panel = new JPanel(new MigLayout(
             "novisualpadding, insets 6 10 6 10, fillx, hidemode 3, gap 6 4", "[pref!]12[pref!][grow,fill][]12[pref!]"));
@@ -44,7 +43,6 @@ public final class RidePanel {
      * @param exporter asks where to save the film of the ride that begins with a studio
      */
     public RidePanel(StudioModel model, RidePilot pilot, Runnable flown, Consumer<Studio> exporter) {
-        this.model = model;
         this.pilot = pilot;
         ValueSlider slider = new ValueSlider(
                 Texts.get("ride.light"),
@@ -125,14 +123,14 @@ public final class RidePanel {
     }
 
     private void updateButtons() {
-        boolean recorded = !model.studio().ride().isEmpty();
-        replay.setEnabled(pilot.canReplay() && !pilot.isRecording());
-        export.setEnabled(recorded && !pilot.isRecording());
+        boolean recorded = pilot.canReplay() && !pilot.isRecording();
+        replay.setEnabled(recorded);
+        export.setEnabled(recorded);
     }
 
     private void export(Consumer<Studio> exporter) {
         pilot.setRiding(false);
-        Studio studio = model.studio();
+        Studio studio = pilot.beginning();
         // a ride that leads too far is refused before a file is chosen
         note.attempt(() -> exporter.accept(studio));
     }

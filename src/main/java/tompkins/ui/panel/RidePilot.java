@@ -201,7 +201,8 @@ public final class RidePilot {
         return !beginning().ride().isEmpty();
     }
 
-    private Studio beginning() {
+    /** Where the recorded ride begins, if there is one to show; otherwise the present studio. */
+    public Studio beginning() {
         Studio now = model.studio();
         return now.ride().isEmpty() && replayed != null && moment() != null ? replayed : now;
     }

@@ -79,9 +79,9 @@ public final class ShutterPanel {
                 value -> withShutter(shutter().openedAt(requireFinite(value))));
         time.addTo(timeRow);
         timing = new ShutterTimingPanel(model, size);
+        details.add(timing.component(), "wmin 0");
         details.add(parameters.component(), "wmin 0");
         details.add(new MessageRoom(1, refused).component(), "wmin 0");
-        details.add(timing.component(), "wmin 0");
         panel.add(models, "wmin 0");
         Descriptions.members(Shutter.class).forEach(this::addModel);
         panel.add(timeRow, "wmin 0, hidemode 0");
