@@ -23,7 +23,7 @@ public record Animation(StudioNumber number, double from, double to, double seco
     /** The most seconds that an animation takes. */
     public static final double LONGEST = 600;
 
-    /** The digits in which a value differs from the ends. */
+    /** The number of digits in which values differ from the ends. */
     private static final int DIGITS = 9;
 
     /** The most digits that a double has. */
@@ -32,7 +32,7 @@ public record Animation(StudioNumber number, double from, double to, double seco
     /** The usual number of pictures a second in a file. */
     public static final int FRAME_RATE = 25;
 
-    /** The most pictures a second: so many a usual screen shows. */
+    /** The most pictures a second, which is what a usual screen shows. */
     public static final int HIGHEST_FRAME_RATE = 60;
 
     /** Checks the seconds and the frame rate. */
@@ -75,15 +75,15 @@ public record Animation(StudioNumber number, double from, double to, double seco
                 : share == 1 ? to : Math.max(Math.min(from, to), Math.min(Math.max(from, to), between));
     }
 
-    /** More digits where the ends have the first ones in common. */
+    /** The digits of values: more if the ends share their first digits. */
     private int digits() {
         double ratio = Math.max(Math.abs(from), Math.abs(to)) / Math.abs(to - from);
         return ratio > 1 ? (int) Math.min(MOST_DIGITS, DIGITS + Math.floor(Math.log10(ratio))) : DIGITS;
     }
 
     /**
-     * The time of a value, at an end of its own for those that it does not reach; of two times the one nearer to
-     * another.
+     * The time at which the animation has a value; an end for values that it does not reach, and the time nearer to a
+     * given one if there are two.
      */
     public double time(double value, double near) {
         double share = from == to ? 0 : Math.max(0, Math.min(1, (value - from) / (to - from)));
@@ -104,7 +104,7 @@ public record Animation(StudioNumber number, double from, double to, double seco
         return Math.max(2, (int) Math.round(seconds * frameRate));
     }
 
-    /** The time of a frame: the last frame of a loop comes before its first, and does not repeat it. */
+    /** The time of a frame; the last frame of a loop comes before its first one and does not repeat it. */
     public double timeOf(int frame) {
         return (double) frame / (course == Course.THERE_AND_BACK ? frames() : frames() - 1);
     }

@@ -18,7 +18,7 @@ public final class AnimationRecorder {
     private AnimationRecorder() {}
 
     /**
-     * Takes all photographs and adds them to a file, which is not completed yet.
+     * Takes all photographs and adds them to a file, but does not complete the file.
      *
      * @param caption what is written into each photograph
      * @param decorations what is drawn over the photograph of a studio

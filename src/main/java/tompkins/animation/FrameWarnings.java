@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What the user should know about the photographs of an animation: of the first that has warnings all of them, of the
- * others only how many they are.
+ * What the user should know about the photographs of an animation: all warnings of the first that has some, and how
+ * many others have any.
  */
 public final class FrameWarnings {
 
@@ -22,7 +22,7 @@ public final class FrameWarnings {
         this.frames = frames;
     }
 
-    /** Takes the warnings of a photograph, which has a number from 1. */
+    /** Adds the warnings of a photograph, which is numbered from 1. */
     void add(int number, List<String> warnings) {
         if (warnings.isEmpty()) {
             return;
@@ -34,7 +34,7 @@ public final class FrameWarnings {
         warnings.forEach(warning -> sentences.add("picture " + number + " of " + frames + ": " + warning));
     }
 
-    /** One sentence for each; none if all is well. */
+    /** One sentence for each; empty if all is well. */
     public List<String> sentences() {
         List<String> all = new ArrayList<>(sentences);
         if (others > 0) {

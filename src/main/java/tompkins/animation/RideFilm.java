@@ -54,7 +54,7 @@ public final class RideFilm implements Film {
         return seconds;
     }
 
-    /** The moment of the ride at a time of the film, in seconds; the last one from its end on. */
+    /** The moment of the ride at a time of the film, in seconds; after its end, the last one. */
     public RideMoment moment(double time) {
         double left = seconds == 0 ? 0 : time / seconds * recorded;
         for (int i = 0; i < legs.size(); i++) {

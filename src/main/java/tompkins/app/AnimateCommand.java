@@ -44,10 +44,10 @@ import tompkins.ui.Captions;
         versionProvider = ProgramVersion.class,
         description =
                 "Takes photographs while a number of the scene, such as the speed of the camera, runs from one value"
-                        + " to another, or of a recorded ride, and saves them as an animation.")
+                        + " to another, or along a recorded ride, and saves them as an animation.")
 final class AnimateCommand implements Callable<Integer>, SceneCommand {
 
-    /** How long it plays if nobody says it. */
+    /** How long it plays unless an option says otherwise. */
     private static final double DEFAULT_SECONDS = 4;
 
     @Parameters(paramLabel = "SCENE", description = "scene file, or saved photograph")
@@ -213,7 +213,7 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
     }
 
     /**
-     * Finds the mistakes of all pictures first: nobody wants to hear of the last one after the others took an hour.
+     * Looks for mistakes in all pictures first, so that one in the last picture is not found after an hour of work.
      *
      * @return warnings about the scene at both ends
      */
@@ -230,7 +230,7 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
         return Stream.concat(begin.warnings().stream(), end.warnings().stream()).toList();
     }
 
-    /** The studio with another value, which an option has brought. */
+    /** The studio with another value, which was given by an option. */
     private static void with(String option, double value, Studio studio, StudioNumber number) {
         try {
             Objects.requireNonNull(number.with(studio, value));
@@ -245,7 +245,7 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
                     OutputOption.namesFolder(spec) ? AnimationFormat.NUMBERED_PNG : AnimationFormat.of(output);
             return force ? format.open(output, rate) : format.openNew(output, rate);
         } catch (FileException wrongPlace) {
-            // no disk has failed yet: the user named the place
+            // not a failure of the disk: the user named the place
             throw new MistakeException(wrongPlace.getMessage());
         }
     }

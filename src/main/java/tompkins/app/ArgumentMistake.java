@@ -24,10 +24,10 @@ import picocli.CommandLine.UnmatchedArgumentException;
 import tompkins.image.FileFailure;
 import tompkins.io.Spelling;
 
-/** Says what is wrong with arguments in the words of the user, where the library that reads them speaks of Java. */
+/** Says what is wrong with arguments in the words of the user; the library that reads them speaks of Java. */
 final class ArgumentMistake {
 
-    /** What a terminal obeys instead of showing it. */
+    /** Characters that a terminal obeys instead of showing them. */
     private static final Pattern CONTROLS = Pattern.compile("\\p{Cc}");
 
     private static final Pattern WHOLE = Pattern.compile("[+-]?[0-9]+");
@@ -61,7 +61,7 @@ final class ArgumentMistake {
                 : mistake.getMessage();
     }
 
-    /** What is wrong with a word that stands where a command or a scene should. */
+    /** What is wrong with a word in the place of a command or a scene. */
     static String unknownWord(String word, CommandSpec command) {
         return word + ": there is neither a file nor a command of this name" + commands(word, command);
     }
@@ -75,9 +75,7 @@ final class ArgumentMistake {
         return option.longestName() + " needs " + (isNumber(option) ? kind(option) + example(option) : value(option));
     }
 
-    /**
-     * Whether the command cannot do without an option; the library says so, too, of each of those that exclude others.
-     */
+    /** Whether the command needs an option. The library says so, too, of options that exclude each other. */
     private static boolean isNeeded(OptionSpec option) {
         return option.required() && option.group() == null;
     }
@@ -93,7 +91,7 @@ final class ArgumentMistake {
         return argument.paramLabel() + ": " + description(argument);
     }
 
-    /** What the help says of an option or of another argument. */
+    /** What the help says about an option or another argument. */
     private static String description(ArgSpec argument) {
         return String.join(" ", argument.description());
     }
@@ -144,7 +142,7 @@ final class ArgumentMistake {
         return ", such as " + option.longestName() + "=" + value;
     }
 
-    /** What to say if a file was named whose name begins as that of an option. */
+    /** What to say if the name of a file begins like an option. */
     private static Optional<String> fileLikeOption(String... words) {
         return Stream.of(words)
                 .filter(word -> word.startsWith("-") && new File(word).exists())
@@ -175,7 +173,9 @@ final class ArgumentMistake {
         return fileLikeOption(wrong).orElse("unknown option " + name + hint(name, command.options()));
     }
 
-    /** A hint to the option whose description begins with the word of a wrong one, or else to that of a like name. */
+    /**
+     * A hint at the option whose description begins with the word of the wrong one, or else at one with a similar name.
+     */
     private static String hint(String wrong, List<OptionSpec> options) {
         String start = wrong.replaceFirst("^--", "") + " ";
         String meant = options.stream()

@@ -3,7 +3,7 @@ package tompkins.app;
 import java.io.Console;
 import java.io.PrintWriter;
 
-/** One line of a terminal that is written again and again. Nothing is written where nobody watches. */
+/** One line of a terminal that is written again and again. Nothing is written if the output is not a terminal. */
 final class ConsoleLine {
 
     private static final int WIDTH = 72;
@@ -16,7 +16,7 @@ final class ConsoleLine {
         this.out = out;
     }
 
-    /** From Java 22 on there is always a console, and it says itself whether it is a terminal. */
+    /** Since Java 22 there is always a console, which says itself whether it is a terminal. */
     @SuppressWarnings("SystemConsoleNull")
     private static boolean isWatched() {
         Console console = System.console();
@@ -30,7 +30,7 @@ final class ConsoleLine {
         }
     }
 
-    /** Whether somebody watches. */
+    /** Whether there is a terminal. */
     boolean watched() {
         return watched;
     }
@@ -44,7 +44,7 @@ final class ConsoleLine {
         }
     }
 
-    /** Takes the line away, if there is one. */
+    /** Removes the line, if there is one. */
     void clear() {
         if (written) {
             show("");

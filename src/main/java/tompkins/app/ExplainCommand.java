@@ -48,7 +48,7 @@ final class ExplainCommand implements Callable<Integer>, SceneCommand {
     public Integer call() throws InterruptedException {
         Studio studio = quality.applyTo(options.applyTo(StudioReader.read(scene)));
         RenderPlan plan = ScenePlan.of(studio, scene);
-        // all that may be refused comes before the first word
+        // everything that may be refused comes before the first word
         Quality wish = quality.of(studio);
         Photographer.requireMemory(studio.settings(), wish);
         spec.commandLine().getOut().println(OneLine.of(studio.title()));

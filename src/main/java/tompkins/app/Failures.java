@@ -19,13 +19,13 @@ import tompkins.io.SceneFileException;
 /** What the program says when it cannot do what it was asked, and its exit codes. */
 final class Failures {
 
-    /** Something outside the user's words went wrong: a disk, the memory, the program itself. */
+    /** Something that the user did not write went wrong: a disk, the memory, the program itself. */
     static final int FAILURE = 1;
 
     /** The arguments or the scene are wrong; so is a place for a picture where nothing can be saved. */
     static final int MISTAKE = 2;
 
-    /** Not an end at all: the window goes on. */
+    /** The program does not end: its window is open. */
     static final int WINDOW_IS_OPEN = -1;
 
     private Failures() {}
@@ -51,7 +51,7 @@ final class Failures {
         throw exception;
     }
 
-    /** Whether memory ran out, however that was passed on. */
+    /** Whether memory ran out, in whatever exception that is wrapped. */
     private static boolean isOfMemory(Throwable failure) {
         return Stream.iterate(failure, Objects::nonNull, Throwable::getCause)
                 .anyMatch(OutOfMemoryError.class::isInstance);
@@ -68,20 +68,20 @@ final class Failures {
         return FAILURE;
     }
 
-    /** What is said when the memory does not hold what is to be done with a file, or null. */
+    /** The message if the memory is too small for a file, or null. */
     static String memoryMessage(Path file) {
         long most = Runtime.getRuntime().maxMemory();
         return (file == null ? "" : file + ": ") + "not enough memory: Java may use " + (most >> 20)
                 + " MB; start java with a larger -Xmx";
     }
 
-    /** Reports that words of the program were lost; the exit code with that. */
+    /** Reports that output of the program was lost, and returns the exit code. */
     static int reportLostOutput(IOException failure, PrintWriter err, int code) {
         err.println("the output cannot be written: " + failure.getMessage());
         return code == 0 ? FAILURE : code;
     }
 
-    /** Reports a mistake in the arguments, with the name that was perhaps meant. */
+    /** Reports a mistake in the arguments, with the name that may have been meant. */
     static int reportUsage(ParameterException exception, String[] arguments, BooleanSupplier display)
             throws IOException {
         CommandLine commandLine = exception.getCommandLine();

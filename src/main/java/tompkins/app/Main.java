@@ -42,14 +42,15 @@ public final class Main {
     }
 
     /**
-     * Opens the window, if it can, without a look at arguments that are not there: a tenth of a second of the start.
+     * Opens the window, if it can, without reading the arguments if there are none: this saves a tenth of a second of
+     * the start.
      */
     private static boolean opensFirstScene() {
         try {
             TompkinsCommand.openWindow("");
             return true;
         } catch (IOException incomplete) {
-            // the command line tells of it
+            // the command line reports it
             return false;
         }
     }
@@ -70,7 +71,7 @@ public final class Main {
     /**
      * Runs the program and returns its exit code.
      *
-     * @param display whether a window can be opened; asked only where one is to be, for it takes time to find out
+     * @param display whether a window can be opened; asked only if one is wanted, because the answer takes time
      */
     static int run(PrintWriter out, PrintWriter err, BooleanSupplier display, String... arguments) {
         CommandLine commandLine = TompkinsCommand.commandLine(display, arguments);

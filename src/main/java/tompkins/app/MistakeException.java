@@ -12,7 +12,7 @@ final class MistakeException extends RuntimeException {
         super(message);
     }
 
-    /** Makes something of an option's value; a refused value is the mistake of the option of this name. */
+    /** Makes something from the value of an option; if it is refused, the mistake names the option. */
     static <T> T inOption(String option, Supplier<T> maker) {
         return inOption(option, "", maker);
     }

@@ -10,7 +10,7 @@ import tompkins.light.Metering;
 import tompkins.shutter.SweepDirection;
 import tompkins.studio.View;
 
-/** The words that an option takes for the values of an enum, as they are typed: in small letters. */
+/** The words that an option takes for the values of an enum, as they are typed, in small letters. */
 abstract class OptionWords implements Iterable<String> {
 
     private final Enum<?>[] values;

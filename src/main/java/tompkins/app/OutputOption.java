@@ -8,14 +8,17 @@ import picocli.CommandLine.Model.OptionSpec;
 import tompkins.image.FileException;
 import tompkins.image.OutputFolder;
 
-/** What the option {@code -o} of the commands says beside a name. */
+/** What the option {@code -o} of the commands means besides a name. */
 final class OutputOption {
 
     private static final String NAME = "--output";
 
     private OutputOption() {}
 
-    /** Whether the name was written as that of a folder, with a separator at its end, which no path keeps. */
+    /**
+     * Whether the name was written as that of a folder, with a separator at its end, which a {@code Path} does not
+     * keep.
+     */
     static boolean namesFolder(CommandSpec command) {
         OptionSpec option = command.findOption(NAME);
         return option.originalStringValues().stream()
@@ -23,8 +26,8 @@ final class OutputOption {
     }
 
     /**
-     * Does work that writes into a folder, which is made if there is none, and goes again if nothing was written. A
-     * folder that cannot be made is a mistake.
+     * Does work that writes into a folder. The folder is made if there is none, and removed again if nothing was
+     * written. A folder that cannot be made is a mistake.
      */
     static <T> T inFolder(Path folder, Callable<T> work) throws Exception {
         OutputFolder output = folder(folder);

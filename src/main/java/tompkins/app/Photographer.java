@@ -58,7 +58,7 @@ final class Photographer {
         take(file, studio, Quality.of(studio), target, PictureFormat.of(target), isPhotograph);
     }
 
-    /** The name of a picture, or if it is taken the same with the first number before its ending that is not. */
+    /** The name of a picture; if it is taken, the same name with the first free number before its ending. */
     private static Path free(Path target, Predicate<Path> isTaken) {
         String name = target.getFileName().toString();
         int dot = name.lastIndexOf('.');
@@ -90,8 +90,8 @@ final class Photographer {
     }
 
     /**
-     * Takes the picture of a scene file and saves it; says where. What has its name is replaced if it may be, or the
-     * picture gets a number: nobody wants to lose what took an hour.
+     * Takes the picture of a scene file, saves it, and says where. A file that has its name is replaced if that is
+     * allowed; otherwise the picture gets a number, so that the work is not lost.
      *
      * @param mayReplace whether a file may be replaced; asked before and after the picture is taken
      */
@@ -140,7 +140,7 @@ final class Photographer {
         requireWritable(target);
     }
 
-    /** Refuses the name of a file that is there. */
+    /** Refuses the name of a file that exists. */
     static void requireFree(Path target) {
         if (Files.isRegularFile(target)) {
             throw new MistakeException(target + ": there is a file of this name already; --force replaces it");
@@ -152,7 +152,7 @@ final class Photographer {
         try {
             PhotographFile.requireWritable(target);
         } catch (FileException wrongPlace) {
-            // no disk has failed yet: the user named the place
+            // not a failure of the disk: the user named the place
             throw new MistakeException(wrongPlace.getMessage());
         }
     }

@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import tompkins.studio.RenderSettings;
 
-/** Pixels that were chosen by {@code --pixel}: single ones, rectangles of them, or all. */
+/** The pixels that were chosen by {@code --pixel}: single ones, rectangles of them, or all. */
 final class PixelChoice {
 
     private static final String ALL = "all";

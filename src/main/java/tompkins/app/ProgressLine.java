@@ -50,7 +50,7 @@ final class ProgressLine implements RenderListener, Progress {
         return (System.nanoTime() - start) / 1e9;
     }
 
-    /** Takes the line away. */
+    /** Removes the line. */
     synchronized void clear() {
         line.clear();
     }

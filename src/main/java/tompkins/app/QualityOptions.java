@@ -8,7 +8,7 @@ import tompkins.studio.Studio;
 /** How good a picture has to be, as one wish. */
 final class QualityOptions {
 
-    /** The wishes for a single picture, of which one at most may be given. */
+    /** The wishes for a single picture, at most one of which may be given. */
     private static final class PictureWish extends QualityWish {
 
         @Option(

@@ -30,7 +30,7 @@ class QualityWish {
                     () -> settings.withSamples(Require.within("samples", samples, 1, RenderSettings.MOST_SAMPLES))));
         }
         if (error != null) {
-            // 0 means something to a scene, but is no error to ask for
+            // 0 has a meaning in a scene, but cannot be asked for as an error
             return studio.withSettings(MistakeException.inOption(
                     "--error", () -> settings.withTargetError(new Quality.TargetError(error).rootMeanSquare())));
         }

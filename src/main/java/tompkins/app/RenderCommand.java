@@ -27,7 +27,7 @@ import tompkins.studio.Studio;
                 + " photograph to take it again.")
 final class RenderCommand implements Callable<Integer>, SceneCommand {
 
-    /** More than any machine has cores, and fewer than systems refuse to start. */
+    /** More than the cores of any machine, and not so many that systems refuse to start them. */
     private static final int MOST_THREADS = 1024;
 
     /** A picture that is to be taken of a scene, and where it goes. */
@@ -102,9 +102,8 @@ final class RenderCommand implements Callable<Integer>, SceneCommand {
     }
 
     /**
-     * Finds the mistakes of all scenes first: nobody wants to hear of the last one after the others took an hour. Keeps
-     * none of the scenes, which are read again when it is their turn: all at once they may be more than the memory
-     * holds.
+     * Looks for mistakes in all scenes first, so that one in the last scene is not found after an hour of work. The
+     * scenes are not kept but read again when it is their turn, because all at once may be more than the memory holds.
      */
     private void requireAllPossible() throws IOException {
         Map<Path, Path> sources = new HashMap<>();
@@ -121,7 +120,7 @@ final class RenderCommand implements Callable<Integer>, SceneCommand {
         }
     }
 
-    /** What is to be made of a scene. */
+    /** The picture to take of a scene. */
     private Order order(Path scene) throws IOException {
         current = scene;
         // read first: what can be read has a name, and so has its picture

@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.stream.Stream;
 import tompkins.shutter.Shutter;
 
-/** What the models of the shutter are called on the command line, such as {@code detector-plane}. */
+/** The names of the shutter models on the command line, such as {@code detector-plane}. */
 final class ShutterNames implements Iterable<String> {
 
     /** The name of a model. */

@@ -34,7 +34,7 @@ final class StudioOptions {
     @Option(names = "--size", paramLabel = "WxH", description = "size of the picture in pixels, such as 640x480")
     private String size;
 
-    /** What was said of the velocity; one at most. */
+    /** What was said about the velocity; one option at most. */
     private static final class Motion {
 
         @Option(
@@ -198,8 +198,8 @@ final class StudioOptions {
     /**
      * Two whole numbers.
      *
-     * @param separator a regular expression for what stands between them
-     * @param demand what is said if they are not
+     * @param separator a regular expression for what is between them
+     * @param demand the message if they are not
      */
     static int[] pair(String text, String separator, String demand) {
         String[] parts = text.split(separator, -1);

@@ -149,7 +149,7 @@ final class StudyCommand implements Callable<Integer>, SceneCommand {
         return fitting;
     }
 
-    /** Refuses to replace anything but what the same studies have made here before. */
+    /** Refuses to replace anything except what the same studies have made here before. */
     private static void refuseToReplace(Map<StudyKind, Study> studies, StudyPage page) throws IOException {
         boolean madeBefore = false;
         for (StudyKind kind : studies.keySet()) {

@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 import picocli.CommandLine.Option;
 import tompkins.image.PendingFile;
 
-/** Where a command that prints text can write it instead. */
+/** The file into which a command can write text instead of printing it. */
 final class TextOutput {
 
     @Option(
@@ -24,7 +24,7 @@ final class TextOutput {
     @Option(names = "--force", description = "replace a file that is there")
     private boolean force;
 
-    /** Refuses a file that is there or that cannot be written, before there is work. */
+    /** Refuses a file that exists or cannot be written, before the work begins. */
     void check() {
         if (file != null) {
             if (!force) {
@@ -34,7 +34,7 @@ final class TextOutput {
         }
     }
 
-    /** Prints lines, or writes them into the file, which is there only when all are. */
+    /** Prints lines, or writes them into the file, which appears only when it is complete. */
     void write(PrintWriter printed, Stream<String> lines) throws IOException {
         if (file == null) {
             lines.forEachOrdered(printed::println);

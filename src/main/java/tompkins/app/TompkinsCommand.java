@@ -63,8 +63,8 @@ final class TompkinsCommand implements Callable<Integer>, SceneCommand {
     }
 
     /**
-     * The command line for some arguments. If they call a command it knows that one only: to look at all of them takes
-     * a tenth of a second of every start.
+     * The command line for some arguments. If they call a command, it knows only that one: to look at all of them would
+     * take a tenth of a second of every start.
      *
      * @param display whether a window can be opened
      */
@@ -81,7 +81,7 @@ final class TompkinsCommand implements Callable<Integer>, SceneCommand {
         return commandLine.addSubcommand(HELP, HelpCommand.class);
     }
 
-    /** Whether some arguments ask for a window, if there is nothing wrong with them; tells it at once. */
+    /** Whether some arguments ask for a window, provided that there is nothing wrong with them; quickly decided. */
     static boolean opensWindow(String... arguments) {
         return arguments.length == 0
                 || arguments.length == 1
@@ -93,7 +93,7 @@ final class TompkinsCommand implements Callable<Integer>, SceneCommand {
     /**
      * Opens a window with the first scene of the program.
      *
-     * @param problem what the window says of it; empty if it is nothing
+     * @param problem a message that the window shows; empty if there is none
      * @throws IOException if the program comes without its scenes
      */
     static void openWindow(String problem) throws IOException {
@@ -104,7 +104,9 @@ final class TompkinsCommand implements Callable<Integer>, SceneCommand {
         TompkinsWindow.open(first, BundledScenes::studios, new WindowCommandLine());
     }
 
-    /** Opens a window with a scene file. One that cannot be read is a matter of the window: there may be no console. */
+    /**
+     * Opens a window with a scene file. The window reports a file that cannot be read, because there may be no console.
+     */
     private void openWindow(Path file) throws IOException {
         Studio studio;
         try {

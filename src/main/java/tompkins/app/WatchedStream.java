@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.util.Locale;
 
-/** Passes on what the program prints, and remembers why that failed: a print writer only knows that it did. */
+/** Passes on what the program prints, and remembers why that failed; a print writer only knows that it failed. */
 final class WatchedStream extends OutputStream {
 
     private final OutputStream stream;
@@ -29,9 +29,7 @@ final class WatchedStream extends OutputStream {
         }
     }
 
-    /**
-     * The latest failure, or null if nothing was lost, or nobody wanted to read the rest, as with {@code | head -1}.
-     */
+    /** The latest failure, or null if nothing was lost, or the reader wanted no more, as with {@code | head -1}. */
     IOException failure() {
         boolean closedPipe = failure != null
                 && failure.getMessage() != null

@@ -26,10 +26,10 @@ import tompkins.ui.CommandLineWriter;
  */
 final class WindowCommandLine implements CommandLineWriter {
 
-    /** Lorentz factors that differ by less than this share of them give pictures that nobody can tell apart. */
+    /** Lorentz factors that differ by less than this share give pictures that look the same. */
     private static final double SAME = 1e-9;
 
-    /** A unit vector that was made a unit vector again may differ by this. */
+    /** By how much a unit vector may change when it is normalised again. */
     private static final double SAME_DIRECTION = 1e-15;
 
     /** A time of an animation at which its value is neither the first nor the last. */
@@ -78,8 +78,9 @@ final class WindowCommandLine implements CommandLineWriter {
     }
 
     /**
-     * The studio with a value of the animated number that needs no option; what it is at the moment does not matter.
-     * Where the speed is animated in another direction than before, a speed of the animation that tells that direction.
+     * The studio with a value of the animated number that needs no option; its present value does not matter. If the
+     * speed is animated in another direction than before, the value is a speed of the animation, so that the options
+     * contain that direction.
      */
     private static Studio start(Studio studio, Animation animation, Studio opened) {
         StudioNumber number = animation.number();
@@ -124,7 +125,7 @@ final class WindowCommandLine implements CommandLineWriter {
         return Optional.of(line.toString());
     }
 
-    /** What the line needs for a velocity, no letter if that has not changed; empty if no option can say it. */
+    /** The options for a velocity, no letters if it has not changed; empty if no option can express it. */
     private static Optional<String> velocity(Velocity now, Velocity before) {
         if (now.equals(before)) {
             return Optional.of("");
@@ -178,7 +179,7 @@ final class WindowCommandLine implements CommandLineWriter {
         return now.getClass() == before.getClass() ? before : (Shutter) Descriptions.standard(now.getClass());
     }
 
-    /** Whether the options can say all that has changed beside the velocity. */
+    /** Whether the options can express everything that has changed besides the velocity. */
     private static boolean isSayable(Studio studio, Studio opened) {
         Shutter now = studio.camera().shutter();
         Shutter start = withoutTime(now, opened.camera().shutter());
@@ -200,7 +201,9 @@ final class WindowCommandLine implements CommandLineWriter {
         return said.equals(studio);
     }
 
-    /** Whether components of the velocity tell its speed: near that of light they do not have the digits. */
+    /**
+     * Whether the components of the velocity give its speed: near the speed of light they do not have enough digits.
+     */
     private static boolean hasSayableComponents(Velocity velocity) {
         try {
             double gamma = Velocity.of(velocity.components()).gamma();
@@ -215,7 +218,7 @@ final class WindowCommandLine implements CommandLineWriter {
         return quoted(file.toAbsolutePath().toString());
     }
 
-    /** A text as a shell takes it for one word; Windows has other shells, and other letters in paths. */
+    /** A text in the form that a shell takes for one word; Windows has other shells, and other letters in paths. */
     private String quoted(String name) {
         boolean windows = jar.getFileSystem().getSeparator().equals("\\");
         if (name.matches(windows ? "[\\p{L}\\p{N}._\\\\:-]+" : "[\\p{L}\\p{N}._/:-]+")) {

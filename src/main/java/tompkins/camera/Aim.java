@@ -18,10 +18,10 @@ public record Aim(double right, double up) {
     /** Straight ahead. */
     public static final Aim NONE = new Aim(0, 0);
 
-    /** No camera looks steeper than that: straight along its top direction, right and left have no meaning. */
+    /** The steepest that a camera looks: straight along its top direction, right and left have no meaning. */
     public static final double STEEPEST = Math.toRadians(89.5);
 
-    /** Where a camera looks, seen from its own axes: straight ahead, and so far up. */
+    /** Where a camera looks, seen from its own axes: straight ahead, and up by some angle. */
     private static Aim of(Camera camera) {
         return new Aim(0, elevation(camera, Vectors.unit(camera.viewDirection())));
     }
@@ -30,7 +30,7 @@ public record Aim(double right, double up) {
         return Math.asin(Math.max(-1, Math.min(1, unit.dot(Vectors.unit(camera.topDirection())))));
     }
 
-    /** The angles by which one camera has to be turned to look where another one does that has the same top. */
+    /** The angles by which a camera has to be turned to look where another one looks; both have the same top. */
     public static Aim between(Camera from, Camera to) {
         Vector3d view = Vectors.unit(to.viewDirection());
         Vector3dc right = from.rightDirection();
@@ -43,7 +43,7 @@ public record Aim(double right, double up) {
         return turned(camera, right, of(camera).up + up);
     }
 
-    /** A camera that looks so far to the right of its present direction, and so high. */
+    /** A camera that looks to the right of its present direction by an angle, at a given elevation. */
     private static Camera turned(Camera camera, double right, double elevation) {
         double steep = Math.max(-STEEPEST, Math.min(STEEPEST, elevation));
         Vector3d top = Vectors.unit(camera.topDirection());
@@ -85,14 +85,14 @@ public record Aim(double right, double up) {
         return at(camera, Vectors.unit(direction), PicturePlace.MIDDLE);
     }
 
-    /** Of two angles, which may be turned once around, the one nearer to a third. */
+    /** The one of two angles that is nearer to a third; turns by 360 degrees do not count. */
     private static double nearer(double first, double second, double wanted) {
         double a = Math.IEEEremainder(first, 2 * Math.PI);
         double b = Math.IEEEremainder(second, 2 * Math.PI);
         return Math.abs(a - wanted) <= Math.abs(b - wanted) ? a : b;
     }
 
-    /** A camera whose field of view is changed by a factor, as far as it goes, while a place shows what it showed. */
+    /** A camera whose field of view is changed by a factor, as far as it goes, while a place keeps showing the same. */
     public static Camera zoomed(Camera camera, double factor, PicturePlace place) {
         Vector3dc direction = place.direction(camera);
         return at(FieldOfView.zoomed(camera, factor), direction, place);

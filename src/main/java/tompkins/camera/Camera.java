@@ -8,7 +8,7 @@ import tompkins.spacetime.SpaceTimeTransformation;
 
 /**
  * A camera, described in its own frame. Immutable, checked when it is made. {@link CameraMotion}, {@link Aim},
- * {@link FieldOfView} and {@link FocusDistance} make others of it.
+ * {@link FieldOfView} and {@link FocusDistance} make changed cameras from it.
  */
 public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
 
@@ -21,8 +21,8 @@ public sealed interface Camera permits ThinLensCamera, PanoramicCamera {
     }
 
     /**
-     * For how long the shutter stays open; 0 for an instant. Light crosses the lens from the time that the shutter
-     * model gives until so much later, and the picture is the mean over it.
+     * For how long the shutter stays open; 0 for an instant. Light crosses the lens for this long from the time that
+     * the shutter model gives, and the picture is the mean over it.
      */
     double exposureTime();
 

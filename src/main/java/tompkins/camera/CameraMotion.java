@@ -7,10 +7,7 @@ import tompkins.property.Descriptions;
 import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.Shutter;
 
-/**
- * Moves and turns cameras in their own frame. What a camera has at a place goes along: its shutter, and the surface in
- * focus.
- */
+/** Moves and turns cameras in their own frame. Its shutter and the surface in focus go along. */
 public final class CameraMotion {
 
     private CameraMotion() {}
@@ -51,7 +48,7 @@ public final class CameraMotion {
         return CameraAxes.of(camera.viewDirection(), camera.topDirection());
     }
 
-    /** Sets the place and the directions as given: where they stay they are not rounded. */
+    /** Sets the place and the directions as given, so that those that do not change are not rounded. */
     private static Camera moved(Camera camera, RigidMotion motion, Vector3dc position, Vector3dc view, Vector3dc top) {
         return Descriptions.changed(camera, (name, value) -> switch (name) {
             case "position" -> position;

@@ -34,7 +34,7 @@ public interface CameraRays {
 
     /**
      * What the shutter knows of the ray through the centre of the lens in a unit direction: focused where the camera is
-     * focused there if lens or shutter ask for that, otherwise, and where nothing is in focus, at infinity.
+     * focused in that direction, if lens or shutter need it; otherwise, or if nothing is in focus there, at infinity.
      */
     LensRay chiefRay(Vector3dc direction);
 

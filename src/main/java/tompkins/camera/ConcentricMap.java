@@ -1,6 +1,9 @@
 package tompkins.camera;
 
-/** The concentric map of the unit square to the unit disc (Shirley and Chiu 1997): even, and squares stay compact. */
+/**
+ * The concentric map of the unit square to the unit disc (Shirley and Chiu 1997): it keeps shares of the area, and
+ * squares stay compact.
+ */
 public final class ConcentricMap {
 
     private ConcentricMap() {}

@@ -10,13 +10,13 @@ import tompkins.property.Require;
  */
 public final class FieldOfView {
 
-    /** The least and the largest field of view to which it is changed by a factor, in degrees. */
+    /** The least and the largest field of view that a factor leads to, in degrees. */
     private static final double NARROWEST = 1e-3;
 
     private static final double WIDEST_LENS = 170;
     private static final double WIDEST_PANORAMA = 360;
 
-    /** Half an angle becomes its tangent and comes back, so that digits after them are rounding. */
+    /** Digits of an angle that is worked out by way of its tangent; the rest is rounding. */
     private static final int ANGLE_DIGITS = 12;
 
     private FieldOfView() {}

@@ -11,7 +11,7 @@ import tompkins.sceneobject.SceneObject;
 /** The surface on which a camera is focused: any scene object, at rest in the camera frame. */
 final class FocusSurface {
 
-    /** Objects of all lengths that can be worked with are nearer; the times of what is farther away are no times. */
+    /** All objects of usable size are nearer; from farther away no time can be worked out. */
     private static final double INFINITE = 1e60;
 
     private final List<Primitive> primitives;
@@ -28,8 +28,8 @@ final class FocusSurface {
     }
 
     /**
-     * The inverse of the signed distance from the centre of the lens to the surface along a unit direction: of the
-     * nearest part in front, else of the nearest behind, 0 at infinity, which begins at 1e60; NaN if the line misses
+     * The inverse of the signed distance from the centre of the lens to the surface along a unit direction: that of the
+     * nearest part in front, else of the nearest behind; 0 at infinity, which begins at 1e60; NaN if the line misses
      * the surface.
      */
     double inverseDistance(Vector3dc centre, Vector3dc direction) {

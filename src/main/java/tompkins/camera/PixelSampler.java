@@ -9,11 +9,11 @@ import tompkins.ray.RayPacket;
  * for each thread.
  *
  * <p>The places are the points of a five-dimensional Sobol sequence, scrambled differently in each pixel (Owen
- * scrambling by hashing: Laine and Karras 2011): every power of two of first samples fills pixel, lens and exposure
- * time evenly. Of the samplers that were compared it needs the least time for the same error of a picture (see the
- * charts of the aperture in docs/speed-and-accuracy.md). It works through a block in short loops, of which the compiler
- * makes instructions for several pixels at once: two thirds of the time of one pixel after the other, most of which
- * goes into the lens.
+ * scrambling by hashing: Laine and Karras 2011): the first 2^n samples fill pixel, lens and exposure time evenly for
+ * every n. Among the samplers that were compared it needs the least time for the same error of a picture (see the
+ * charts of the aperture in docs/speed-and-accuracy.md). It works through a block in short loops, from which the
+ * compiler makes instructions for several pixels at once; this takes two thirds of the time of one pixel after the
+ * other.
  */
 public final class PixelSampler {
 
@@ -84,7 +84,8 @@ public final class PixelSampler {
             coordinates(2, places.x, count);
             coordinates(3, places.y, count);
         } else if (wideAperture) {
-            // of the last three, 2 and 4 go together worst: neither is the moment, which blurs more than the pixel
+            // among the last three, 2 and 4 combine worst, so that neither is the moment, which blurs more than the
+            // pixel
             coordinates(3, places.moments, count);
             coordinates(2, places.x, count);
             coordinates(4, places.y, count);

@@ -41,7 +41,7 @@ public final class SamplePlaces {
         return count;
     }
 
-    /** Forgets all places. */
+    /** Removes all places. */
     public void clear() {
         count = 0;
     }

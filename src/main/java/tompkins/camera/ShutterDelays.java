@@ -16,7 +16,7 @@ final class ShutterDelays {
     /** The delay of each line. */
     private final double[] ofLines;
 
-    /** The delays in a picture of a camera, of so many pixels in a row and in a column. */
+    /** The delays for the pictures of a camera with a given width and height in pixels. */
     ShutterDelays(Camera camera, int width, int height) {
         exposureTime = camera.exposureTime();
         RollingShutter rolling = camera.rollingShutter();

@@ -5,7 +5,7 @@ import org.hipparchus.random.SobolSequenceGenerator;
 
 /**
  * Points of a five-dimensional Sobol sequence with Owen's scrambling. The sequence itself comes from a library, as
- * 32-bit fractions; each use scrambles it by its own hash, which keeps every power of two of points evenly spread.
+ * 32-bit fractions; each use scrambles it by its own hash, which keeps the first 2^n points evenly spread for every n.
  */
 final class SobolPoints {
 
@@ -109,8 +109,8 @@ final class SobolPoints {
     }
 
     /**
-     * Reverses the bits. In two loops of shifts: the compiler has no instruction for several numbers at once, and long
-     * loops stay slow.
+     * Reverses the bits. Done in two loops of shifts, because there is no instruction that does it for several numbers
+     * at once, and long loops stay slow.
      */
     private static void reverse(int[] values, int count) {
         for (int i = 0; i < count; i++) {

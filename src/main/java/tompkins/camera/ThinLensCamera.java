@@ -116,7 +116,7 @@ public record ThinLensCamera(
                     "a surface of at most " + NumberText.of(SceneObject.MOST_PRIMITIVES) + " primitives",
                     NumberText.of(focus.primitiveCount()));
         }
-        // refuses what cannot be worked with
+        // refuses sizes that cannot be worked with
         new FocusSurface(focus);
         Require.within("exposureStops", exposureStops, -100.0, 100.0);
         Require.present("shutter", shutter);

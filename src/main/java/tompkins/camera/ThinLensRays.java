@@ -29,7 +29,7 @@ final class ThinLensRays implements CameraRays {
     private final double slopePerRow;
     private final double pixelAngle;
 
-    // the axes as plain numbers, for every ray asks for them
+    // the axes as plain numbers, because every ray asks for them
     private final double rightX;
     private final double rightY;
     private final double rightZ;
@@ -114,8 +114,8 @@ final class ThinLensRays implements CameraRays {
     }
 
     /**
-     * Sets all directions to those through the centre of the lens. Several short loops: the compiler makes no
-     * instructions for several rays at once of a long one.
+     * Sets all directions to those through the centre of the lens. Short loops, because the compiler makes no
+     * instructions for several rays at once from a long one.
      */
     private void aim(SamplePlaces places, RayPacket rays) {
         int count = places.count();

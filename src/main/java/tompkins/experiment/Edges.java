@@ -13,7 +13,7 @@ import tompkins.ray.Colour;
  */
 final class Edges {
 
-    /** Rays per pixel of the way: what is narrower than half a pixel may be missed. */
+    /** Rays per pixel of the way; objects narrower than half a pixel may be missed. */
     private static final int RAYS_PER_PIXEL = 2;
 
     private static final int MOST_RAYS = 20_000;
@@ -24,10 +24,13 @@ final class Edges {
     /** The least difference of colours at an edge; see {@link #difference}. */
     private static final double JUMP = 0.1;
 
-    /** Added to the brightness to which a difference is compared, so that nothing jumps in the dark; white is 1. */
+    /**
+     * Added to the brightness with which a difference is compared, so that noise in the dark is not an edge; white is
+     * 1.
+     */
     private static final double DARK = 0.02;
 
-    /** Of different objects, whatever their colours: more than of any colours. */
+    /** The difference between different objects, whatever their colours: more than between any colours. */
     private static final double OTHER_OBJECT = 1;
 
     private final PictureRays rays;
@@ -37,7 +40,7 @@ final class Edges {
         this.rays = rays;
     }
 
-    /** The places just behind the edges on a way, in their order, until there are so many. */
+    /** The places just behind the first edges on a way, in their order, up to a number. */
     List<Place> on(Place from, Place to, int most) {
         List<Place> found = new ArrayList<>();
         int steps = steps(from, to);

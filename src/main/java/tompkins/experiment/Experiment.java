@@ -19,7 +19,9 @@ import tompkins.property.InvalidPropertyException;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
 
-/** Measures the measurements of lessons in the picture of one studio. It takes rays alone, and so milliseconds. */
+/**
+ * Measures the measurements of lessons in the picture of one studio. It only follows rays, which takes milliseconds.
+ */
 public final class Experiment {
 
     private final Studio studio;

@@ -26,9 +26,9 @@ final class LensWays {
 
     /**
      * The largest distance, in scene units, between the places in the scene at which the rays of a place of the picture
-     * pass the point in which they all meet in the camera frame.
+     * pass the point where they all meet in the camera frame.
      *
-     * @throws InvalidPropertyException if they meet nowhere
+     * @throws InvalidPropertyException if they do not meet
      */
     double spread(Place place) {
         Vector3dc focus = meeting(rays.life(place, 0, 0), rays.life(place, 1, 0));

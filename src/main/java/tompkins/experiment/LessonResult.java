@@ -3,14 +3,14 @@ package tompkins.experiment;
 import tompkins.lesson.LessonNumber;
 
 /**
- * What the measurement of a lesson's number gave.
+ * The result of measuring a number of a lesson.
  *
  * @param number what was to be measured
  * @param measured what was measured, in the unit of the number
  */
 public record LessonResult(LessonNumber number, double measured) {
 
-    /** How much more was measured than the formula says. */
+    /** By how much the measured value is above that of the formula. */
     public double error() {
         return measured - number.value();
     }

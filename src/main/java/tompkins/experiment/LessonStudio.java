@@ -26,8 +26,8 @@ public record LessonStudio(Studio studio, Lesson lesson, StudioNumber number) {
     /**
      * The studio with its lesson; empty if it has none.
      *
-     * @throws InvalidPropertyException if the lesson moves a number that the studio does not have, or to where the
-     *     studio does not accept it; the message names the place in the studio
+     * @throws InvalidPropertyException if the lesson moves a number that the studio does not have, or moves it to a
+     *     value that the studio does not accept; the message names the place in the studio
      */
     public static Optional<LessonStudio> of(Studio studio) {
         if (!(studio.lesson() instanceof Lesson lesson)) {
@@ -41,7 +41,10 @@ public record LessonStudio(Studio studio, Lesson lesson, StudioNumber number) {
         return Optional.of(new LessonStudio(studio, lesson, number));
     }
 
-    /** A studio with the number that its lesson moves as it is in an earlier one; as it is if there is none in both. */
+    /**
+     * A studio with the number that its lesson moves set back to its value in an earlier studio; unchanged if not both
+     * have such a number.
+     */
     public static Studio unmoved(Studio studio, Studio earlier) {
         try {
             return of(studio)

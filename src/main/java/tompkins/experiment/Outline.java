@@ -6,7 +6,7 @@ import org.joml.Vector3dc;
 import tompkins.measure.CircleFit;
 import tompkins.property.InvalidPropertyException;
 
-/** The outline of something in a picture: where the first edge is met on the way outwards, all round. */
+/** The outline of something in a picture: where the first edge is met on the way outwards in many directions. */
 final class Outline {
 
     private static final int WAYS = 64;

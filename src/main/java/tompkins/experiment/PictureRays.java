@@ -9,7 +9,10 @@ import tompkins.studio.Studio;
 import tompkins.trace.RayLife;
 import tompkins.trace.RenderPlan;
 
-/** The rays of one picture, each through the centre of the lens in the middle of the exposure, and what they tell. */
+/**
+ * The rays of one picture, each through the centre of the lens in the middle of the exposure, and what is read from
+ * them.
+ */
 final class PictureRays {
 
     private final RenderPlan plan;
@@ -31,7 +34,7 @@ final class PictureRays {
     /**
      * What a place shows.
      *
-     * @throws InvalidPropertyException if no ray comes there through the shutter
+     * @throws InvalidPropertyException if no ray comes through the shutter there
      */
     Sighting at(Place place) {
         return new Sighting(plan.studio(), place.x(plan.width()), place.y(plan.height()), life(place, 0, 0));
@@ -53,9 +56,9 @@ final class PictureRays {
     }
 
     /**
-     * What a ray tells.
+     * What is read from a ray.
      *
-     * @throws InvalidPropertyException if it does not meet what could tell it
+     * @throws InvalidPropertyException if it meets nothing from which this could be read
      */
     double read(Place place, RayValue value) {
         Sighting sighting = at(place);

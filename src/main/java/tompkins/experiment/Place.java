@@ -25,7 +25,7 @@ record Place(double across, double down) {
         return new Place(across + share * (other.across - across), down + share * (other.down - down));
     }
 
-    /** The place as a message writes it. */
+    /** The place in the form that messages use. */
     String text() {
         return String.format(Locale.ROOT, "across %.4g, down %.4g", across, down);
     }

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** The formats in which animations are saved. They play for ever, where the format can say so. */
+/** The formats in which animations are saved. They play forever if the format can say so. */
 public enum AnimationFormat {
 
     /** Animated PNG: exact. The scene of the first frame travels inside. */
@@ -42,7 +42,7 @@ public enum AnimationFormat {
     /**
      * The format for a name: that of its ending, and numbered pictures for a name without one.
      *
-     * @throws FileException if the ending is that of no animation
+     * @throws FileException if no animation has this ending
      */
     public static AnimationFormat of(Path target) throws FileException {
         for (AnimationFormat format : values()) {
@@ -74,8 +74,8 @@ public enum AnimationFormat {
     }
 
     /**
-     * Begins an animation that replaces nothing: if its name is taken when it is complete, it gets the same with a
-     * number. Else as {@link #open}.
+     * Begins an animation that replaces nothing: if its name is taken when it is complete, it gets a name with a
+     * number. Otherwise as {@link #open}.
      */
     public AnimationWriter openNew(Path target, int framesPerSecond) throws FileException {
         return open(target, framesPerSecond, file -> {

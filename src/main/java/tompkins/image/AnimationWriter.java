@@ -6,8 +6,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 
 /**
- * An animation that is being saved, frame by frame: no more than a frame is held in memory. It appears under its name
- * with {@link #finish}; closed without it, it leaves no trace. For one thread at a time.
+ * An animation that is being saved frame by frame; only one frame is held in memory. It appears under its name with
+ * {@link #finish}; if it is closed without that, it leaves no trace. For one thread at a time.
  *
  * <pre>{@code
  * try (AnimationWriter animation = AnimationFormat.GIF.open(file, 25)) {
@@ -99,7 +99,7 @@ public abstract sealed class AnimationWriter implements Closeable
         }
     }
 
-    /** After a failure nothing can be added: half a frame may be in the file. */
+    /** Whether it failed: nothing can be added then, because half a frame may be in the file. */
     private FileException givenUp(IOException cause) {
         FileException failure = FileException.cannotWrite(pending, cause);
         try {

@@ -8,8 +8,8 @@ import java.util.Arrays;
 
 /**
  * Reads BMP pictures (Microsoft's device-independent bitmaps, all versions). Pixels of 16 and 32 bits, whose channels
- * are told by masks, are read here: the JDK's reader knows no opacity at 16 bits and no mask without bits. It reads the
- * others.
+ * are given by masks, are read here, because the JDK's reader knows no opacity at 16 bits and no mask without bits. It
+ * reads the others.
  */
 final class BmpReader {
 
@@ -89,7 +89,10 @@ final class BmpReader {
                 : LibraryReader.read(PictureEncoding.BMP, reader.withoutProfile(), name);
     }
 
-    /** The file, which says that its colours are those of screens: nobody has to understand its profile. */
+    /**
+     * The file with a header that says that its colours are those of screens, so that nothing has to understand its
+     * profile.
+     */
     private byte[] withoutProfile() {
         byte[] plain = file.array().clone();
         if (headerLength >= HEADER_WITH_COLOUR_SPACE) {
@@ -123,7 +126,7 @@ final class BmpReader {
         int bytes = bits / 8;
         long rowBytes = (width * (long) bytes + 3) / 4 * 4;
         int start = pixelsAt();
-        // The last row may go without what fills it up.
+        // The last row may lack its padding.
         if (file.capacity() - start < rowBytes * (rows - 1) + (long) width * bytes) {
             throw new EOFException("the file ends inside its pixels");
         }
@@ -137,7 +140,7 @@ final class BmpReader {
         return new Pixels(width, rows, rgba);
     }
 
-    /** The masks of red, green, blue and opacity; one without bits is of a channel that is not there. */
+    /** The masks of red, green, blue and opacity; one without bits belongs to a channel that is not there. */
     private long[] masks() throws FileException {
         long[] masks = bits == 16 ? new long[] {0x7c00, 0x3e0, 0x1f, 0} : new long[] {0xff0000, 0xff00, 0xff, 0};
         int masksAt = HEADER_AT + USUAL_HEADER;

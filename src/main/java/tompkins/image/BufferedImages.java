@@ -39,7 +39,7 @@ public final class BufferedImages {
                         | levels.level(rgb[index + 1]) << 8
                         | levels.level(rgb[index + 2]);
             }
-            // Row by row: an image whose data buffer was asked for is slow to draw for ever after.
+            // Row by row, because an image whose data buffer was ever asked for stays slow to draw.
             raster.setDataElements(0, y, width, 1, row);
         }
         return result;

@@ -13,12 +13,12 @@ public final class FileException extends IOException {
 
     private static final long serialVersionUID = 1;
 
-    /** With a message that is complete. */
+    /** Takes a complete message. */
     public FileException(String message) {
         super(message);
     }
 
-    /** With a message that is complete, and what led to it. */
+    /** Takes a complete message and the cause. */
     public FileException(String message, Throwable cause) {
         super(message, cause);
     }
@@ -50,7 +50,7 @@ public final class FileException extends IOException {
                 || root instanceof EOFException
                 || root instanceof ZipException
                 || root instanceof IIOException) {
-            // What a reader says when it stumbles over a damaged file is about the reader.
+            // What a reader says about a damaged file is about the reader, not about the file.
             return "the file ends too early or contradicts itself";
         }
         return root instanceof IOException io ? FileFailure.reason(io) : root.toString();

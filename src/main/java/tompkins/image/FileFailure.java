@@ -17,7 +17,7 @@ public final class FileFailure {
 
     private FileFailure() {}
 
-    /** Why no file can have a name: often it is not the name that is at fault, but the locale. */
+    /** Why no file can have a name; often the locale is at fault, not the name. */
     public static String reason(InvalidPathException failure) {
         String encoding = System.getProperty("sun.jnu.encoding", "");
         String name = failure.getInput();

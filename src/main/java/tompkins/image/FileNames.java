@@ -11,8 +11,8 @@ import java.nio.file.StandardCopyOption;
 import java.util.stream.Stream;
 
 /**
- * Gives a complete file or folder its name, in the same file system. Taking a name is at once the check that it is
- * free, so that of two programs that want one name neither loses what it has made.
+ * Gives a complete file or folder its name, in the same file system. Taking a name also checks that it is free, so that
+ * neither of two programs that want one name loses what it has made.
  */
 final class FileNames {
 
@@ -28,7 +28,7 @@ final class FileNames {
         return name;
     }
 
-    /** Takes a name for a file; if it is not free, the same with the first free number before its ending. */
+    /** Takes a name for a file; if it is not free, takes the same name with the first free number before its ending. */
     static Path takeForFile(Path complete, Path wanted) throws IOException {
         Path name = wanted;
         for (int number = 2; !takes(complete, name); number++) {
@@ -54,7 +54,7 @@ final class FileNames {
         return file.resolveSibling(name.substring(0, end) + "-" + number + name.substring(end));
     }
 
-    /** Whether a name could be had: a link is made where there is nothing, or not at all. */
+    /** Tries to take a name: a link is made only where there is nothing yet. */
     private static boolean takes(Path complete, Path name) throws IOException {
         try {
             Files.createLink(name, complete);
@@ -62,12 +62,12 @@ final class FileNames {
         } catch (FileAlreadyExistsException taken) {
             return false;
         } catch (UnsupportedOperationException | FileSystemException noLinksHere) {
-            // what createLink is specified to throw where a file system has no links
+            // this is what createLink throws if a file system has no links
             return takesWithoutLinks(complete, name);
         }
     }
 
-    /** As above, by an empty file that only one can make. */
+    /** As above, with an empty file, which only one program can make. */
     private static boolean takesWithoutLinks(Path complete, Path name) throws IOException {
         try {
             Files.createFile(name);
@@ -83,7 +83,7 @@ final class FileNames {
         return true;
     }
 
-    /** As above for a folder, which systems put in the place of an empty one at most. */
+    /** As above for a folder, which may replace an empty folder at most. */
     private static boolean takesAsFolder(Path complete, Path name) throws IOException {
         try {
             moveFolder(complete, name);

@@ -21,7 +21,7 @@ final class GifReader {
      * @throws IOException if the file is damaged
      */
     static Pixels read(byte[] file, String name) throws IOException {
-        // The reader makes the whole screen, of which the first frame may be a part.
+        // The reader makes the whole screen, and the first frame may be only a part of it.
         Pixels.requireSize(littleEndian(file, SCREEN_AT), littleEndian(file, SCREEN_AT + 2), name);
         requireReadable(file, name);
         return LibraryReader.read(PictureEncoding.GIF, file, name);
@@ -32,7 +32,7 @@ final class GifReader {
         try (ImageInputStream stream = new ByteArrayImageInputStream(file)) {
             reader.setInput(stream, true, true);
             if (reader.getHeight(0) < LOWEST_INTERLACED && isInterlaced(reader)) {
-                // The JDK's reader gives such a picture without an error, but with the rows after the first missing.
+                // The JDK's reader gives such a picture without an error, but without the rows after the first.
                 throw new FileException(name + ": an interlaced GIF picture must have " + LOWEST_INTERLACED
                         + " rows or more, has " + reader.getHeight(0) + "; save it without interlacing");
             }

@@ -12,13 +12,13 @@ import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
-/** An animated GIF that plays for ever; each frame has its own palette. */
+/** An animated GIF that plays forever; each frame has its own palette. */
 final class GifWriter extends AnimationWriter {
 
     private static final String NATIVE = "javax_imageio_gif_image_1.0";
     private static final int LARGEST_SIDE = 65535;
 
-    /** Browsers take shorter delays for a mistake and play slowly. */
+    /** Browsers take shorter delays for mistakes and play slowly. */
     private static final int SHORTEST_DELAY = 2;
 
     private final int framesPerSecond;
@@ -62,7 +62,8 @@ final class GifWriter extends AnimationWriter {
     }
 
     /**
-     * Whole hundredths of a second whose sum stays with the time, up to 50 frames a second; what is faster is slowed.
+     * Whole hundredths of a second whose sum keeps up with the time, up to 50 frames a second; faster animations are
+     * slowed down.
      */
     private IIOMetadataNode delayNode(int index) {
         long delay = Math.round(100.0 * (index + 1) / framesPerSecond) - Math.round(100.0 * index / framesPerSecond);

@@ -8,8 +8,8 @@ import java.util.Arrays;
 
 /**
  * Reads JPEG pictures (ITU-T T.81) with the JDK's reader, which is handed a plain file: left to itself, it converts by
- * embedded profiles, takes pictures without a marker of JFIF or Adobe for RGB that are YCbCr, and gives no reason when
- * it refuses one.
+ * embedded profiles, takes YCbCr pictures without a marker of JFIF or Adobe for RGB, and gives no reason when it
+ * refuses a picture.
  */
 final class JpegReader {
 
@@ -27,7 +27,7 @@ final class JpegReader {
     private static final int FIRST_BARE = 0xd0;
 
     /**
-     * Of the segments that begin a frame, those that are none: tables, an extension, conditioning of arithmetic codes.
+     * Codes among those of frames that do not begin a frame: tables, an extension, conditioning of arithmetic codes.
      */
     private static final byte[] NO_FRAMES = {(byte) 0xc4, (byte) 0xc8, (byte) 0xcc};
 
@@ -72,7 +72,7 @@ final class JpegReader {
         return reader.orientation.turn(LibraryReader.read(PictureEncoding.JPEG, reader.plainFile(), name));
     }
 
-    /** The file with one marker for what its colours are, and without profiles, small pictures and remarks. */
+    /** The file with one marker that says what its colours are, and without profiles, thumbnails and comments. */
     private byte[] plainFile() {
         ByteArrayOutputStream plain = new ByteArrayOutputStream(file.length);
         plain.write(0xff);
@@ -84,7 +84,8 @@ final class JpegReader {
     }
 
     /**
-     * As the library of the Independent JPEG Group decides: by JFIF, then Adobe's marker, then the components' names.
+     * Decides as the library of the Independent JPEG Group does: by JFIF, then Adobe's marker, then the components'
+     * names.
      */
     private boolean isRgb() {
         return components.length == 3
@@ -113,7 +114,7 @@ final class JpegReader {
         }
     }
 
-    /** Where the code of the next marker is; bytes of 255 before it fill up. */
+    /** The place of the code of the next marker; bytes of 255 before it are padding. */
     private int nextMarker(int from) throws IOException {
         int at = from;
         while (unsigned(at) != 0xff) {

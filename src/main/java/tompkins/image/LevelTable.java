@@ -1,8 +1,8 @@
 package tompkins.image;
 
 /**
- * The 8-bit levels of a tone curve without its powers: the same level as {@link ToneCurve#quantise} for every float, at
- * the price of a look-up. A window that shows thirty pictures a second has no time for a million powers each.
+ * The 8-bit levels of a tone curve without working out its powers: the same level as {@link ToneCurve#quantise} for
+ * every float, by a look-up. A window that shows thirty pictures a second has no time for a million powers each.
  */
 final class LevelTable {
 
@@ -39,7 +39,7 @@ final class LevelTable {
         return light >= threshold[level + 1] ? level + 1 : level;
     }
 
-    /** Bisects the floats from 0 to 1, whose bits are ordered as they are. */
+    /** Bisects the floats from 0 to 1, which have the same order as their bits. */
     private static float smallestLight(ToneCurve curve, int level) {
         int below = Float.floatToIntBits(0f);
         int reaches = Float.floatToIntBits(1f);

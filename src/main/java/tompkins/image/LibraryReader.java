@@ -33,7 +33,7 @@ final class LibraryReader {
             Pixels.requireSize(reader.getWidth(0), reader.getHeight(0), name);
             BufferedImage image = reader.read(0, reader.getDefaultReadParam());
             for (String warning : warnings) {
-                // A JPEG picture that ends too early is filled with grey, and only a warning tells.
+                // A JPEG picture that ends too early is filled with grey, and only a warning says so.
                 if (warning.startsWith("Truncated File") || warning.contains("premature end")) {
                     throw new EOFException(warning);
                 }

@@ -20,7 +20,7 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
-/** H.264 video, by feeding the pixels to the program ffmpeg. What it complains of becomes the message. */
+/** H.264 video, made by feeding the pixels to the program ffmpeg. What it complains about becomes the message. */
 final class Mp4Writer extends AnimationWriter {
 
     /** What the system says, and ffmpeg at the end of a line. */
@@ -93,10 +93,10 @@ final class Mp4Writer extends AnimationWriter {
         String input = "-f rawvideo -pix_fmt rgb24 -s " + width + "x" + height + " -r " + framesPerSecond + " -i -";
         // The colours of yuv420p cover two by two pixels: an odd picture gets a black row or column.
         String shape = "-vf pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv";
-        // A player that is not told how colours are coded guesses, and may turn green into something darker.
+        // A player that does not know how colours are coded guesses, and may make green darker.
         String colours = "-colorspace bt709 -color_range tv -color_primaries bt709 -color_trc iec61966-2-1";
         String output = "-c:v libx264 -pix_fmt yuv420p -crf 18 -movflags +faststart -f mp4";
-        // without -xerror it counts a film as made whose end did not fit on the disk
+        // without -xerror it counts a film as complete even if its end did not fit on the disk
         List<String> command = new ArrayList<>(List.of(program.toString(), "-y", "-loglevel", "error", "-xerror"));
         command.addAll(List.of(String.join(" ", input, shape, colours, output).split(" ")));
         command.add(pending().path().toString());
@@ -139,9 +139,9 @@ final class Mp4Writer extends AnimationWriter {
         }
     }
 
-    /** What ffmpeg says is the reason; that it no longer reads is only the consequence. */
+    /** The reason is what ffmpeg says; that it no longer reads is only a consequence. */
     private IOException failure(IOException consequence) throws IOException {
-        // not by the process itself, which would close what it complains through
+        // not by the process itself, which would close the stream of its complaints
         process.toHandle().destroy();
         int exitCode = process.onExit().join().exitValue();
         if (pending().isEnded()) {
@@ -159,17 +159,19 @@ final class Mp4Writer extends AnimationWriter {
             return FULL_DISK;
         }
         String last = complaints.isEmpty() ? "" : ": " + complaints.get(complaints.size() - 1);
-        // nobody knows the hidden place
+        // the hidden place means nothing to the user
         return "ffmpeg failed with exit code " + exitCode
                 + last.replace(pending().path().toString(), pending().toString());
     }
 
-    /** The last lines that a program writes. They are kept in memory: the disk may be what is full. */
+    /** The last lines that a program writes, kept in memory because the disk may be full. */
     private static final class Complaints {
 
         private static final int MOST_LINES = 20;
 
-        /** Whatever the program has started may live on and keep the stream open. */
+        /**
+         * How long to wait for the end of the stream: programs that this one has started may live on and keep it open.
+         */
         private static final long PATIENCE_MILLISECONDS = 1000;
 
         private final Deque<String> lines = new ArrayDeque<>();

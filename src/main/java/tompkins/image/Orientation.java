@@ -1,8 +1,8 @@
 package tompkins.image;
 
 /**
- * How the rows and columns of a file lie in its picture, as the orientation tag of TIFF and Exif tells it (TIFF 6.0,
- * page 36). Each constant names the side on which the first row lies, and then the side of the first column.
+ * How the rows and columns of a file lie in its picture, as the orientation tag of TIFF and Exif says (TIFF 6.0, page
+ * 36). Each constant names the side on which the first row lies, and then the side of the first column.
  */
 enum Orientation {
     TOP_LEFT(false, false, false),

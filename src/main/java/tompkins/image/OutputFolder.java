@@ -9,8 +9,8 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 
 /**
- * A folder for files that are about to be written. It is made if there is none, and goes again when it is closed, or
- * the program is stopped, and nothing has come into it.
+ * A folder for files that are about to be written. It is made if there is none. If nothing has come into it, it is
+ * removed when it is closed or the program is stopped.
  */
 public final class OutputFolder implements Closeable {
 

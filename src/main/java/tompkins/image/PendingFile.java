@@ -18,9 +18,9 @@ import java.util.stream.Stream;
 
 /**
  * A file, or a folder of files, that appears in its place only when it is complete. Until {@link #commit} it lies,
- * under its own name, in a folder of its own beside that place: a name that cannot be had is refused at once, not after
- * the work. {@link #close} without it removes every trace, and what was there before stays; so does the end of the
- * program.
+ * under its own name, in a folder of its own beside that place, so that a name that is not allowed is refused at once
+ * and not after the work. {@link #close} without a commit removes every trace, and what was there before stays; the end
+ * of the program does the same.
  */
 public final class PendingFile implements Closeable {
 
@@ -37,7 +37,10 @@ public final class PendingFile implements Closeable {
     private final Path room;
     private final Path temporary;
 
-    /** What writes here and is not closed yet. It is stopped before the file is removed, or it would write on. */
+    /**
+     * What writes here and is not closed yet. It is stopped before the file is removed; otherwise it would go on
+     * writing.
+     */
     private final List<Closeable> writers = new ArrayList<>();
 
     private boolean ended;
@@ -85,7 +88,7 @@ public final class PendingFile implements Closeable {
     }
 
     /**
-     * Refuses what must not be replaced by a file, although it has the name.
+     * Refuses a name that belongs to something that must not be replaced by a file.
      *
      * @throws IOException if the name is that of a folder, a device, a pipe, a file that is write-protected, or a link
      *     to nothing or to a file of another kind
@@ -105,7 +108,7 @@ public final class PendingFile implements Closeable {
         }
     }
 
-    /** What a link points to; what is no link stays as it is. */
+    /** What a link points to; anything else stays as it is. */
     private static Path followed(Path target) throws IOException {
         if (!Files.isSymbolicLink(target)) {
             return target;
@@ -217,7 +220,7 @@ public final class PendingFile implements Closeable {
     }
 
     /**
-     * Takes notice of something that writes here, and returns it. It is closed before the file is removed.
+     * Registers something that writes here, and returns it. It is closed before the file is removed.
      *
      * @throws InterruptedIOException if that has happened already; it is then closed
      */
@@ -264,7 +267,7 @@ public final class PendingFile implements Closeable {
             try {
                 writer.close();
             } catch (IOException e) {
-                // what is thrown away need not be complete
+                // it is thrown away, so it need not be complete
             }
         }
         writers.clear();

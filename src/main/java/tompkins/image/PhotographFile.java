@@ -26,7 +26,7 @@ public final class PhotographFile {
      * Saves a photograph, in the place of the file that has its name, if there is one. The file appears complete or not
      * at all, and what was there before stays until then. The same arguments give the same bytes.
      *
-     * @param curve how light becomes levels; formats that hold the light itself do without
+     * @param curve how light becomes levels; formats that hold the light itself do not need it
      * @throws FileException if the file's name does not fit the format, or the file cannot be written
      */
     public static void write(Path file, LinearImage image, PictureFormat format, ToneCurve curve, PhotographInfo info)
@@ -66,7 +66,7 @@ public final class PhotographFile {
     }
 
     /**
-     * Whether a file is a picture, by its name or by how it begins; it need hold no scene.
+     * Whether a file is a picture, by its name or by how it begins; it need not hold a scene.
      *
      * @throws IOException if the file cannot be read
      */
@@ -81,7 +81,7 @@ public final class PhotographFile {
     }
 
     /**
-     * Tries whether a photograph can be saved, before the time is spent on taking it. Leaves everything as it was.
+     * Checks whether a photograph can be saved, before time is spent on taking it. Leaves everything as it was.
      *
      * @throws FileException if there is no such folder, or no permission to write there
      */
@@ -106,8 +106,8 @@ public final class PhotographFile {
     }
 
     /**
-     * The scene in a saved photograph, as it was given to {@link #write}; line ends may be line feeds instead, and
-     * letters may stand for escapes of JSON. The file is recognised by its content, not by its name.
+     * The scene in a saved photograph, as it was given to {@link #write}; line ends may have become line feeds, and
+     * letters may have become escapes of JSON or the reverse. The file is recognised by its content, not by its name.
      *
      * @return the JSON of the scene; empty if the picture holds none
      * @throws FileException if the file cannot be read, is damaged, or is not a PNG, TIFF or Radiance picture
@@ -118,7 +118,7 @@ public final class PhotographFile {
         } catch (IOException e) {
             throw FileException.cannotRead(file, e);
         } catch (RuntimeException e) {
-            // The readers trust the file and fail in any way when it is damaged.
+            // The readers trust the file, and can fail in any way if it is damaged.
             throw FileException.cannotRead(file, new IOException(e));
         }
     }
@@ -146,8 +146,8 @@ public final class PhotographFile {
     }
 
     /**
-     * Tries whether the picture of a saved photograph is whole, by reading its last row; its scene, which comes first,
-     * may be found in spite of damage. Does nothing for a file that is no picture, such as a scene file.
+     * Checks that the picture of a saved photograph is whole by reading it to its last row: the scene comes first and
+     * may be found in spite of damage. Does nothing for a file that is not a picture, such as a scene file.
      *
      * @throws FileException if the picture is damaged
      */
@@ -176,7 +176,7 @@ public final class PhotographFile {
         ImageReader reader = ImageProviders.reader(encoding);
         try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {
             if (encoding == PictureEncoding.TIFF) {
-                // Another program may have packed it anew, in a way that is not read.
+                // Another program may have packed it again, in a way that is not read.
                 TiffKind.of(TiffDirectory.read(stream), file.toString());
                 stream.seek(0);
             }

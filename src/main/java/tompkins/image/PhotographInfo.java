@@ -11,7 +11,7 @@ import tompkins.property.InvalidPropertyException;
  */
 public record PhotographInfo(String title, String software, String sceneJson) {
 
-    /** The most characters that a scene may have; no file that claims more is believed. */
+    /** The most characters that a scene may have; a file that claims more is refused. */
     public static final int LONGEST_SCENE = 16 << 20;
 
     /** The most bytes that such a scene takes in a file, where a character may become an escape of six. */

@@ -18,7 +18,7 @@ enum PictureEncoding {
     /** As many bytes as the longest of the beginnings. */
     static final int LONGEST_START = 8;
 
-    /** What is read, for messages. */
+    /** The encodings that are read, for messages. */
     static final String ALLOWED = "PNG, JPEG, GIF, BMP, TIFF and Radiance HDR";
 
     private final String label;
@@ -31,7 +31,7 @@ enum PictureEncoding {
                 .toList();
     }
 
-    /** The encoding of a file that begins with these bytes; none if it is not one of them. */
+    /** The encoding of a file that begins with these bytes; empty if it is none of these. */
     static Optional<PictureEncoding> of(byte[] file) {
         return Stream.of(values()).filter(encoding -> encoding.begins(file)).findFirst();
     }

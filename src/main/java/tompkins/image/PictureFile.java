@@ -49,7 +49,7 @@ public final class PictureFile {
         } catch (FileException e) {
             throw e;
         } catch (IOException | RuntimeException e) {
-            // The readers trust the file and fail in any way when it is damaged.
+            // The readers trust the file, and can fail in any way if it is damaged.
             throw damaged(encoding, name, FileException.reason(e), e);
         }
     }

@@ -27,7 +27,7 @@ public final class PictureLabel {
     private static final double MARGIN = 0.6;
     private static final double HALF_MARGIN = 0.25;
 
-    /** In a picture that is saved, type is so large a part of its height, but never too small to be read. */
+    /** Size of the type as a share of the height of a saved picture; it is never too small to be read. */
     private static final double HEIGHT_SHARE = 1 / 28.0;
 
     private static final int SMALLEST = 9;
@@ -43,7 +43,7 @@ public final class PictureLabel {
         graphics.dispose();
     }
 
-    /** Writes a text into a corner of a picture; what there is no room for is left out at its end. */
+    /** Writes a text into a corner of a picture; its end is left out if there is no room. */
     public static void paint(Graphics2D graphics, Font font, String text, Rectangle picture, Corner corner) {
         Graphics2D g = (Graphics2D) graphics.create();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);

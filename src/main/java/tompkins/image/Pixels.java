@@ -10,7 +10,7 @@ package tompkins.image;
 record Pixels(int width, int height, float[] rgba) {
 
     /**
-     * Believes no header: checks a size before anything of that size is made.
+     * Checks the size that a header claims, before anything of that size is made.
      *
      * @throws FileException if it has no pixels, or too many
      */

@@ -47,7 +47,7 @@ record PngChunk(String type, byte[] data) {
         out.write(SIGNATURE);
     }
 
-    /** Goes to the first chunk; the place where that begins. */
+    /** Goes to the first chunk, and returns the place where it begins. */
     static int skipSignature(InputStream in) throws IOException {
         return in.readNBytes(SIGNATURE.length).length;
     }
@@ -59,10 +59,7 @@ record PngChunk(String type, byte[] data) {
         return new String(letters, StandardCharsets.ISO_8859_1);
     }
 
-    /**
-     * The rest of a chunk, whose length and type are already read; the place is the byte of the file with which it
-     * begins.
-     */
+    /** The rest of a chunk, whose length and type are already read; the place is that of its first byte in the file. */
     static PngChunk read(DataInputStream in, String type, int length, long place) throws IOException {
         byte[] data = in.readNBytes(length);
         if (data.length < length) {
@@ -75,7 +72,7 @@ record PngChunk(String type, byte[] data) {
         return chunk;
     }
 
-    /** What to say of a file whose chunk at a place is not as it was written. */
+    /** What to say about a file if its chunk at a place has changed since it was written. */
     static IOException damaged(long place) {
         return new IOException(
                 "the file is damaged in the part that begins at byte " + place + "; another copy of it may be intact");

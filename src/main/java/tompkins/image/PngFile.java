@@ -24,7 +24,7 @@ final class PngFile {
     static final String SCENE_KEYWORD = "tompkins.scene";
 
     /**
-     * Which byte of a file tells the bits of a channel: after signature, length and name of the header, width and
+     * The byte of a file that holds the bits of a channel: after signature, length and name of the header, width and
      * height.
      */
     static final int BIT_DEPTH_AT = 24;
@@ -86,7 +86,7 @@ final class PngFile {
         metadata.mergeTree(format, root);
     }
 
-    /** The scene in a PNG file, read up to it and no further; not through the JDK, which ends texts at 256 kB. */
+    /** The scene in a PNG file, which is read only that far; the JDK is not used, because it cuts texts at 256 kB. */
     static Optional<String> readScene(InputStream file) throws IOException {
         DataInputStream in = new DataInputStream(file);
         long place = PngChunk.skipSignature(in);

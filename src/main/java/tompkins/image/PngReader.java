@@ -9,8 +9,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /**
- * Reads PNG pictures with the JDK's reader, which is handed the chunks that say what the pixels are and no others. It
- * knows no transparent level of grey below 8 bits, so levels and colours that are transparent are found here.
+ * Reads PNG pictures with the JDK's reader, which is handed only the chunks that say what the pixels are. It knows no
+ * transparent level of grey below 8 bits, so transparent levels and colours are found here.
  */
 final class PngReader {
 
@@ -54,7 +54,7 @@ final class PngReader {
         return reader.orientation.turn(pixels);
     }
 
-    /** Goes through the chunks; where the file ends too early, the library says so. */
+    /** Goes through the chunks; if the file ends too early, the library will say so. */
     private void readChunks(String name) throws FileException {
         int at = PngChunk.SIGNATURE_LENGTH;
         plain.write(file, 0, Math.min(at, file.length));
@@ -88,7 +88,7 @@ final class PngReader {
         if (type.equals("tRNS") && data.length >= 2 * channels) {
             transparent = new int[channels];
             for (int i = 0; i < channels; i++) {
-                // Two bytes whatever the bits are, of which the upper ones say nothing.
+                // Always two bytes; if there are fewer bits, the upper ones mean nothing.
                 transparent[i] = ByteBuffer.wrap(data).getShort(2 * i) & (1 << bitDepth) - 1;
             }
         } else if (type.equals("eXIf")) {

@@ -10,7 +10,7 @@ import java.util.Optional;
 
 /**
  * Photographs as Radiance pictures (G. Ward, "Real pixels", Graphics Gems II, 1991): three mantissas of 8 bits share
- * one exponent. The scene stands in comments of the header; a line of the scene that is long goes over several.
+ * one exponent. The scene is written into comments of the header; a long line of the scene takes several comments.
  */
 final class RadianceFile {
 
@@ -31,7 +31,7 @@ final class RadianceFile {
 
     private RadianceFile() {}
 
-    /** Whether the rows of a picture so wide are packed into runs. */
+    /** Whether the rows of a picture of this width are packed into runs. */
     static boolean isPacked(int width) {
         return width >= NARROWEST_PACKED && width <= WIDEST_PACKED;
     }
@@ -87,7 +87,7 @@ final class RadianceFile {
 
     /**
      * Writes one pixel: the exponent e for which the brightest channel is 2^e times a number from 1/2 up to 1, and each
-     * channel's whole part of 256 / 2^e times its light. Light below 0 has no code and becomes 0.
+     * channel's whole part of 256 / 2^e times its light. Light below 0 cannot be written and becomes 0.
      */
     private static void encode(float[] rgb, int from, byte[] row, int x, int channelStep, int pixelStep) {
         float red = representable(rgb[from]);

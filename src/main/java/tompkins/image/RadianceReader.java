@@ -9,8 +9,8 @@ import java.util.regex.Pattern;
 
 /**
  * Reads Radiance pictures (G. Ward, "Real pixels", Graphics Gems II, 1991, and the Radiance file formats): rows in any
- * of the eight orientations, with the run lengths of either kind or none, and light from before an exposure was chosen.
- * The library's reader knows one orientation and one kind of run lengths, and no exposure.
+ * of the eight orientations, with the run lengths of either kind or none, and with exposures divided out. The library's
+ * reader knows only one orientation, one kind of run lengths, and no exposure.
  */
 final class RadianceReader {
 
@@ -95,7 +95,10 @@ final class RadianceReader {
         return line.substring(0, end > 0 && line.charAt(end - 1) == '\r' ? end - 1 : end);
     }
 
-    /** Lines of other programs, and those of earlier pictures, which are indented, say nothing about the pixels. */
+    /**
+     * Reads one line; lines of other programs, and those of earlier pictures, which are indented, say nothing about the
+     * pixels.
+     */
     private void readHeaderLine(String line) throws FileException {
         if (line.startsWith("EXPOSURE=")) {
             double[] factor = factors(line, 1);
@@ -210,7 +213,7 @@ final class RadianceReader {
         }
     }
 
-    /** Whole pixels, the first of which is there already; (1, 1, 1, n) repeats the one before n times. */
+    /** Reads whole pixels after the first, which was read already; (1, 1, 1, n) repeats the one before n times. */
     private void readPixels() throws IOException {
         int to = 0;
         int shift = 0;

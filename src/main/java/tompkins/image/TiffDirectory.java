@@ -35,7 +35,7 @@ final class TiffDirectory {
         return new TiffDirectory(all instanceof CompoundDirectory pictures ? pictures.getDirectory(0) : all);
     }
 
-    /** The orientation in Exif data; damaged Exif data turn no picture. */
+    /** The orientation in Exif data; damaged Exif data do not turn the picture. */
     static Orientation exifOrientation(byte[] exif) {
         try {
             return read(exif).orientation();

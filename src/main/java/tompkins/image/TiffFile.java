@@ -59,8 +59,8 @@ final class TiffFile {
     }
 
     /**
-     * The image description, if it is a JSON object; other programs put other things there. Not through the JDK, which
-     * ends texts at 64 kB.
+     * The image description, if it is a JSON object; other programs put other things there. The JDK is not used,
+     * because it cuts texts at 64 kB.
      */
     static Optional<String> readScene(Path file) throws IOException {
         try (ImageInputStream stream = new FileImageInputStream(file.toFile())) {

@@ -51,7 +51,7 @@ record TiffKind(Colours colours, int[] bits, boolean floating, int opacity, bool
     private static final int ASSOCIATED = 1;
     private static final int UNASSOCIATED = 2;
 
-    /** The most samples that a pixel may have; more are of measurements and not of a picture. */
+    /** The most samples that a pixel may have; files with more hold measurements and not a picture. */
     private static final int MOST_SAMPLES = 256;
 
     /**
@@ -82,7 +82,7 @@ record TiffKind(Colours colours, int[] bits, boolean floating, int opacity, bool
         return kind;
     }
 
-    /** Whether the library has to make colours of the samples. */
+    /** Whether the library has to turn the samples into colours. */
     boolean isLeftToLibrary() {
         return colours == Colours.LUMINANCE_AND_CHROMINANCE || isJpeg();
     }
@@ -157,7 +157,7 @@ record TiffKind(Colours colours, int[] bits, boolean floating, int opacity, bool
         };
     }
 
-    /** The tag is needed, but there are files without. */
+    /** The colours if the tag is missing: it is required, but there are files without it. */
     private static Colours likelyColours(TiffDirectory directory, int compression, long samples) {
         if (directory.has(TIFF.TAG_COLOR_MAP)) {
             return Colours.PALETTE;
@@ -189,7 +189,7 @@ record TiffKind(Colours colours, int[] bits, boolean floating, int opacity, bool
         return first == FLOATING;
     }
 
-    /** One number for each sample; if there are fewer, all are as the first. */
+    /** One number for each sample; if there are fewer numbers, the first counts for all. */
     private static long[] perSample(long[] numbers, long otherwise, int samples) {
         if (numbers.length >= samples) {
             return Arrays.copyOf(numbers, samples);

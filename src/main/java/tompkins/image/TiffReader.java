@@ -56,7 +56,7 @@ final class TiffReader {
         return directory.orientation().turn(stored);
     }
 
-    /** The samples of a pixel lie together, or those of each kind in strips of their own. */
+    /** Reads samples that lie together for each pixel, or in strips of their own for each channel. */
     private void readSamples(byte[] file, String name) throws IOException {
         TiffStrips strips = new TiffStrips(file, directory, kind, width, height, name);
         boolean planes = directory.number(TIFF.TAG_PLANAR_CONFIGURATION, 1) == PLANES;
@@ -78,7 +78,7 @@ final class TiffReader {
         }
     }
 
-    /** Which channel each sample of a pixel is; -1 for those that say nothing of its colour. */
+    /** Which channel each sample of a pixel is; -1 for those that do not belong to its colour. */
     private int[] channels() {
         int[] channels = new int[kind.bits().length];
         Arrays.fill(channels, -1);
@@ -149,7 +149,7 @@ final class TiffReader {
         }
     }
 
-    /** All reds, all greens, all blues. Some programs write numbers of 8 bits, where 16 are asked for. */
+    /** The palette: all reds, all greens, all blues. Some programs write numbers of 8 bits although 16 are required. */
     private float[] palette() throws IOException {
         long[] numbers = directory.numbers(TIFF.TAG_COLOR_MAP);
         boolean bytes = Arrays.stream(numbers).allMatch(number -> number <= LARGEST_BYTE);

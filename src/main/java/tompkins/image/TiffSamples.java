@@ -101,7 +101,10 @@ final class TiffSamples {
         return code;
     }
 
-    /** Differences of neighbouring bytes, after the bytes were sorted: all the highest, all the next, to the lowest. */
+    /**
+     * Undoes differences of neighbouring bytes, which were sorted before: all the highest bytes, then all the next,
+     * down to the lowest.
+     */
     private void readBytesOfDifferences(byte[] rows, int at) {
         int bytes = bits[0] / 8;
         for (int i = bits.length; i < codes.length * bytes; i++) {

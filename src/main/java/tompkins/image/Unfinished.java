@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
- * What must not be left behind when the program is stopped in the middle, as by Ctrl-C: it is closed then, the newest
- * first. From then on nothing new is begun.
+ * What must not be left behind when the program is stopped in the middle of its work, for instance by Ctrl-C. It is
+ * then closed, the newest first, and nothing new is begun.
  */
 final class Unfinished {
 
@@ -38,7 +38,7 @@ final class Unfinished {
         }
     }
 
-    /** Notes that something has ended, whichever way. */
+    /** Notes that something has ended, in whatever way. */
     static void end(Closeable work) {
         synchronized (OPEN) {
             OPEN.remove(work);
@@ -51,7 +51,7 @@ final class Unfinished {
             STOPPED.set(true);
             open = List.copyOf(OPEN);
         }
-        // without the lock: what ends by itself meanwhile needs it
+        // without the lock, which is needed by what ends by itself meanwhile
         for (Closeable work : open) {
             try {
                 work.close();

@@ -15,7 +15,7 @@ public final class WholeFile {
     /**
      * The bytes of a file.
      *
-     * @throws IOException if they cannot be read, are too many, or may never end, as those of a device
+     * @throws IOException if they cannot be read, are too many, or may never end, like those of a device
      */
     public static byte[] read(Path file) throws IOException {
         if (Files.exists(file) && !Files.isRegularFile(file)) {

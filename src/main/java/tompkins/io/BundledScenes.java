@@ -24,7 +24,7 @@ public final class BundledScenes {
     private static final String FIRST = "town-square.json";
 
     /**
-     * The topics that come first, for they show what the program is for; the others follow in the order of their names.
+     * The topics that come first because they show what the program is for; the others follow in alphabetical order.
      */
     private static final List<String> FIRST_TOPICS = List.of("Rides", "Courtial et al. 2016", "Relativity", "Motion");
 
@@ -55,7 +55,7 @@ public final class BundledScenes {
      *
      * @param name the name of its file
      * @throws IOException if the program comes without its scenes
-     * @throws SceneFileException if there is none of this name
+     * @throws SceneFileException if there is no scene of this name
      */
     public static Studio studio(String name) throws IOException {
         return StudioReader.read(file(name));
@@ -113,7 +113,7 @@ public final class BundledScenes {
                 try {
                     FileSystems.newFileSystem(uri, Map.of());
                 } catch (FileSystemAlreadyExistsException opened) {
-                    // opened before: Path.of finds it
+                    // opened before; Path.of finds it
                 }
             }
             return Path.of(uri);

@@ -21,7 +21,10 @@ import tompkins.ray.MeshData;
 import tompkins.ray.PixelPicture;
 import tompkins.spacetime.Velocity;
 
-/** Makes descriptions from JSON, key by key as the records' components say; missing keys take the default's values. */
+/**
+ * Makes descriptions from JSON, key by key, as the components of the records say; missing keys get their default
+ * values.
+ */
 final class DescriptionReader {
 
     /** The key that names the member of a family. */
@@ -172,9 +175,9 @@ final class DescriptionReader {
     }
 
     /**
-     * Makes the record. A value that its constructor refuses is noted and replaced by that of the default, to find what
-     * else is wrong. After that only those are noted that are wrong by themselves, the others perhaps only beside the
-     * value that took the place of a wrong one.
+     * Makes the record. A value that its constructor refuses is noted and replaced by the default, to find what else is
+     * wrong. After that only values that are wrong by themselves are noted: others may be wrong only beside the default
+     * that has replaced a wrong value.
      */
     private Object make(
             Class<?> type, Object[] arguments, Object standard, JsonObject object, String path, Set<String> replaced) {

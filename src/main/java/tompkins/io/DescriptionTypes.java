@@ -16,7 +16,7 @@ import tompkins.surface.ColouredSurface;
 /** What scene files need to know of descriptions: families and the types usual in them, keys, names of constants. */
 final class DescriptionTypes {
 
-    /** The members of families that are meant where a scene file does not name a type. */
+    /** The members of families that are meant if a scene file does not name a type. */
     private static final Set<Class<?>> USUAL = Set.of(
             ThinLensCamera.class, ColouredSurface.class, UniformBackground.class, Lesson.class, PicturePoint.class);
 

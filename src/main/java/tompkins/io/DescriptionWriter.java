@@ -16,7 +16,10 @@ import tompkins.ray.Colour;
 import tompkins.ray.FileContent;
 import tompkins.spacetime.Velocity;
 
-/** Makes maps and lists, ready for {@link JsonLayout}, from descriptions; leaves out what the default says anyway. */
+/**
+ * Makes maps and lists, ready for {@link JsonLayout}, from descriptions; leaves out values that are those of the
+ * default.
+ */
 final class DescriptionWriter {
 
     private final Predicate<FileContent> embedded;
@@ -26,7 +29,7 @@ final class DescriptionWriter {
         this.embedded = embedded;
     }
 
-    /** A value as the component of type {@code type} that it is. */
+    /** The value of a component of type {@code type}. */
     Object tree(Type type, Object value) {
         Optional<Class<?>> element = Descriptions.elementType(type);
         if (element.isPresent()) {

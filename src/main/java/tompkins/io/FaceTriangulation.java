@@ -17,10 +17,10 @@ final class FaceTriangulation {
     /** Faces of more corners are swept first: clipping ears may take a time that grows with their square. */
     private static final int MOST_FOR_EARS = 1000;
 
-    /** Of more corners no other is tried as the first one. */
+    /** For faces with more corners, only the first corner is tried as the first one. */
     private static final int MOST_TO_TRY = 64;
 
-    /** The share of the area that may be missed: far more than by rounding, far less than where something is wrong. */
+    /** The share of the area that may be missed: far more than by rounding, far less than if something is wrong. */
     private static final double COVERED = 1e-9;
 
     private final double[] vertices;
@@ -28,7 +28,7 @@ final class FaceTriangulation {
     private int count;
 
     /**
-     * Nothing yet.
+     * No triangles yet.
      *
      * @param vertices x, y and z of each vertex
      * @param expected the expected number of triangles
@@ -43,7 +43,7 @@ final class FaceTriangulation {
         return count == triangles.length ? triangles : Arrays.copyOf(triangles, count);
     }
 
-    /** Cuts the face whose corners stand in a part of an array. */
+    /** Cuts the face whose corners are in a part of an array. */
     void add(int[] corners, int from, int to) {
         int size = to - from;
         if (size > 3) {
@@ -103,7 +103,7 @@ final class FaceTriangulation {
         return sum;
     }
 
-    /** Whether the triangles between the first corner and each side do not lie on each other. */
+    /** Whether the triangles between the first corner and each side do not overlap. */
     private static boolean isFan(Vector3d[] places, Vector3d normal) {
         double area = normal.length();
         double backwards = 0;
@@ -117,7 +117,7 @@ final class FaceTriangulation {
     /** x and y of each corner in a plane, so that they run counter-clockwise. */
     private static double[] flat(Vector3d[] places, Vector3d normal) {
         Vector3d up = normal.normalize(new Vector3d());
-        // along the longest side the numbers of long thin faces are exact
+        // with an axis along the longest side, the numbers of long thin faces are exact
         Vector3d right = new Vector3d();
         for (Vector3d place : places) {
             if (place.lengthSquared() > right.lengthSquared()) {
@@ -146,8 +146,8 @@ final class FaceTriangulation {
     }
 
     /**
-     * The corners of triangles that cover a flat face; of a face that crosses itself, what the library makes of it.
-     * Where a face touches itself the library may need to begin at another corner.
+     * The corners of triangles that cover a flat face; for a face that crosses itself, whatever the library gives. If a
+     * face touches itself, the library may need to begin at another corner.
      */
     private static int[] cut(double[] flat) {
         int size = flat.length / 2;
@@ -192,7 +192,7 @@ final class FaceTriangulation {
                 .toArray();
     }
 
-    /** Whether triangles are as large together as their face. */
+    /** Whether triangles together are as large as their face. */
     private static boolean covers(int[] cut, double[] flat) {
         double whole = 0;
         for (int i = 2; i < flat.length / 2; i++) {

@@ -26,7 +26,7 @@ record FileContentParser<T extends FileContent>(Class<T> type, String noun, Meth
         return content instanceof MeshData ? MESH : PICTURE;
     }
 
-    /** How the bytes of a file are understood. */
+    /** Makes what a file holds from its bytes. */
     @FunctionalInterface
     interface Method<T> {
         T read(byte[] file, String name) throws IOException;

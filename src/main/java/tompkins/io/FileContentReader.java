@@ -53,7 +53,7 @@ final class FileContentReader {
         return ((JsonText) object.members().get(key).value()).text();
     }
 
-    /** The bytes that a text stands for, or null if a mistake was noted. */
+    /** The bytes that a text encodes, or null if a mistake was noted. */
     private byte[] decoded(JsonValue base64, String path) {
         try {
             return Base64.getDecoder().decode(((JsonText) base64).text());

@@ -7,7 +7,7 @@ import tompkins.property.NumberText;
 import tools.jackson.core.io.JsonStringEncoder;
 
 /**
- * Lays out JSON for people: what fits on one line stands on one line, the rest has a line for each key. The same values
+ * Lays out JSON for people: what fits on one line is on one line, the rest has a line for each key. The same values
  * give the same text on every system.
  */
 final class JsonLayout {

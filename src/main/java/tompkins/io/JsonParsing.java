@@ -65,7 +65,7 @@ final class JsonParsing {
     /**
      * The object that a text holds. Keys that occur twice are noted; the first one counts.
      *
-     * @throws SceneFileException if the text is not JSON, or no object
+     * @throws SceneFileException if the text is not JSON, or not an object
      */
     static JsonObject parse(String text, Problems problems) {
         try (JsonParser parser = FACTORY.createParser(ObjectReadContext.empty(), text)) {
@@ -88,7 +88,7 @@ final class JsonParsing {
         return root;
     }
 
-    /** The first token; a text that does not even have one is no damaged scene file, but something else. */
+    /** The first token; a text without one is not a damaged scene file but something else. */
     private JsonToken first() {
         try {
             return parser.nextToken();

@@ -107,7 +107,7 @@ final class MeshFaces {
         return (int) (number > 0 ? number - 1 : vertices + number);
     }
 
-    /** The value of digits with a sign; of numbers beyond 64 bits the nearest that these hold. */
+    /** The value of digits with a sign; numbers beyond 64 bits become the nearest that fits. */
     private static long number(String digits) {
         try {
             return Long.parseLong(digits);
@@ -117,7 +117,7 @@ final class MeshFaces {
     }
 
     /**
-     * Checks what only the end of the file tells.
+     * Checks what can be checked only at the end of the file.
      *
      * @throws ObjMistake if a face names a vertex that is missing
      */

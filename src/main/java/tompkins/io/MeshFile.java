@@ -24,7 +24,7 @@ public final class MeshFile {
     /**
      * Reads a file from the disk.
      *
-     * @throws FileException if the file cannot be read, is too large, or is no OBJ file with triangles
+     * @throws FileException if the file cannot be read, is too large, or is not an OBJ file with triangles
      */
     public static MeshData read(Path file) throws FileException {
         try {
@@ -38,7 +38,7 @@ public final class MeshFile {
      * Reads the bytes of a file.
      *
      * @param name the file's name, for messages and as {@link MeshData#name()}
-     * @throws FileException if they are no OBJ file with triangles
+     * @throws FileException if they are not an OBJ file with triangles
      */
     static MeshData read(byte[] file, String name) throws FileException {
         MeshFaces faces = new MeshFaces();
@@ -67,7 +67,7 @@ public final class MeshFile {
     /** From right-handed axes to left-handed ones, with the outside of each triangle kept. */
     private static void turnOver(double[] coordinates, int[] corners) {
         for (int z = 2; z < coordinates.length; z += 3) {
-            // no minus sign: there is no need for a zero below zero
+            // a subtraction and not a minus sign, which would make negative zeros
             coordinates[z] = 0 - coordinates[z];
         }
         for (int i = 0; i < corners.length; i += 3) {

@@ -5,7 +5,7 @@ import java.io.IOException;
 
 /**
  * The statements of an OBJ file one after the other, each cut into its words. A comment ends its line. A backslash at
- * the end of a line goes on with the next, and parts two words.
+ * the end of a line continues the statement on the next line, and separates two words.
  */
 final class ObjStatements {
 
@@ -64,7 +64,7 @@ final class ObjStatements {
         return line.substring(start, end);
     }
 
-    /** Blanks of all kinds, those of typesetters and control characters too. */
+    /** Blanks of all kinds, including those of typesetters and control characters. */
     private static boolean isBlank(char letter) {
         return letter <= ' ' || letter >= 0x7f && (Character.isSpaceChar(letter) || Character.isISOControl(letter));
     }
@@ -87,7 +87,7 @@ final class ObjStatements {
         return text.substring(wordStart, wordEnd);
     }
 
-    /** Whether the word is a given one, in small letters or capital ones. */
+    /** Whether the word is a given one, in small or capital letters. */
     boolean wordIs(String other) {
         return wordEnd - wordStart == other.length() && text.regionMatches(true, wordStart, other, 0, other.length());
     }

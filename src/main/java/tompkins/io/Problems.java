@@ -61,12 +61,12 @@ final class Problems {
         return found.isEmpty();
     }
 
-    /** A text of the user, for a message: in quotes and of bearable length. */
+    /** A text of the user, for a message: in quotes and shortened if it is long. */
     static String quoted(String text) {
         return '"' + shortened(text) + '"';
     }
 
-    /** A text of bearable length, on one line. */
+    /** A text on one line, shortened if it is long. */
     static String shortened(String text) {
         return OneLine.shortened(text, LONGEST_VALUE);
     }

@@ -36,7 +36,7 @@ final class Refusal {
         return invalid.property().split(" ", 2)[0];
     }
 
-    /** Notes the keys of an object that mean nothing; whether there are none. */
+    /** Notes the unknown keys of an object, and says whether there are none. */
     static boolean noteUnknownKeys(Problems problems, JsonObject object, String path, List<String> known) {
         boolean clear = true;
         for (Map.Entry<String, Member> entry : object.members().entrySet()) {

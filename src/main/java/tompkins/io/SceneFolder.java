@@ -49,10 +49,10 @@ final class SceneFolder {
     }
 
     /**
-     * Where a file with a name relative to the folder lies, links followed; the noun says what file is meant.
+     * Where a file with a name relative to the folder lies, after links are followed; the noun says what file is meant.
      *
-     * @throws IOException with a message for the user, if the name leaves the folder, or no file that may be read has
-     *     it
+     * @throws IOException with a message for the user, if the name leads out of the folder, or no file that may be read
+     *     has it
      */
     private Path find(String name, String noun) throws IOException {
         String allowed =
@@ -62,7 +62,7 @@ final class SceneFolder {
             throw new IOException(
                     "there is no such file in " + folder.toAbsolutePath().normalize() + "; it " + allowed);
         }
-        // links are followed first: what counts is where they lead
+        // links are followed first, because the place to which they lead counts
         Path real = real(file);
         if (!real.startsWith(real(folder))) {
             throw new IOException("leads out of the folder by a link; it " + allowed);

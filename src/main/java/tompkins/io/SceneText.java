@@ -42,7 +42,7 @@ final class SceneText {
         if (Files.isDirectory(file)) {
             throw problems.wholeFile("is a folder; a scene file or a saved photograph is needed");
         }
-        // nobody can tell what lies in a folder that may not be read: reading fails then, and says why
+        // it is unknown what lies in a folder that may not be read; reading then fails, and says why
         if (Files.notExists(file)) {
             throw problems.wholeFile("there is no such file");
         }

@@ -34,7 +34,7 @@ public final class SelfDescription {
 
     /** Name and version of the program. */
     public static String program() {
-        // a resource bundle would take 60 ms more of a cold start
+        // a resource bundle would add 60 ms to a cold start
         Properties program = new Properties();
         try (InputStream in = SelfDescription.class.getResourceAsStream(PROPERTIES)) {
             program.load(in);

@@ -5,26 +5,26 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 
-/** Finds the word that was perhaps meant. */
+/** Finds the word that may have been meant. */
 public final class Spelling {
 
     private static final int LONGEST = 60;
 
-    /** Shorter words are parts of many. */
+    /** Shorter words are parts of too many others. */
     private static final int SHORTEST_PART = 4;
 
     private Spelling() {}
 
     /**
-     * The end of a message, {@code ; did you mean "..."?} with the likeliest of the known words; empty if none is like
-     * it.
+     * The end of a message, {@code ; did you mean "..."?} with the most similar of the known words; empty if none is
+     * similar.
      */
     public static String hint(String word, Collection<String> known) {
         String best = null;
         int fewest = Integer.MAX_VALUE;
         for (String candidate : known) {
             int changes = word.length() > LONGEST ? fewest : changes(plain(word), plain(candidate));
-            // a word of which nothing is left is not like the other
+            // a word that would have to change all its letters is not similar
             boolean like = changes <= Math.max(1, candidate.length() / 3)
                     && changes < plain(candidate).length();
             if (like && changes < fewest) {
@@ -38,7 +38,7 @@ public final class Spelling {
                 .orElse("");
     }
 
-    /** The known word of which a word is a part, if there is one alone. */
+    /** The known word of which a word is a part, if there is exactly one. */
     private static Optional<String> onlyWordWith(String part, Collection<String> known) {
         List<String> whole = known.stream()
                 .filter(candidate -> plain(part).length() >= SHORTEST_PART

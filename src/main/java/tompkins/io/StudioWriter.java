@@ -24,7 +24,7 @@ public final class StudioWriter {
 
     private static final String A_FILE = "a file";
 
-    /** More characters than the keys of a file inside a scene, and the spaces before them, take. */
+    /** More characters than are needed for the keys of a file inside a scene and the spaces before them. */
     private static final int LONGEST_FRAME = 1000;
 
     private StudioWriter() {}
@@ -69,8 +69,8 @@ public final class StudioWriter {
     }
 
     /**
-     * The text of a scene file that holds all files but large meshes, however long. Scenes of one text differ in such
-     * meshes at most.
+     * The text of a scene file that holds all files but large meshes, however long. Scenes with the same text can
+     * differ only in such meshes.
      */
     public static String writeComplete(Studio studio) {
         return text(studio, StudioWriter::isKept);
@@ -153,7 +153,7 @@ public final class StudioWriter {
         }
     }
 
-    /** Notes what is too large to be embedded, and asks about the others. */
+    /** Notes files that are too large to be embedded, and asks about the others. */
     private static Predicate<FileContent> notingLarge(Consumer<FileContent> large, Predicate<FileContent> embedded) {
         return content -> {
             if (isKept(content)) {
@@ -174,7 +174,7 @@ public final class StudioWriter {
         };
     }
 
-    /** Whether the bytes of the file are there; without a name none are needed. */
+    /** Whether the bytes of the file are kept; without a name none are needed. */
     private static boolean isKept(FileContent content) {
         return content.name().isEmpty() || content.length() > 0;
     }

@@ -7,8 +7,8 @@ import java.util.TreeMap;
 /**
  * Cuts a large flat face into triangles in a time that grows little faster than its corners: a line sweeps over it from
  * left to right and finds the diagonals that leave only monotone parts (de Berg et al., Computational Geometry, chapter
- * 3), and each part is cut in one walk along it. The face must not touch or cross itself: then the triangles may be
- * wrong, and their areas tell.
+ * 3), and each part is cut in one walk along it. The face must not touch or cross itself; otherwise the triangles may
+ * be wrong, which their areas show.
  */
 final class SweepTriangulation {
 
@@ -18,7 +18,7 @@ final class SweepTriangulation {
     private final double[] flat;
     private final int size;
 
-    /** Sides with the inside above them that the line meets, by height; with the corner that sees each last. */
+    /** Sides with the inside above them that the line meets, by height, each with the last corner that sees it. */
     private final TreeMap<Integer, Integer> met = new TreeMap<>(new ByHeight());
 
     private int here;
@@ -42,7 +42,7 @@ final class SweepTriangulation {
     /**
      * Three corners for each triangle.
      *
-     * @param flat x and y of each corner, counter-clockwise; no corner stands where the one before it does
+     * @param flat x and y of each corner, counter-clockwise; no corner is at the same place as the one before it
      */
     static int[] triangles(double[] flat) {
         SweepTriangulation sweep = new SweepTriangulation(flat);
@@ -60,7 +60,7 @@ final class SweepTriangulation {
         return corner == other ? 0 : isLeft(corner, other) ? -1 : 1;
     }
 
-    /** Of two corners one above the other the lower one counts as left. */
+    /** If one corner is above the other, the lower one counts as left. */
     private boolean isLeft(int corner, int other) {
         int x = Double.compare(flat[2 * corner], flat[2 * other]);
         int order = x != 0 ? x : Double.compare(flat[2 * corner + 1], flat[2 * other + 1]);
@@ -82,7 +82,10 @@ final class SweepTriangulation {
         return (flat[2 * second] - x) * (flat[2 * third + 1] - y) - (flat[2 * third] - x) * (flat[2 * second + 1] - y);
     }
 
-    /** Sides that the line meets at the same time; a side is called by the corner where it begins, its left end. */
+    /**
+     * Compares sides that the line meets at the same time; a side has the number of the corner where it begins, its
+     * left end.
+     */
     private final class ByHeight implements Comparator<Integer> {
 
         @Override
@@ -154,7 +157,8 @@ final class SweepTriangulation {
 
     /**
      * Walks along each part, with its inside on the left. At each corner the ways into the face are the side that
-     * begins there and then, counter-clockwise, its diagonals; who comes along one goes on along the one before it.
+     * begins there and then, counter-clockwise, its diagonals; a walk that arrives along one of them leaves along the
+     * one before it.
      */
     private void cutParts() {
         Integer[] byCorner = new Integer[diagonalEnds];
@@ -209,7 +213,7 @@ final class SweepTriangulation {
         return Double.compare(0, turn(corner, to, toOther));
     }
 
-    /** Cuts a part that the sweeping line meets in one piece everywhere; corners run counter-clockwise. */
+    /** Cuts a part that the sweeping line always meets in one piece; corners run counter-clockwise. */
     private void cutMonotone(int[] part, int length) {
         if (length < 3) {
             return;
@@ -257,7 +261,7 @@ final class SweepTriangulation {
     }
 
     private void addTriangle(int first, int second, int third) {
-        // more than there can be only come from a face that crosses itself
+        // only a face that crosses itself gives more of them than there can be
         if (count < triangles.length) {
             triangles[count++] = first;
             triangles[count++] = second;

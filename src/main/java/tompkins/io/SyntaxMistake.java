@@ -30,7 +30,7 @@ final class SyntaxMistake {
     private static final Pattern CONTROL_OUTSIDE =
             Pattern.compile("Illegal character \\(\\(CTRL-CHAR, code (\\d+)\\)\\)");
 
-    /** What the library says, or a part of it, and what that means; the first that fits counts. */
+    /** Messages of the library, or parts of them, and what they mean; the first that fits counts. */
     private static final List<Map.Entry<String, String>> MEANINGS = List.of(
             Map.entry("'*' or '/' for a comment", COMMENTS),
             Map.entry("surrogate", "a text must not contain half of a character; the other half is missing"),
@@ -40,7 +40,7 @@ final class SyntaxMistake {
             Map.entry("comma to separate", "a comma must stand between two values; it is missing before this place"),
             Map.entry("expected a valid value", "a value must stand here; " + VALUES));
 
-    /** What the library says of numbers. */
+    /** What the library says about numbers. */
     private static final List<String> OF_NUMBERS =
             List.of("('.' (code 46)): expected a valid value", "in numeric value", "Invalid numeric value");
 
@@ -80,7 +80,7 @@ final class SyntaxMistake {
         return i == last;
     }
 
-    /** The place behind the quote that ends what began before a place. */
+    /** The place after the quote that ends the text which began before a place. */
     private static int endOfQuoted(String text, int start) {
         int i = start;
         while (i < text.length() && text.charAt(i) != '"') {
@@ -89,12 +89,12 @@ final class SyntaxMistake {
         return i + 1;
     }
 
-    /** What is wrong with a slash that begins no comment. */
+    /** What is wrong with a slash that does not begin a comment. */
     static String ofSlash() {
         return NOT_JSON + COMMENTS + ", found /";
     }
 
-    /** Whether a number is wrong; the library knows a place in it or behind it. */
+    /** Whether a number is wrong; the library knows a place in it or after it. */
     static boolean isInNumber(JacksonException syntax) {
         return OF_NUMBERS.stream().anyMatch(syntax.getOriginalMessage()::contains);
     }

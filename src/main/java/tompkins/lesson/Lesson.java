@@ -45,7 +45,7 @@ public record Lesson(
     private static final int LONGEST_QUESTION = 300;
     private static final int LONGEST_REVEAL = 450;
 
-    /** Checks that there is something to ask and one right answer, and that all has room. */
+    /** Checks that there is something to ask and one right answer, and that everything has room. */
     public Lesson {
         LessonText.required("question", question, LONGEST_QUESTION);
         predictions = Require.list("predictions", predictions);

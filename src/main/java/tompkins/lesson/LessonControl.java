@@ -30,7 +30,7 @@ public record LessonControl(
     private static final int LONGEST_PATH = 100;
     private static final int LONGEST_NAME = 40;
 
-    /** Checks all values; whether the scene has such a number, only the scene can tell. */
+    /** Checks all values. Whether the scene has such a number cannot be checked here. */
     public LessonControl {
         LessonText.required("number", number, LONGEST_PATH);
         LessonText.required("name", name, LONGEST_NAME);

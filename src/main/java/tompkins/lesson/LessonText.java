@@ -3,12 +3,12 @@ package tompkins.lesson;
 import tompkins.property.InvalidPropertyException;
 import tompkins.property.Require;
 
-/** Checks of the texts of lessons: each has something to say, and room in the window. */
+/** Checks of the texts of lessons: each must say something and fit into the window. */
 final class LessonText {
 
     private LessonText() {}
 
-    /** A text that is not blank and has at most so many letters. */
+    /** A text that is not blank and not longer than a number of letters. */
     static String required(String property, String text, int longest) {
         Require.present(property, text);
         if (text.isBlank()) {
@@ -17,7 +17,7 @@ final class LessonText {
         return optional(property, text, longest);
     }
 
-    /** A text, or none, that has at most so many letters. */
+    /** A text that may be empty and is not longer than a number of letters. */
     static String optional(String property, String text, int longest) {
         Require.present(property, text);
         if (text.length() > longest) {

@@ -1,5 +1,5 @@
 package tompkins.lesson;
 
-/** What a lesson can measure in a picture: readings of rays, and what can be made of them. */
+/** What a lesson can measure in a picture: readings of rays, and numbers made from them. */
 public sealed interface Measurement
         permits RayReading, AngleBetween, CircleRadius, LensSpread, DifferenceOf, RatioOf, WithNumber, WithShutter {}

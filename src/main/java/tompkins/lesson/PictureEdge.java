@@ -4,7 +4,7 @@ import tompkins.property.InvalidPropertyException;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 
-/** The place of an edge on the straight way between two places of the picture. */
+/** The place of an edge on the straight line between two places of the picture. */
 @Meaning(
         "The place just behind an edge on the straight way between two places of the picture; an edge is where another object"
                 + " begins or the colour jumps")
@@ -29,7 +29,7 @@ public record PictureEdge(
 
     private static final int MOST = 1000;
 
-    /** Checks that the way lies in the picture. */
+    /** Checks that the line lies in the picture. */
     public PictureEdge {
         Require.within("across", across, 0, 1);
         Require.within("down", down, 0, 1);

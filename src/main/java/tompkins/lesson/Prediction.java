@@ -12,7 +12,7 @@ public record Prediction(
                 prose = true)
         String reply) {
 
-    /** With it a new one begins. */
+    /** The prediction with which a new one begins. */
     public static final Prediction DEFAULT = new Prediction("Something else.", "");
 
     private static final int LONGEST_TEXT = 110;

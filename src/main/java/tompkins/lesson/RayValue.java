@@ -1,6 +1,6 @@
 package tompkins.lesson;
 
-/** What can be read of a ray and of what it meets. */
+/** What can be read from a ray and from what it meets. */
 public enum RayValue {
     /** Place in the scene, along x, at which the light left what is seen. */
     X,
@@ -12,7 +12,7 @@ public enum RayValue {
     TIME,
     /** Time at which it left, by the clocks of what is seen. */
     OWN_TIME,
-    /** Frequency that the camera sees, divided by that with which what is seen sends the light. */
+    /** Frequency that the camera sees, divided by the frequency with which the light is sent out. */
     FREQUENCY_RATIO,
     /** Brightness in linear light, before the exposure; white is 1. */
     BRIGHTNESS

@@ -3,7 +3,9 @@ package tompkins.lesson;
 import tompkins.property.Meaning;
 import tompkins.property.Require;
 
-/** A measurement in the picture of a scene in which one number is another one: a little later, or at another speed. */
+/**
+ * A measurement in the picture of a scene in which one number has another value: a little later, or at another speed.
+ */
 @Meaning(
         "A measurement in another picture, in which one number of the scene has another value, such as the opening time")
 public record WithNumber(
@@ -19,7 +21,7 @@ public record WithNumber(
 
     private static final int LONGEST_PATH = 100;
 
-    /** Checks all values; whether the scene has such a number, only the scene can tell. */
+    /** Checks all values. Whether the scene has such a number cannot be checked here. */
     public WithNumber {
         LessonText.required("number", number, LONGEST_PATH);
         Require.finite("value", value);

@@ -9,12 +9,12 @@ import tompkins.ray.Colour;
 /**
  * The colours of a scene in the light of a black body, seen by a camera that moves.
  *
- * <p>Three numbers say nothing of what lies beyond the visible, and that is what a fast camera sees. So each colour
- * stands for a surface in the light of a black body of 6504 K, the colour temperature of a screen's white, that
- * reflects as much of all light below 494 nm, of all between 494 and 590 nm, and of all above as gives the colour. With
- * these edges no colour of a screen needs a negative amount of any band. Black-body radiation of temperature T, seen
- * with Doppler factor D, is that of temperature D T, because spectral radiance divided by the cube of the frequency is
- * the same in all frames.
+ * <p>A fast camera sees light that was invisible before, of which three numbers say nothing. So each colour stands for
+ * a surface in the light of a black body of 6504 K, the colour temperature of a screen's white, that reflects as much
+ * of all light below 494 nm, of all between 494 and 590 nm, and of all above as gives the colour. With these edges no
+ * colour of a screen needs a negative amount of any band. Black-body radiation of temperature T, seen with Doppler
+ * factor D, is that of temperature D T, because spectral radiance divided by the cube of the frequency is the same in
+ * all frames.
  */
 final class BlackBodyColours {
 
@@ -31,7 +31,7 @@ final class BlackBodyColours {
     /** Softness of the edges, so that sums over wavelengths are smooth. */
     private static final double SOFTNESS = 2;
 
-    /** Beyond so many softnesses an edge is as good as sharp: exp(-40) added to 1 is 1. */
+    /** Farther away than so many softnesses an edge counts as sharp: exp(-40) added to 1 is 1. */
     private static final double NOT_TOLD_FROM_ONE = 40;
 
     /** The wavelength at which the fifth power in Planck's law counts as 1; any unit of light will do. */
@@ -41,7 +41,7 @@ final class BlackBodyColours {
     private static final Matrix3d SCREEN =
             new Matrix3d(3.2406, -0.9689, 0.0557, -1.5372, 1.8758, -0.2040, -0.4986, 0.0415, 1.0570);
 
-    /** Logarithm of the smallest Doppler factor in the table: a black body of 196 K, which nobody sees. */
+    /** Logarithm of the smallest Doppler factor in the table: a black body of 196 K is invisible. */
     private static final double LEAST = -3.5;
 
     /** Logarithm of the largest one: beyond it the visible light of all black bodies grows with the temperature. */
@@ -91,7 +91,7 @@ final class BlackBodyColours {
         return new Colour(Math.max(0, sum.x), Math.max(0, sum.y), Math.max(0, sum.z));
     }
 
-    /** What only light of moving lamps needs: made when the first such light is asked for. */
+    /** The table that only light of moving lamps needs, made when such light is first asked for. */
     private static final class TwoShifts {
         private static final List<SpectralPoint> SPECTRUM = spectrum();
         private static final Matrix3d AT_REST = bands(SPECTRUM, 1);
@@ -119,7 +119,7 @@ final class BlackBodyColours {
                 channel(0, Colour.WHITE, place), channel(1, Colour.WHITE, place), channel(2, Colour.WHITE, place));
     }
 
-    /** Where a Doppler factor stands in the table, in entries. */
+    /** The place of a Doppler factor in the table, in entries. */
     private static double place(double dopplerFactor) {
         return (Math.log(dopplerFactor) - LEAST) * STEPS_PER_UNIT;
     }
@@ -205,7 +205,7 @@ final class BlackBodyColours {
         return new Matrix3d(longWaves, middle, shortWaves);
     }
 
-    /** The Planck factor of a black body with a temperature that is told as a multiple of that of white light. */
+    /** The Planck factor of a black body whose temperature is given as a multiple of that of white light. */
     static double planck(double temperatureFactor, double wavelength) {
         double exponent = SECOND_RADIATION_CONSTANT / (temperatureFactor * WHITE_TEMPERATURE);
         return 1 / Math.expm1(exponent / wavelength);

@@ -40,7 +40,7 @@ public enum ColourLaw {
 
     /**
      * Wavelengths are divided by D, and what is visible then becomes brighter or darker with them, as if the scene were
-     * lit by a black body of 6504 K (the model stands in docs/conventions.md).
+     * lit by a black body of 6504 K (docs/conventions.md describes the model).
      */
     DOPPLER {
         @Override

@@ -21,7 +21,7 @@ public final class Illumination {
     private double green;
     private double blue;
 
-    /** The light of some sources, as far as it gets to where it is asked for. */
+    /** The light of some sources, as far as it reaches the place in question. */
     public Illumination(List<LightSource> sources, Lighting lighting) {
         this.sources = sources;
         this.lighting = lighting;

@@ -7,12 +7,12 @@ import org.joml.Vector3dc;
 
 /**
  * The bands of a black body where its light and the surfaces that it lights have two different shifts: the temperature
- * follows the way from the lamp to the camera, the edges of the bands only that from the surface. A row for each
- * temperature is worked out when it is first asked for, in about a millisecond; the same one, whoever asks.
+ * follows the way from the lamp to the camera, the edges of the bands only that from the surface. The row of a
+ * temperature is worked out when it is first asked for, in about a millisecond; it does not depend on who asks.
  */
 final class LampShiftTable {
 
-    /** Logarithms of the edge factors between which an edge lies in the visible. Beyond, nothing changes any more. */
+    /** Logarithms of the edge factors between which an edge lies in the visible. Outside, nothing changes any more. */
     private static final double LEAST_EDGE = -0.62;
 
     private static final double MOST_EDGE = 0.57;
@@ -20,7 +20,7 @@ final class LampShiftTable {
     /** For each edge factor the three channels of what lies above the first edge, then of that above the second. */
     private static final int NUMBERS = 6;
 
-    /** A share of a band that is less from 0 or 1 counts as that. */
+    /** A share of a band that is nearer to 0 or 1 counts as 0 or 1. */
     private static final double NO_SHARE = 1e-9;
 
     private final List<BlackBodyColours.SpectralPoint> spectrum;

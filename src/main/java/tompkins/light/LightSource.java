@@ -5,7 +5,7 @@ import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
-/** A source of light: one that rests, or several that move. */
+/** A source of light: one at rest, or several that move. */
 public sealed interface LightSource permits AmbientLight, PointLight, MovingLights {
 
     /** Adds the light of this source that a surface with the given colours sends back along a ray that hit it. */

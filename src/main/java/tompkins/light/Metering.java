@@ -4,6 +4,8 @@ package tompkins.light;
 public enum Metering {
     /** White light of the scene keeps its luminance in the middle of the picture. */
     MIDDLE,
-    /** The light is taken as it comes, so that the brightness of a thing does not depend on where the camera looks. */
+    /**
+     * The light is taken as it comes, so that the brightness of an object does not depend on where the camera looks.
+     */
     NONE
 }

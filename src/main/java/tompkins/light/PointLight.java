@@ -33,7 +33,7 @@ public record PointLight(
     public static final PointLight DEFAULT =
             new PointLight(new Vector3d(100, 300, -500), Colour.WHITE, Colour.WHITE, 40);
 
-    /** Seen from a moving camera, a lamp may be farther away than any place that is given. */
+    /** In the frame of a moving camera, a lamp may be farther away than any place in a description. */
     private static final double FARTHEST = 1e100;
 
     /** Checks all values. */

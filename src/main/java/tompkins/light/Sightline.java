@@ -12,7 +12,7 @@ public final class Sightline {
     /** Frequency of the light in the frame of the surface divided by that in the frame of the lamp. */
     public double dopplerFactor;
 
-    /** Time that the light takes per unit length, in the frame of the surface: 1 but in a Galilean world. */
+    /** Time that the light takes per unit length, in the frame of the surface: 1 except in a Galilean world. */
     public double slowness;
 
     /** Sets the way to a lamp that rests in the frame of the surface. */

@@ -29,12 +29,12 @@ public record RigidMotion(Quaterniondc rotation, Vector3dc translation) {
         return about(point, rotation, point);
     }
 
-    /** Where a point comes to lie. */
+    /** Where the motion takes a point. */
     public Vector3d place(Vector3dc point) {
         return rotation.transform(point, new Vector3d()).add(translation);
     }
 
-    /** Where a direction points to; its length stays. */
+    /** A direction after the motion; its length stays. */
     public Vector3d direction(Vector3dc direction) {
         return rotation.transform(direction, new Vector3d());
     }

@@ -6,7 +6,7 @@ import org.joml.Vector3dc;
 /** Lengths, unit vectors and bases, safe for vectors of any length. */
 public final class Vectors {
 
-    /** The component of a unit vector from which on it counts as lying along that axis. */
+    /** A unit vector with at least this component counts as lying along that axis. */
     private static final double NEARLY_ALONG = 0.9;
 
     private Vectors() {}
@@ -58,9 +58,9 @@ public final class Vectors {
     }
 
     /**
-     * The direction on a face that is up for one who looks at it from outside: the y axis laid into the face, or, where
-     * the face is level, z if it is seen from above and -z if it is seen from below. To the right is then normal x up,
-     * for x points to the right, y up and z away from the one who looks.
+     * The direction on a face that is up for somebody who looks at it from outside: the y axis laid into the face, or,
+     * if the face is level, z if it is seen from above and -z if it is seen from below. Right is then normal x up,
+     * because x points to the right, y up and z away from the viewer.
      *
      * @param normal unit vector out of the face
      */

@@ -17,7 +17,7 @@ public record CircleFit(LookCone circle, double residual) {
     /**
      * Fits a circle to unit directions.
      *
-     * @throws ArithmeticException if they are fewer than three, or do not tell a circle
+     * @throws ArithmeticException if there are fewer than three, or they do not determine a circle
      */
     public static CircleFit of(List<? extends Vector3dc> directions) {
         if (directions.size() < 3) {

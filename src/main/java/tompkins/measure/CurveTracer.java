@@ -7,8 +7,8 @@ import org.joml.Vector2d;
 import org.joml.Vector2dc;
 
 /**
- * Draws a curve of places as lines from point to point, so fine that they leave it by less than a fifth of a pixel in
- * the picture. It ends where there is no place, and where a panorama begins anew.
+ * Draws a curve of places as lines from point to point, which stay within a fifth of a pixel of the curve in the
+ * picture. A line ends where there is no place, and at the edge where a panorama begins again.
  */
 final class CurveTracer {
 
@@ -26,7 +26,7 @@ final class CurveTracer {
         this.curve = curve;
     }
 
-    /** The lines of a curve between two numbers; it gives null where there is no place. */
+    /** The lines of a curve between two numbers; the curve gives null where there is no place. */
     static List<List<Vector2dc>> lines(Projection projection, double from, double to, DoubleFunction<Vector2dc> curve) {
         CurveTracer tracer = new CurveTracer(projection, curve);
         double before = from;

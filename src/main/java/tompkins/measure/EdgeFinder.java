@@ -5,13 +5,13 @@ public final class EdgeFinder {
 
     private EdgeFinder() {}
 
-    /** Samples on each side whose means tell a step. */
+    /** Samples on each side whose means are compared to find a step. */
     private static final int SIDE = 5;
 
     /**
      * The place of the largest step, counted in samples from the first; NaN if there is none. A step is the difference
-     * between the means of a few samples on both sides, so that slow changes, as by shading, are none; the place
-     * between two samples is interpolated linearly.
+     * between the means of a few samples on both sides, so that slow changes, such as those by shading, do not count;
+     * the place between two samples is interpolated linearly.
      *
      * @param values the profile; what is not finite has no step
      */

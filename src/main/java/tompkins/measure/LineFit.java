@@ -5,8 +5,8 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * The great circle that fits some directions best: what a lens shows as a straight line, and a camera at rest of a
- * straight edge. Its normal is the eigenvector of the smallest eigenvalue of the sum of all n nᵀ.
+ * The great circle that fits some directions best: what a lens shows as a straight line, for instance a straight edge
+ * before a camera at rest. Its normal is the eigenvector of the smallest eigenvalue of the sum of all n nᵀ.
  *
  * @param normal unit vector across the plane of the great circle
  * @param residual root of the mean square of the angles by which the directions miss it, in radians
@@ -17,7 +17,7 @@ public record LineFit(Vector3dc normal, double residual, double worst) {
     /**
      * Fits a great circle to unit directions.
      *
-     * @throws ArithmeticException if they are fewer than two, or coincide
+     * @throws ArithmeticException if there are fewer than two, or they coincide
      */
     public static LineFit of(List<? extends Vector3dc> directions) {
         if (directions.size() < 2) {

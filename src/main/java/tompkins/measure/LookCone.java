@@ -30,7 +30,7 @@ public record LookCone(Vector3dc axis, double cosine, double sine) {
         return new LookCone(Vectors.unit(direction), 0, 1);
     }
 
-    /** The outline of a sphere that rests, seen from a point; null if the point lies in it. */
+    /** The outline of a sphere at rest, seen from a point; null if the point lies in it. */
     public static LookCone outline(Vector3dc from, Vector3dc centre, double radius) {
         Vector3d towards = centre.sub(from, new Vector3d());
         double distance = towards.length();
@@ -42,7 +42,7 @@ public record LookCone(Vector3dc axis, double cosine, double sine) {
     }
 
     /**
-     * The great circle on which a straight line is seen that rests (Boas 1961); null if the point lies on it.
+     * The great circle on which a straight line at rest is seen (Boas 1961); null if the point lies on it.
      *
      * @param through a point of the line
      * @param along its direction
@@ -52,7 +52,7 @@ public record LookCone(Vector3dc axis, double cosine, double sine) {
         return across.lengthSquared() > 0 ? across(across) : null;
     }
 
-    /** The same circle, as a camera sees it that moves with a velocity. */
+    /** The same circle, seen by a camera that moves with a velocity. */
     public LookCone seenBy(Velocity velocity) {
         Vector3dc u = velocity.proper();
         double along = u.dot(axis);

@@ -24,7 +24,7 @@ public record OverlayDrawing(
      * What is written at a place.
      *
      * @param text a name, a Doppler factor, or an angle in degrees
-     * @param frame of which frame the angle is; null if it is none
+     * @param frame the frame in which the angle is measured; null if it is not an angle
      * @param place where
      */
     public record Label(String text, Frame frame, Vector2dc place) {}

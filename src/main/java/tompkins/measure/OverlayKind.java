@@ -20,6 +20,6 @@ public enum OverlayKind {
     HORIZON,
     /** Circles of equal Doppler factor. */
     DOPPLER,
-    /** What objects are called. */
+    /** The names of objects. */
     LABELS
 }

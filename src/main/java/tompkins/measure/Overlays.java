@@ -22,21 +22,21 @@ import tompkins.trace.Frame;
 
 /**
  * Works out what is drawn over a picture, by formulas: for the centre of the lens, in the middle of the exposure, with
- * nothing in the way. The photograph itself has no part in it, so that each checks the other.
+ * nothing in the way. It does not use the photograph, so that each checks the other.
  */
 public final class Overlays {
 
     /** Steps of a grid in degrees. */
     private static final double[] STEPS = {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30};
 
-    /** About so many circles of a grid are in the picture. */
+    /** About how many circles of a grid are in the picture. */
     private static final int CIRCLES = 8;
 
     private static final double MERIDIAN = 15;
 
     private static final double[] DOPPLER_FACTORS = {0.1, 0.2, 0.5, 0.8, 1, 1.25, 2, 5, 10};
 
-    /** Half of the way around, less what a meridian leaves out at its poles. */
+    /** Half a turn, less what a meridian leaves out at its poles. */
     private static final double POLE = 1e-6;
 
     private static final double QUARTER = 90;
@@ -119,7 +119,7 @@ public final class Overlays {
         return isAround(thing) ? null : inPicture(projection.place(frame(thing.motion()), thing.middle()));
     }
 
-    /** Whether the lens is in the box around a thing, as in a sky. */
+    /** Whether the lens is in the box around an object, for instance in a sky. */
     private boolean isAround(SceneShapes.Thing thing) {
         Event lens = frame(thing.motion()).fromCamera(projection.lensEvent());
         return thing.bounds().distance(lens.position()) == 0;
@@ -197,7 +197,7 @@ public final class Overlays {
         double step = step(frame);
         double[] range = range(frame);
         for (double number = Math.max(1, Math.floor(range[0] / step)); number * step < range[1] + step; number++) {
-            // as few digits as the step has
+            // as many digits as the step has
             double degrees = NumberText.rounded(number * step, 6);
             if (degrees < 180) {
                 addCircle(drawing, frame, degrees);

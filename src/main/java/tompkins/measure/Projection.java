@@ -16,10 +16,9 @@ import tompkins.spacetime.Event;
 import tompkins.studio.Studio;
 
 /**
- * Where a picture shows what is somewhere: the way from a direction or a point to a place in pixels, for the centre of
- * the lens, in the middle of the exposure, with nothing before the lens. The centre of pixel (i, j) is (i + 1/2, j +
- * 1/2). Where a shutter opens at a time of its own for each place, that time is found for which the place shows what it
- * should.
+ * Where a picture shows something: leads from a direction or a point to a place in pixels, for the centre of the lens,
+ * in the middle of the exposure, with nothing before the lens. The centre of pixel (i, j) is (i + 1/2, j + 1/2). If the
+ * shutter opens at another time for each place, the time is found at which the place shows the object.
  */
 public final class Projection {
 
@@ -28,7 +27,7 @@ public final class Projection {
 
     private static final int MOST_STEPS = 60;
 
-    /** How often the time of one line is mended by the place to which it leads. */
+    /** How often the time is corrected to that of the line on which the place lies. */
     private static final int LINE_STEPS = 4;
 
     private final Studio studio;
@@ -79,7 +78,7 @@ public final class Projection {
         return oneTime;
     }
 
-    /** Columns after which a panorama begins anew; infinite for a lens. */
+    /** Columns after which a panorama repeats; infinite for a lens. */
     public double columnsAround() {
         return studio.camera() instanceof PanoramicCamera panorama
                 ? width * 360 / panorama.horizontalAngleDegrees()
@@ -111,7 +110,7 @@ public final class Projection {
         return new Event(lens.x(), lens.y(), lens.z(), time);
     }
 
-    /** The place at which a point is seen that rests in a frame; null if it is not in sight of the lens. */
+    /** The place at which a point that rests in a frame is seen; null if it is out of sight. */
     public Vector2dc place(SeenFrame frame, Vector3dc point) {
         return place(event -> {
             Vector3d towards = point.sub(frame.fromCamera(event).position(), new Vector3d());
@@ -120,7 +119,7 @@ public final class Projection {
     }
 
     /**
-     * The place at which something is seen whose direction is known for each event at the lens.
+     * The place at which something is seen, given its direction for each event at the lens.
      *
      * @param look gives a unit vector in the camera frame, or null if it is not seen
      * @return its place, which may lie outside the edges, or null if it is behind the lens, or if no time was found
@@ -142,7 +141,10 @@ public final class Projection {
         return direction == null ? null : rays.place(direction);
     }
 
-    /** The time at which the shutter opens where a thing is seen at that time, by the rule of secants; NaN if none. */
+    /**
+     * The time at which the shutter opens at the place where the object is seen at that time, found by the secant
+     * method; NaN if there is none.
+     */
     private double settledTime(Function<Event, ? extends Vector3dc> look, double start) {
         double before = Double.NaN;
         double errorBefore = Double.NaN;
@@ -192,7 +194,7 @@ public final class Projection {
         return time + first + perLine * (along - 0.5);
     }
 
-    /** All of a line opens together: the place at the time of the line in which it lies. */
+    /** The place for a shutter that opens a whole line together: at the time of the line in which it lies. */
     private Vector2dc ofOneLine(Function<Event, ? extends Vector3dc> look, double smooth) {
         Vector2dc near = placeAt(look, smooth);
         Vector2dc best = near;
@@ -224,7 +226,7 @@ public final class Projection {
         return (int) Math.max(0, Math.min(lines() - 1, Math.floor(acrossLines(place))));
     }
 
-    /** The angle that one pixel covers at a place, in radians: the larger of both ways. */
+    /** The angle that one pixel covers at a place, in radians: the larger of width and height. */
     public double pixelAngle(double x, double y) {
         Vector3dc here = direction(x, y);
         return Math.max(

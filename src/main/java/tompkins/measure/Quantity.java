@@ -11,8 +11,7 @@ import tompkins.property.NumberText;
  * @param key what it is, in one word with inner capitals
  * @param unit its unit; empty if it has none
  * @param value the number; NaN if there is none
- * @param uncertainty by how much it is uncertain because a place in a picture is known to half a pixel, or NaN if that
- *     is not known or means nothing
+ * @param uncertainty by how much half a pixel in the picture changes it; NaN if that is not known or means nothing
  */
 public record Quantity(String key, String unit, double value, double uncertainty) {
 
@@ -21,7 +20,10 @@ public record Quantity(String key, String unit, double value, double uncertainty
         return new Quantity(key, unit, value, Double.NaN);
     }
 
-    /** The number down to the second digit of its uncertainty; with the given digits if that is not known, or 0. */
+    /**
+     * The number rounded to the second digit of its uncertainty; to the given digits if the uncertainty is not known or
+     * 0.
+     */
     public double rounded(int digits) {
         if (!Double.isFinite(value) || !Double.isFinite(uncertainty) || uncertainty == 0) {
             return NumberText.rounded(value, digits);

@@ -6,10 +6,10 @@ import org.hipparchus.linear.EigenDecompositionSymmetric;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
-/** How vectors scatter about a point, along three axes across each other. */
+/** How vectors scatter about a point, along three perpendicular axes. */
 final class Scatter {
 
-    /** Its eigenvalues come in falling order. */
+    /** The axes; their eigenvalues are in falling order. */
     private final EigenDecompositionSymmetric axes;
 
     private Scatter(EigenDecompositionSymmetric axes) {

@@ -23,18 +23,18 @@ import tompkins.surface.Refractive;
 import tompkins.surface.Surface;
 
 /**
- * What of a scene overlays are drawn of: the first spheres, lines and objects of it.
+ * The shapes of a scene for which overlays are drawn: its first spheres, lines and objects.
  *
  * @param spheres spheres
  * @param lines axes of rods, and edges of boxes and of flat pieces; not those of meshes
- * @param objects objects that have an end
+ * @param objects bounded objects
  * @param complete whether these are all
- * @param turnsRays whether the scene holds mirrors, glass or windows, in which things are seen elsewhere
+ * @param turnsRays whether the scene holds mirrors, glass or windows, in which objects are seen elsewhere
  */
 public record SceneShapes(
         List<Ball> spheres, List<Line> lines, List<Thing> objects, boolean complete, boolean turnsRays) {
 
-    /** The most of each; of lines, a box has twelve. */
+    /** The most of each; a box has twelve lines. */
     private static final int MOST = 400;
 
     private static final int MOST_LINES = 12 * MOST;
@@ -64,7 +64,7 @@ public record SceneShapes(
      * An object.
      *
      * @param motion how its frame moves; null for the scene frame
-     * @param name what it is called
+     * @param name its name
      * @param bounds the box around it in its frame
      */
     public record Thing(FrameMotion motion, String name, Bounds bounds) {

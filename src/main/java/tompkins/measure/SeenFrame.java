@@ -15,11 +15,11 @@ import tompkins.studio.Studio;
 import tompkins.studio.View;
 
 /**
- * How the camera sees what rests in one frame of the scene. What rests is seen along a direction of its frame from the
- * event at which its light crosses the lens; so the directions are all there is to know. A direction n that is followed
- * backwards in time has the tangent (n, -1), which the change of frame takes to the camera. In the measured view the
- * tangent lies in one time of the camera. In a Galilean world light has speed 1 in the camera frame, and the tangent is
- * (k n, -1) with the k that makes it so.
+ * How the camera sees what rests in one frame of the scene. An object at rest in the frame is seen along a direction of
+ * that frame, from the event at which its light crosses the lens; so only directions have to be worked out. A direction
+ * n that is followed backwards in time has the tangent (n, -1), which the change of frame takes to the camera. In the
+ * measured view the tangent lies in one time of the camera. In a Galilean world light has speed 1 in the camera frame,
+ * and the tangent is (k n, -1) with the k that gives this speed.
  */
 public final class SeenFrame {
 

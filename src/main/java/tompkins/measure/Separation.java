@@ -31,8 +31,8 @@ public record Separation(Sighting first, Sighting second) {
     }
 
     /**
-     * From the first event of emission to the second, in the frame in which both objects rest; null if they do not rest
-     * in one.
+     * From the first event of emission to the second, in the frame in which both objects rest; null if they do not
+     * share one.
      */
     public Event inObject() {
         return first.sharesFrame(second)

@@ -54,7 +54,7 @@ public record Sighting(Studio studio, double x, double y, RayLife life) {
         return hit() == null ? null : hit().inCamera(studio.sceneFromCamera());
     }
 
-    /** The distance of what was hit from the lens in the camera frame, as straight as light goes; NaN without a hit. */
+    /** The straight distance from the lens to what was hit, in the camera frame; NaN without a hit. */
     public double cameraDistance() {
         Event event = inCamera();
         return event == null

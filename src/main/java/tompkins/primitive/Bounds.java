@@ -66,7 +66,7 @@ public record Bounds(double minX, double minY, double minZ, double maxX, double 
         return new Bounds(minX - margin, minY - margin, minZ - margin, maxX + margin, maxY + margin, maxZ + margin);
     }
 
-    /** The largest coordinate, without its sign. */
+    /** The largest size of a coordinate. */
     public double farthest() {
         double x = Math.max(Math.abs(minX), Math.abs(maxX));
         double y = Math.max(Math.abs(minY), Math.abs(maxY));

@@ -17,7 +17,7 @@ public final class BoxPrimitive extends Primitive {
 
     private final Vector3d centre;
 
-    // two opposite corners: seen from the centre, a point near a face of a large box would lose its digits
+    // two opposite corners, because a point near a face of a large box would lose digits if measured from the centre
     private final Vector3d lowest;
     private final Vector3d highest;
 
@@ -79,7 +79,7 @@ public final class BoxPrimitive extends Primitive {
             }
             double near = startsHere ? 0 : (slope > 0 ? toLowest : toHighest) / slope;
             double far = (slope > 0 ? toHighest : toLowest) / slope;
-            // Math.max and Math.min would take care of NaN and of the sign of 0 as well, and longer
+            // Math.max and Math.min also take care of NaN and of the sign of 0, and so take longer
             enter = near > enter ? near : enter;
             leave = far < leave ? far : leave;
         }

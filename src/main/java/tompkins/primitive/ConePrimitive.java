@@ -10,7 +10,7 @@ import tompkins.surface.Surface;
 /** The mantle of a cone in space. */
 public final class ConePrimitive extends Primitive {
 
-    /** The radius at the tip, where u changes without end, as a share of that of the base. */
+    /** The smallest radius, as a share of that of the base: at the tip u would change infinitely fast. */
     private static final double SMALLEST = 1e-12;
 
     private final Vector3d tip;

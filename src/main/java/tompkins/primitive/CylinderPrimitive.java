@@ -107,9 +107,9 @@ public final class CylinderPrimitive extends Primitive {
     }
 
     /**
-     * By the distance between the ray's line and the axis, as in {@link #distance} but without the ends. Several short
-     * loops: the compiler makes no vector instructions of a long one. From a single start the products are of
-     * directions alone.
+     * By the distance between the ray's line and the axis, as in {@link #distance} but without the ends. Short loops,
+     * because the compiler makes no vector instructions from a long one. From a single start only directions enter the
+     * products.
      */
     @Override
     public boolean missMargins(RayPacket rays, RayStarts starts, double[] margins) {

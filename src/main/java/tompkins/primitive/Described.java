@@ -1,6 +1,6 @@
 package tompkins.primitive;
 
-/** What a scene file describes and calls by a name; primitives belong to it. */
+/** What a scene file describes and names; primitives belong to it. */
 public interface Described {
 
     /** What the user calls it. */

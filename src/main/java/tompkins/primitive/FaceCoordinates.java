@@ -20,7 +20,7 @@ record FaceCoordinates(Vector3dc alongU, Vector3dc alongV) {
      *
      * @param outwards unit vector out of the face, before the placement
      * @param width length of the face from left to right, before the placement
-     * @param height length of the face from below to above, before the placement
+     * @param height length of the face from bottom to top, before the placement
      */
     static FaceCoordinates across(Vector3dc outwards, double width, double height, Placement placement) {
         Vector3d up = Vectors.upOnFace(outwards);

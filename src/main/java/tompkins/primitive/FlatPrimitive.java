@@ -11,8 +11,7 @@ import tompkins.ray.SurfaceCoordinates;
 import tompkins.surface.Surface;
 
 /**
- * A piece of a plane with coordinates (u, v): {@code x = corner + u U + v V}. What belongs to the piece, u and v
- * decide.
+ * A piece of a plane with coordinates (u, v): {@code x = corner + u U + v V}. u and v decide what belongs to the piece.
  */
 public final class FlatPrimitive extends Primitive {
 
@@ -119,8 +118,8 @@ public final class FlatPrimitive extends Primitive {
     }
 
     /**
-     * By the signs, in one branch instead of three: most triangles of a mesh are missed, and a processor guesses
-     * wrongly at which side. A million of them take 5 % less time.
+     * Decides by the signs, in one branch instead of three: most triangles of a mesh are missed, and the processor
+     * guesses wrongly on which side. A million of them take 5 % less time.
      */
     private static boolean noneIsNegative(double first, double second, double third) {
         // a sum of 0 and -0 is 0

@@ -21,7 +21,10 @@ public final class Placement {
     private final Vector3dc translation;
     private final Vector3dc origin;
 
-    /** Taken together first: what is far from (0, 0, 0) and near the origin keeps its digits. */
+    /**
+     * Translation minus origin, subtracted first so that what is far from (0, 0, 0) but near the origin keeps its
+     * digits.
+     */
     private final Vector3dc shift;
 
     /** A placement by scale (above 0), rotation and translation, in this order. */

@@ -16,7 +16,7 @@ public final class PlanePrimitive extends Primitive {
     private final Vector3d second;
     private final double scale;
 
-    // as plain numbers, for every ray asks for them
+    // as plain numbers, because every ray asks for them
     private final double pointX;
     private final double pointY;
     private final double pointZ;
@@ -54,7 +54,7 @@ public final class PlanePrimitive extends Primitive {
         }
         double height = heightBelow(ray.x, ray.y, ray.z);
         double slope = slope(ray.dx, ray.dy, ray.dz);
-        // most rays that miss are told without a division
+        // most rays that miss are found without a division
         if (height > 0 != slope > 0) {
             return NO_HIT;
         }
@@ -83,7 +83,7 @@ public final class PlanePrimitive extends Primitive {
         return from.boundary == this || heightBelow(from.x, from.y, from.z) * slope(dx, dy, dz) < 0;
     }
 
-    /** The normal times (point - start): subtracted first, so that nothing cancels near the plane. */
+    /** The normal times (point - start), subtracted first so that no digits are lost near the plane. */
     private double heightBelow(double x, double y, double z) {
         return normalX * (pointX - x) + normalY * (pointY - y) + normalZ * (pointZ - z);
     }

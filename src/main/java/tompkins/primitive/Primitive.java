@@ -15,19 +15,19 @@ public abstract class Primitive implements Boundary, Cloneable {
     /** What {@link #distance} returns where there is no hit. */
     public static final double NO_HIT = Double.POSITIVE_INFINITY;
 
-    /** A line meets no primitive more often, not even with rounding at its edges. */
+    /** No line meets a primitive more often than this, even with rounding at its edges. */
     public static final int MOST_MEETINGS = 8;
 
     /** Widening of squared sizes in margins. */
     static final double WIDER = 1.001;
 
-    /** No margin is as large as this, with or without its sign. */
+    /** The size of every margin is below this. */
     public static final double LARGEST_MARGIN = 1e250;
 
     /** More than rounding leaves of a length in margins, relative to the coordinates. */
     static final double ROUNDING = 1e-6;
 
-    /** What rounding may move a point by, relative to the largest coordinate. */
+    /** How far rounding may move a point, relative to the largest coordinate. */
     public static final double SLACK = 1e-12;
 
     private final Described object;
@@ -52,8 +52,8 @@ public abstract class Primitive implements Boundary, Cloneable {
 
     /**
      * Rules out many rays at once: those with a margin below 0 surely miss this primitive, even allowing for rounding.
-     * The others may hit or miss. It saves most calls of {@link #distance}. Here by a ball around the primitive; by
-     * something narrower where a shape knows it.
+     * The others may hit or miss. It saves most calls of {@link #distance}. The default uses a ball around the
+     * primitive; shapes may use something narrower.
      *
      * @param starts where the rays of the packet start
      * @param margins receives a number for each ray of the packet, smaller than {@link #LARGEST_MARGIN}
@@ -70,8 +70,8 @@ public abstract class Primitive implements Boundary, Cloneable {
 
     /**
      * The margins of a ball, by the distance of its centre from the line. From a single start it is a circular cone,
-     * which takes a third of the time. Several short loops: the compiler makes no instructions for several rays at once
-     * of a long one.
+     * which takes a third of the time. Short loops, because the compiler makes no instructions for several rays at once
+     * from a long one.
      */
     static boolean ballMissMargins(
             double x, double y, double z, double radius, RayPacket rays, RayStarts starts, double[] margins) {
@@ -109,7 +109,7 @@ public abstract class Primitive implements Boundary, Cloneable {
     }
 
     /**
-     * Refuses a length whose square overflows, or is so near to 0 that it loses digits.
+     * Refuses a length whose square overflows, or is so near 0 that it loses digits.
      *
      * @throws ArithmeticException if it does
      */
@@ -121,8 +121,8 @@ public abstract class Primitive implements Boundary, Cloneable {
     }
 
     /**
-     * The unit vector along (x, y, z), also where its square is no number or 0; against the ray if it has no length, as
-     * on a shape that is too small to be told from its centre at this distance.
+     * The unit vector along (x, y, z), even if its square overflows or is 0; the direction against the ray if its
+     * length is 0, as on a shape that is too small at this distance for rounding to tell it from its centre.
      */
     static Vector3d unitOrFacing(Ray ray, double x, double y, double z) {
         return x == 0 && y == 0 && z == 0
@@ -136,8 +136,8 @@ public abstract class Primitive implements Boundary, Cloneable {
     }
 
     /**
-     * Whether a ray from a hit surely misses this primitive, if that is quickly told without a ray. Here if the ray
-     * leaves this primitive outwards: all primitives are convex.
+     * Whether a ray from a hit surely misses this primitive, if that can be decided quickly without making the ray. The
+     * default: it leaves this primitive outwards, because a convex primitive is then never met again.
      */
     public boolean surelyMisses(Hit from, double dx, double dy, double dz) {
         return from.boundary == this && dx * from.normalX + dy * from.normalY + dz * from.normalZ > 0;
@@ -160,7 +160,7 @@ public abstract class Primitive implements Boundary, Cloneable {
     public abstract Bounds bounds();
 
     /**
-     * The least value of n.x over the primitive, or something less: it tells whether the primitive lies beyond a plane
+     * The least value of n.x over the primitive, or a smaller one: it decides whether the primitive lies beyond a plane
      * with the normal n (of any length).
      */
     public abstract double minimumAlong(double nx, double ny, double nz);
@@ -236,7 +236,7 @@ public abstract class Primitive implements Boundary, Cloneable {
         return surface;
     }
 
-    /** Place in the list of primitives: of equally near hits the one listed first counts. */
+    /** Place in the list of primitives: among equally near hits the one listed first counts. */
     public final int order() {
         return order;
     }

@@ -8,7 +8,7 @@ public final class RayStarts {
     private boolean one;
     private double farthest;
 
-    /** Looks at some rays of a packet, from one place to before another. */
+    /** Looks at the rays of a packet from one place (included) to another (excluded). */
     public void measure(RayPacket rays, int from, int to) {
         double firstX = rays.x[from];
         double firstY = rays.y[from];
@@ -26,7 +26,7 @@ public final class RayStarts {
         }
     }
 
-    /** Whether all rays start at one point, as those of a pinhole mostly do. */
+    /** Whether all rays start at one point, as most of those from a pinhole do. */
     public boolean areOne() {
         return one;
     }

@@ -62,7 +62,7 @@ public final class SpherePrimitive extends Primitive {
         if (offset > radius) {
             return NO_HIT;
         }
-        // the radius is not squared, so that the radius of a sky may be as large as a number can be
+        // the radius is not squared, so that a sky may have any radius that a number can hold
         double halfChord = Math.sqrt(radius - offset) * Math.sqrt(radius + offset);
         double centreDistance = Math.sqrt(fx * fx + fy * fy + fz * fz);
         double height = centreDistance - radius;
@@ -116,7 +116,7 @@ public final class SpherePrimitive extends Primitive {
                 : new Vector3d(round.right())
                         .mul(toMiddle / level)
                         .sub(new Vector3d(round.middle()).mul(toRight / level));
-        // at a pole all directions are level: those in front go on over it
+        // at a pole all directions are level: the limit from in front is used
         Vector3d alongV = level == 0
                 ? new Vector3d(round.middle()).mul(-height)
                 : new Vector3d(round.axis())

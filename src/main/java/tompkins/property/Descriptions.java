@@ -109,7 +109,7 @@ public final class Descriptions {
         return make(type, values);
     }
 
-    /** The constant {@code DEFAULT} of a record type: with it a new description starts. */
+    /** The constant {@code DEFAULT} of a record type, from which a new description starts. */
     public static Object standard(Class<?> type) {
         try {
             return type.getField("DEFAULT").get(null);

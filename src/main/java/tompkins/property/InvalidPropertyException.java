@@ -10,7 +10,7 @@ public final class InvalidPropertyException extends IllegalArgumentException {
     private final boolean byItself;
 
     /**
-     * Describes one value that is wrong, perhaps only beside the other properties.
+     * Describes one value that is wrong, perhaps only in combination with the other properties.
      *
      * @param property name of the property, as in the scene file
      * @param allowed what is allowed, continuing the sentence "(property) must be ..."
@@ -20,7 +20,7 @@ public final class InvalidPropertyException extends IllegalArgumentException {
         this(property, allowed, value, false);
     }
 
-    /** As above, and whether the value is wrong by itself, whatever the other properties are. */
+    /** As above; also says whether the value is wrong by itself, whatever the other properties are. */
     InvalidPropertyException(String property, String allowed, Object value, boolean byItself) {
         super(property + " " + problem(allowed, value));
         this.property = property;
@@ -28,7 +28,7 @@ public final class InvalidPropertyException extends IllegalArgumentException {
         this.byItself = byItself;
     }
 
-    /** What is wrong with a part of something, told of the whole: "scene[0] velocity must be ...". */
+    /** What is wrong with a part of something, reported for the whole: "scene[0] velocity must be ...". */
     public InvalidPropertyException(String whole, InvalidPropertyException part) {
         super(whole + ": " + part.getMessage(), part);
         property = whole;
@@ -45,7 +45,7 @@ public final class InvalidPropertyException extends IllegalArgumentException {
         return property;
     }
 
-    /** Whether the value is wrong by itself, and not only beside another one. */
+    /** Whether the value is wrong by itself, and not only in combination with another one. */
     public boolean isByItself() {
         return byItself;
     }

@@ -26,9 +26,9 @@ public final class NumberText {
 
     /**
      * The number that a text writes, with spaces around it or without, and with a point or a comma before its fraction,
-     * see {@link #withPoint}; what else Java takes for one, such as {@code 3d} or {@code 0x1p3}, is none.
+     * see {@link #withPoint}. Other forms that Java accepts, such as {@code 3d} or {@code 0x1p3}, are refused.
      *
-     * @throws NumberFormatException if the text is no number
+     * @throws NumberFormatException if the text is not a number
      */
     public static double parse(String text) {
         String plain = withPoint(text.trim());
@@ -39,8 +39,8 @@ public final class NumberText {
     }
 
     /**
-     * A number with a decimal comma, such as {@code 0,9}, with a point instead. Any other text stays as it is; so does
-     * {@code 1,500}, in which the comma may also separate thousands.
+     * The text of a number with a decimal comma, such as {@code 0,9}, with a point instead. Any other text stays as it
+     * is, even {@code 1,500}, in which the comma may also separate thousands.
      */
     public static String withPoint(String text) {
         boolean decimal = DECIMAL_COMMA.matcher(text).matches()
@@ -48,7 +48,7 @@ public final class NumberText {
         return decimal ? text.replace(',', '.') : text;
     }
 
-    /** All digits of a number, but no more than it needs: read again, they give the same bits. */
+    /** As many digits of a number as it needs, and no more: read again, they give the same bits. */
     public static String of(double value) {
         double size = Math.abs(value);
         if (value == 0) {
@@ -67,7 +67,7 @@ public final class NumberText {
 
     /**
      * The nearest decimal number with the fewest digits, two or more, that is read as the same bits.
-     * {@link Double#toString} of Java 17 takes more than it needs for some, such as 2e23.
+     * {@link Double#toString} of Java 17 gives some numbers more digits than they need, such as 2e23.
      */
     private static BigDecimal shortest(double value) {
         BigDecimal exact = new BigDecimal(value);
@@ -85,7 +85,7 @@ public final class NumberText {
         return exact.round(new MathContext(digits, RoundingMode.HALF_EVEN));
     }
 
-    /** The number with at most the given digits, never the negative zero; what is not finite stays as it is. */
+    /** The number with at most the given digits, never negative zero; a number that is not finite stays as it is. */
     public static double rounded(double value, int digits) {
         return Double.isFinite(value)
                 ? new BigDecimal(value).round(new MathContext(digits)).doubleValue() + 0.0

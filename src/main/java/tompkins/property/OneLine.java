@@ -3,7 +3,8 @@ package tompkins.property;
 import java.util.regex.Pattern;
 
 /**
- * Texts that somebody else wrote, fit for one line of a terminal: it obeys control characters instead of showing them.
+ * Makes texts that somebody else wrote safe for one line of a terminal, which obeys control characters instead of
+ * showing them.
  */
 public final class OneLine {
 
@@ -16,7 +17,7 @@ public final class OneLine {
         return CONTROLS.matcher(text).replaceAll(" ");
     }
 
-    /** As above; of a text of more characters than {@code longest} the beginning, and how many they are. */
+    /** As above; a text of more than {@code longest} characters is cut there, and its length is added. */
     public static String shortened(String text, int longest) {
         boolean tooLong = text.length() > longest;
         String start = tooLong ? text.substring(0, longest - 10) : text;

@@ -6,8 +6,8 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * Checks of values in the constructors of descriptions. Each method returns the value that it accepts and throws
- * {@link InvalidPropertyException} for one that it does not; NaN and infinity are never accepted.
+ * Checks of values in the constructors of descriptions. Each method returns a value that it accepts and throws
+ * {@link InvalidPropertyException} for any other; NaN and infinity are never accepted.
  */
 public final class Require {
 

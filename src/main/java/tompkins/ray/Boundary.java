@@ -1,8 +1,8 @@
 package tompkins.ray;
 
 /**
- * A surface in space on which rays end and start. All that a ray knows of objects: it lets an object recognise a ray
- * that starts on it, so that the ray is kept from hitting the same point again by geometry and not by a small number.
+ * A surface in space on which rays end and start. This is all that a ray knows of objects. It lets an object recognise
+ * a ray that starts on it, so that geometry, and not a small number, keeps the ray from hitting the same point again.
  */
 public interface Boundary {
 

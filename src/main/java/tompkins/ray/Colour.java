@@ -17,10 +17,13 @@ public record Colour(double red, double green, double blue) {
     /** The brightest colour of the picture. */
     public static final Colour WHITE = new Colour(1, 1, 1);
 
-    /** Pictures hold floats, up to 2^128: this leaves room for a sum of a million samples. */
+    /** Pictures hold floats, up to 2^128; this limit leaves room for a sum of a million samples. */
     private static final double LARGEST = 0x1p104;
 
-    /** What a description may ask for: light of many lamps on bright things still fits into a picture. */
+    /**
+     * The most that a description may ask for, so that the light of many lamps on bright objects still fits into a
+     * picture.
+     */
     private static final double BRIGHTEST = 1e20;
 
     /** The same value in all channels. */

@@ -1,6 +1,8 @@
 package tompkins.ray;
 
-/** What a file beside the scene file holds, once it was read. Scene files name it, or include the bytes of the file. */
+/**
+ * What a file beside the scene file holds, after it was read. Scene files name it, or include the bytes of the file.
+ */
 public interface FileContent {
 
     /** The file's name, as the scene file writes it. */

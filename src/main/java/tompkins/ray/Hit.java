@@ -1,8 +1,8 @@
 package tompkins.ray;
 
 /**
- * Where and when a ray meets a boundary. A plain value of the hot path, made for the nearest boundary only. Whoever is
- * given one does not keep it: its memory is used again.
+ * Where and when a ray meets a boundary. A plain value of the hot path, made for the nearest boundary only. Nobody who
+ * is given a hit keeps it: its memory is used again.
  */
 public final class Hit {
 
@@ -27,7 +27,7 @@ public final class Hit {
     /** What is hit. */
     public Boundary boundary;
 
-    /** Which part of it: objects number their mantles, caps and faces. */
+    /** Which part of the boundary: objects number their mantles, caps and faces. */
     public int part;
 
     /** Coordinates on the surface, or null where the surface does not ask for them. */
@@ -96,12 +96,14 @@ public final class Hit {
         return this;
     }
 
-    /** What a clock at the hit shows, which rests with the object: its proper time and the offset of its clock. */
+    /**
+     * What a clock shows that rests with the object at the hit: the object's proper time plus the offset of its clock.
+     */
     public double clockReading() {
         return boundary == null ? time : time + boundary.clockOffset();
     }
 
-    /** Makes this a place and a time on nothing, to ask what light gets there. */
+    /** Makes this a place and a time that belong to no object, to ask what light gets there. */
     public void setPlace(double newX, double newY, double newZ, double newTime) {
         x = newX;
         y = newY;

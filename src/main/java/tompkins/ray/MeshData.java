@@ -3,7 +3,7 @@ package tompkins.ray;
 import java.util.Arrays;
 
 /**
- * Triangles with common corners, as numbers, with the file that they came from. Immutable: the arrays are handed over
+ * Triangles that share corners, as numbers, with the file that they came from. Immutable: the arrays are handed over
  * and must not be changed afterwards.
  */
 public final class MeshData implements FileContent {

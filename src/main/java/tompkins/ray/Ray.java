@@ -4,7 +4,7 @@ package tompkins.ray;
  * A light ray that is traced backwards in time: from an event, in the direction in which the camera looks along it. The
  * light itself travels the other way. A plain value of the hot path, in units with c = 1.
  *
- * <p>Nobody outside this package changes a ray. Whoever is given one does not keep it: its memory is used again.
+ * <p>Nobody outside this package changes a ray. Nobody who is given a ray keeps it: its memory is used again.
  */
 public final class Ray {
 
@@ -42,7 +42,8 @@ public final class Ray {
     public double stretch;
 
     /**
-     * Whether this is no light, but a line of events at one time of the camera: so things are measured instead of seen.
+     * Whether this is not light but a line of events at one time of the camera, with which things are measured instead
+     * of seen.
      */
     public boolean measures;
 
@@ -55,7 +56,7 @@ public final class Ray {
     /** The largest share of the sample's light that the ray can still bring, 1 at the camera. */
     public double throughput;
 
-    /** What the ray starts on, or null; the starting point itself is then no hit. */
+    /** What the ray starts on, or null; the starting point itself does not count as a hit. */
     public Boundary boundary;
 
     /** Which part of the boundary the ray starts on. */
@@ -141,7 +142,7 @@ public final class Ray {
         return bent(hit, newDx, newDy, newDz, lightSlowness(), 1, share);
     }
 
-    /** The slowness of this ray, or, if it measures, that of the light which goes on where a surface bends it: 1. */
+    /** The slowness of this ray; if it measures, the slowness 1 of the light that goes on where a surface bends it. */
     public double lightSlowness() {
         return measures ? 1 : slowness;
     }
@@ -178,8 +179,11 @@ public final class Ray {
         return new Ray().set(this);
     }
 
-    /** Makes this equal to another ray. */
+    /** Makes this equal to another ray, which may be this one. */
     public Ray set(Ray other) {
+        if (other == this) {
+            return this;
+        }
         x = other.x;
         y = other.y;
         z = other.z;
@@ -208,8 +212,8 @@ public final class Ray {
     }
 
     /**
-     * Makes this a ray that starts at a hit in the unit direction (toX, toY, toZ), to ask whether something is in the
-     * way.
+     * Makes this a ray that starts at a hit in the unit direction (toX, toY, toZ), to find out whether something is in
+     * the way.
      */
     public Ray setShadow(Hit hit, double toX, double toY, double toZ) {
         return setShadow(hit, toX, toY, toZ, 1);
@@ -232,6 +236,19 @@ public final class Ray {
         return this;
     }
 
+    /**
+     * Turns this, which has just begun as a shadow ray, into light in vacuum of another unit direction in its frame.
+     */
+    public Ray aim(double toX, double toY, double toZ) {
+        dx = toX;
+        dy = toY;
+        dz = toZ;
+        slowness = 1;
+        frequency = 1;
+        stretch = 1;
+        return this;
+    }
+
     /** The ray of a shadow test, beyond something clear. */
     public Ray shadowBeyond(Hit hit) {
         return new Ray().setShadow(hit, dx, dy, dz, slowness);
@@ -247,7 +264,7 @@ public final class Ray {
         return width + spread * distance;
     }
 
-    /** Lets this start at a place and a time on nothing. */
+    /** Lets this start at a place and a time that belong to no object. */
     public void setStart(Hit place) {
         startOn(place);
     }

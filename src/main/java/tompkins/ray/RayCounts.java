@@ -1,11 +1,13 @@
 package tompkins.ray;
 
-/** Counts what happened to the rays of one thread. Nothing that goes wrong is painted; it is counted here. */
+/**
+ * Counts what happened to the rays of one thread. What goes wrong leaves no mark in the picture; it is counted here.
+ */
 public final class RayCounts {
 
     private static final double PARTS = 0x1p32;
 
-    /** Samples that were taken; not those that a block left out because it was stopped. */
+    /** Samples that were taken, without those that a block left out because it was stopped. */
     public long samples;
 
     /**
@@ -32,7 +34,7 @@ public final class RayCounts {
     /** Samples that never cross the shutter, or only at infinity; they stayed black. */
     public long withoutShutter;
 
-    /** Samples whose colour was no number that a picture can hold; they stayed black. */
+    /** Samples whose colour was not a number that a picture can hold; they stayed black. */
     public long notFinite;
 
     /** Rays that were ended because they had met too many surfaces. */
@@ -41,7 +43,10 @@ public final class RayCounts {
     /** Rays that were ended because they could bring less than {@link Ray#FAINTEST} of the light. */
     public long tooFaint;
 
-    /** What those could have brought at most, in parts of the light of a sample; whole, so that no order matters. */
+    /**
+     * The most light that those could have brought, in parts of the light of a sample; a whole number, so that the
+     * order of the sums does not matter.
+     */
     private long lostParts;
 
     /** Counts a ray that is ended because it could bring no more than a share of the light of its sample. */

@@ -3,9 +3,9 @@ package tompkins.ray;
 import java.util.Arrays;
 
 /**
- * The rays of neighbouring samples, as arrays of numbers: what is done to all of them is done in short loops, which the
- * compiler turns into instructions for several rays at once. They start on nothing. One for each thread, filled again
- * for each packet.
+ * The rays of neighbouring samples, as arrays of numbers. Short loops work on all of them, which the compiler turns
+ * into instructions for several rays at once. The rays start on no object. One for each thread, filled again for each
+ * packet.
  */
 public final class RayPacket {
 
@@ -42,7 +42,7 @@ public final class RayPacket {
     /** Lengths of the directions that had length 1 when the rays left the camera. */
     public final double[] stretch;
 
-    /** What a camera sets; the rest is the same for all its rays. */
+    /** The arrays that a camera sets; the rest is the same for all its rays. */
     private final double[][] setByCamera;
 
     private final double[][] numbers;
@@ -135,7 +135,7 @@ public final class RayPacket {
         }
     }
 
-    /** Lets a ray that has just left the camera take the place of an earlier one. */
+    /** Moves a ray that has just left the camera to the place of an earlier one. */
     public void move(int from, int to) {
         for (double[] numbers : setByCamera) {
             numbers[to] = numbers[from];

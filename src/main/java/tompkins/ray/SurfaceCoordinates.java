@@ -2,8 +2,8 @@ package tompkins.ray;
 
 /**
  * Coordinates (u, v) of a point on a surface, with their gradients in space: moving by a vector d on the surface
- * changes u by {@code gradientU . d}. What u and v are is said by each object; infinite planes use lengths, others run
- * from 0 to 1.
+ * changes u by {@code gradientU . d}. Each object says what its u and v are; those of infinite planes are lengths,
+ * others run from 0 to 1.
  *
  * @param u first coordinate
  * @param v second coordinate

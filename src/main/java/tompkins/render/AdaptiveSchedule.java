@@ -9,29 +9,31 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 
 /**
- * Takes samples where they are needed. Begins with the centre of each pixel, and then looks with {@link #FIRST_SAMPLES}
- * at every 17th, where there may be what no centre meets; or begins with so many everywhere, where the centres tell
- * nothing of the error. Then, round by round, pixels get twice as many where one sample more lowers the picture's error
- * most. Which ones depends on the picture alone, so that the result does not depend on the number of threads.
+ * Takes samples where they are needed. It begins with the centre of each pixel, and then takes {@link #FIRST_SAMPLES}
+ * of every 17th, to find what no centre meets. If the centres say nothing about the error, it begins with so many
+ * everywhere. Then, round by round, it doubles the samples of those pixels where one more sample lowers the error of
+ * the picture most. The choice depends on the picture alone, so that the result does not depend on the number of
+ * threads.
  */
 final class AdaptiveSchedule implements Schedule {
 
     /**
-     * Fewer samples miss what is small, and then take it for settled. With so many, photographs err by what was
-     * promised (see the chart of antialiasing, "error found against error promised", in docs/speed-and-accuracy.md).
+     * Fewer samples miss small objects and then count the pixel as settled. With this many, the error of photographs is
+     * what was promised (see the chart of antialiasing, "error found against error promised", in
+     * docs/speed-and-accuracy.md).
      */
     static final int FIRST_SAMPLES = 16;
 
     /**
-     * Of so many pixels one is looked at: a prime, so that all rows, columns and diagonals have such pixels. What is
-     * found in one leads on to its neighbours.
+     * One of this many pixels is looked at: a prime, so that all rows, columns and diagonals have such pixels. What is
+     * found in one pixel leads to its neighbours.
      */
     private static final int LOOK_PERIOD = 17;
 
-    /** The pixels looked at move on by so many columns from row to row, so that they do not stand in columns. */
+    /** The pixels that are looked at move by this many columns from row to row, so that they do not form columns. */
     private static final int LOOK_STEP = 5;
 
-    /** No pixel gets more, however wrong it still is. */
+    /** No pixel gets more samples, however wrong it still is. */
     static final int MOST_SAMPLES = 1 << 16;
 
     /** A round aims a little lower than the target, so that the last rounds are not many small ones. */
@@ -50,7 +52,7 @@ final class AdaptiveSchedule implements Schedule {
      * A schedule for one picture.
      *
      * @param pixels number of pixels of the picture
-     * @param severalFirst whether one sample per pixel tells nothing of the error
+     * @param severalFirst whether one sample per pixel says nothing about the error
      * @param coarseFirst whether the first pass is taken coarse to fine
      * @param targetError root mean square error of the exposed picture, or 0
      * @param time when to stop at the latest
@@ -81,7 +83,7 @@ final class AdaptiveSchedule implements Schedule {
         return pass;
     }
 
-    /** At the borders the centres have no neighbours beyond, which would tell of an edge between them. */
+    /** At the borders of the picture a centre has no neighbours outside, which could show an edge between them. */
     private void look(Film film, BooleanSupplier stopped) {
         hasLooked = true;
         BitSet looked = new BitSet(pixels);
@@ -139,7 +141,7 @@ final class AdaptiveSchedule implements Schedule {
         return time.isLimited() ? time.spent() / (time.spent() + time.left()) : done / expectedWork;
     }
 
-    /** The first pass is completed however short the time: there is always something to show. */
+    /** The first pass is always completed, however short the time, so that there is something to show. */
     @Override
     public boolean isOver() {
         return passesBegun.get() > 1 && time.isOver();

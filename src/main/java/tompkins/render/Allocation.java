@@ -7,8 +7,8 @@ import java.util.function.BooleanSupplier;
  * pixel of roughness r, one more sample gains {@code r n^-(p + 1)} (times p); the best is to raise all pixels until
  * that gain is the same threshold everywhere, to {@code n = (r/threshold)^(1/(p + 1))}.
  *
- * <p>Sums over pixels are kept for steps of the gain, an eighth of an octave wide, so that each threshold is judged at
- * once.
+ * <p>Sums over pixels are kept for steps of the gain, an eighth of an octave wide, so that the result of any threshold
+ * is known at once.
  */
 final class Allocation {
 
@@ -26,15 +26,15 @@ final class Allocation {
     private final double[] samples = new double[STEPS];
     private final double[] wishes = new double[STEPS];
 
-    /** The most samples that the pixels of each step may come to have. */
+    /** The most samples that the pixels of each step may get in all. */
     private final double[] most = new double[STEPS];
 
     /**
      * The allocation for what a picture has so far.
      *
      * @param mostSamples pixels with this many get no more
-     * @param stopped whether nobody wants it any more
-     * @throws java.util.concurrent.CancellationException if nobody does
+     * @param stopped whether the allocation is no longer wanted
+     * @throws java.util.concurrent.CancellationException if it is not
      */
     Allocation(Film film, PixelVariance roughness, int mostSamples, BooleanSupplier stopped) {
         gains = new float[film.width() * film.height()];
@@ -79,7 +79,7 @@ final class Allocation {
         return gains[pixel];
     }
 
-    /** The highest threshold that leaves a sum of variances; 0, the lowest of all, if none does. */
+    /** The highest threshold that leaves at most a sum of variances; 0, the lowest of all, if there is none. */
     double thresholdForVariance(double limit) {
         double below = 0;
         for (double variance : variances) {
@@ -97,8 +97,8 @@ final class Allocation {
     }
 
     /**
-     * The lowest threshold that takes no more than a number of samples, those taken before included; the highest if
-     * none does.
+     * The lowest threshold that needs no more than a number of samples, including those taken before; the highest if
+     * there is none.
      */
     double thresholdForSamples(double limit) {
         int step = 1;
@@ -108,7 +108,7 @@ final class Allocation {
         return threshold(step);
     }
 
-    /** The number of samples at a threshold, those taken before included. */
+    /** The number of samples at a threshold, including those taken before. */
     double samples(double threshold) {
         double sum = 0;
         for (int step = 0; step < STEPS; step++) {

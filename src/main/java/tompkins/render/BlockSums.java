@@ -8,8 +8,8 @@ import tompkins.trace.SampleSink;
 
 /**
  * Adds up the samples that a pass takes of a block of pixels, in double precision, and then gives the film their sums.
- * The film has single precision, and would lose the last digits of each of many samples. It gets a single sample at
- * once: coarse passes take no more. One for each thread.
+ * The film has single precision, and would lose the last digits of each of many samples. The film gets single samples
+ * directly, because coarse passes take no more. One for each thread.
  */
 final class BlockSums implements SampleSink {
 
@@ -61,7 +61,7 @@ final class BlockSums implements SampleSink {
         counts[place]++;
     }
 
-    /** Gives the film what has come together, and begins with nothing again. */
+    /** Gives the film what was summed up, and starts from 0 again. */
     void addToFilm() {
         if (pass.samples() == 1) {
             return;

@@ -11,7 +11,7 @@ import tompkins.image.ToneCurve;
  */
 record Clipping(long black, long white) {
 
-    /** Of a picture of which nothing has to be told. */
+    /** The clipping of a picture about which there is nothing to report. */
     static final Clipping NONE = new Clipping(0, 0);
 
     /** Counts the pixels of a picture. */

@@ -15,11 +15,11 @@ import tompkins.trace.RenderPlan;
 public record CostForecast(double samplesPerPixel, double seconds) {
 
     private static final double PATIENCE = 3;
-    /** Short enough to tell the speed of the machine while it runs cold from that when it runs warm. */
+    /** Short enough to distinguish the speed of the program before and after it has warmed up. */
     private static final double PART = 1;
 
     private static final double LONGEST_PART = 4;
-    /** So many are needed for their mean to be within some tens of percent of that of all. */
+    /** Number of blocks that are needed for their mean to be within some tens of percent of the mean of all. */
     private static final int FIRST_BLOCKS = 32;
 
     /**
@@ -31,9 +31,9 @@ public record CostForecast(double samplesPerPixel, double seconds) {
 
     /**
      * Takes a few blocks of pixels, spread over the picture, exactly as the picture would be taken, and then as many
-     * more as there is time for. What the blocks need, all need.
+     * more as there is time for. The whole picture is taken to need what the blocks need.
      *
-     * @return the forecast, or nothing if not even one sample was complete in that time
+     * @return the forecast, or empty if not even one sample was complete in that time
      */
     public static Optional<CostForecast> of(RenderPlan plan, Quality quality, Renderer renderer)
             throws InterruptedException {
@@ -90,7 +90,7 @@ public record CostForecast(double samplesPerPixel, double seconds) {
         return (System.nanoTime() - start) / 1e9;
     }
 
-    /** The blocks of a picture in an order in which any number of first ones lie all over it. */
+    /** The blocks of a picture in an order in which the first n, for any n, are spread all over it. */
     private static List<Tile> spread(RenderPlan plan) {
         int side = RayPacket.SIDE;
         return Tile.of(plan.width(), plan.height(), side).stream()

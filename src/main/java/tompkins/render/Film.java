@@ -4,12 +4,12 @@ import java.util.Arrays;
 import tompkins.image.LinearImage;
 
 /**
- * The light that was collected so far. Each pixel is written by one thread at a time, in the order of its samples, so
- * that the sums are the same whatever the number of threads.
+ * The light that has been collected so far. Each pixel is written by one thread at a time, in the order of its samples,
+ * so that the sums are the same whatever the number of threads.
  */
 final class Film {
 
-    /** Marks a pixel whose only sample gives way to the next one. */
+    /** Marks a pixel whose only sample is replaced by the next one. */
     private static final int REPLACED = -1;
 
     private final int width;
@@ -18,14 +18,15 @@ final class Film {
     private final float[] sums;
     private final int[] samples;
 
-    /** The sums when a pixel had half of its samples: as many as the greatest power of two below their number. */
+    /** The sums at the time when a pixel had half of its samples: the greatest power of two below their number. */
     private final float[] halfSums;
 
     /**
      * A film.
      *
-     * @param exposure factor of all light that it shows or tells of
-     * @param comparesHalves whether it can tell the variance of pixels with several samples, for more memory
+     * @param exposure factor of all light in its pictures and variances
+     * @param comparesHalves whether it can estimate the variance of pixels with several samples, which takes more
+     *     memory
      */
     Film(int width, int height, double exposure, boolean comparesHalves) {
         this.width = width;
@@ -56,7 +57,8 @@ final class Film {
     }
 
     /**
-     * Whether that many samples are the first half of those to come: what a pixel gets next must be added by itself.
+     * Whether this number of samples is the first half of those to come; the next samples of the pixel must then be
+     * added separately.
      */
     static boolean isNewHalf(int samples) {
         return Integer.bitCount(samples) == 1;
@@ -82,7 +84,7 @@ final class Film {
         return halfSums != null;
     }
 
-    /** Lets the next sample of a pixel take the place of the only one that it has. */
+    /** Lets the next sample of a pixel replace the only one that it has. */
     void restart(int pixel) {
         samples[pixel] = REPLACED;
     }
@@ -200,7 +202,7 @@ final class Film {
 
     private void put(int pixel, float[] light, int place) {
         int count = samples(pixel);
-        // most pictures of a window have one: no division where there is nothing to divide
+        // most pictures of a window have one sample, which needs no division
         double scale = count == 1 ? exposure : exposure / count;
         for (int channel = 0; channel < 3; channel++) {
             // light is finite, but exposure may lift it above what a picture can hold

@@ -1,6 +1,6 @@
 package tompkins.render;
 
-/** What the parts of a picture that were rendered so far cost, and what the whole picture will therefore cost. */
+/** What the rendered parts of a picture have cost, and what the whole picture will therefore cost. */
 final class PartCosts {
 
     /** A time, in seconds, long enough that a pause of the machine hardly matters. */
@@ -17,7 +17,7 @@ final class PartCosts {
 
     /**
      * Notes the progress of the part being rendered. The speed since the previous note counts, unless that was a moment
-     * ago: within one part the machine may get several times faster.
+     * ago: the program may get several times faster within one part.
      *
      * @param partSamples samples of the part so far
      * @param tracingSeconds how long they took
@@ -35,7 +35,7 @@ final class PartCosts {
      * Adds a part that has ended.
      *
      * @param partPixels pixels of the part
-     * @param partSamples samples that were taken; a part without any takes time and tells nothing else
+     * @param partSamples samples that were taken; a part without any only takes time
      * @param progress the share of its samples that were taken, up to 1
      * @param seconds how long it took
      * @param planningSeconds how much of this was spent between the passes, which takes as long for all of the picture
@@ -53,7 +53,7 @@ final class PartCosts {
         notedTracing = 0;
     }
 
-    /** Whether no sample has been taken yet, so that nothing can be told. */
+    /** Whether no sample has been taken yet, so that there is nothing to estimate from. */
     boolean isEmpty() {
         return samples == 0;
     }
@@ -64,8 +64,7 @@ final class PartCosts {
     }
 
     /**
-     * Samples that are taken in a second, with the greatest speed so far: the machine gets faster while the program
-     * runs warm.
+     * Samples that are taken in a second, with the greatest speed so far: the program gets faster while it warms up.
      */
     double rate() {
         return rate;

@@ -13,26 +13,26 @@ import tompkins.camera.PixelSampler;
  * @param coarserStride stride of the pass before this one, or 0 if this is the first
  * @param firstSample number of the first sample
  * @param samples samples per pixel
- * @param inAll how many samples the pixel is divided among: those that it has after the pass, or is expected to have in
+ * @param inAll how many samples the pixel is divided among: those that it has after the pass, or is expected to have at
  *     the end
  * @param chosen the pixels that get them, or null for all
- * @param share the share of the pixels that get them, of those that are rendered
+ * @param share the share of the rendered pixels that get them
  */
 record Pass(int stride, int coarserStride, int firstSample, int samples, int inAll, BitSet chosen, double share) {
 
     private static final int COARSEST = 8;
 
-    /** Later passes are at most so long, or as long as an eighth of what is done: the picture is seen to get better. */
+    /** Later passes are at most this long, or an eighth of what is done, so that one can watch the picture improve. */
     private static final int LONG = 64;
 
-    /** A tile of such a pass takes some seconds; nothing of it is seen before. */
+    /** A tile of such a pass takes some seconds, and shows nothing until it is done. */
     private static final int LONGEST = 4096;
 
     /**
-     * The passes that take the given number of samples of each pixel: 1, 1, 2, 4, ... 64, 64, ..., in the end an eighth
-     * of those before.
+     * The passes that take the given number of samples of each pixel: 1, 1, 2, 4, ... 64, 64, ..., and at the end an
+     * eighth of those before.
      *
-     * @param inAll samples that pixels may come to have, by passes after these
+     * @param inAll samples that pixels may have after later passes
      * @param coarseFirst whether the first one is taken coarse to fine
      */
     static List<Pass> of(int samples, int inAll, boolean coarseFirst) {

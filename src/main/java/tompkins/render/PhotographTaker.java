@@ -22,7 +22,7 @@ public final class PhotographTaker implements AutoCloseable {
      * @throws CancellationException if the task is cancelled
      */
     public RenderJob take(Studio studio, Progress progress, double done, double share) throws InterruptedException {
-        // from moment to moment of an animation the scene often stays
+        // the scene often stays the same from moment to moment of an animation
         plan = RenderPlan.of(studio, plan);
         RenderJob job = renderer.start(plan, Quality.of(studio), RenderListener.NONE);
         while (!job.isComplete() && job.failure() == null) {

@@ -6,13 +6,13 @@ import java.util.function.BooleanSupplier;
 import tompkins.trace.RenderPlan;
 
 /**
- * How hard each pixel is, and so how wrong it still may be. The variance of a pixel's mean is taken to fall as
- * {@code roughness n^-POWER} with the number n of its samples; the roughness is measured where samples are, and shared
- * with the eight neighbours: an edge that no sample of a pixel has met yet has been met next door.
+ * How difficult each pixel is, and so how wrong it may still be. The variance of a pixel's mean is taken to fall as
+ * {@code roughness n^-POWER} with the number n of its samples; the roughness is measured where there are samples, and
+ * shared with the eight neighbours: an edge that no sample of a pixel has met yet may have been met next door.
  *
  * <p>Where a pixel has several samples, its roughness is that of the difference between the first and the second half
- * of them. Where it has the one in its centre, it is that of the second differences over its neighbours: an edge of
- * height h raises those of two pixels by h, and is wrong by h/sqrt(12) in one of them.
+ * of them. If it has only the one in its centre, the second differences over its neighbours give its roughness: an edge
+ * of height h raises those of two pixels by h, and is wrong by h/sqrt(12) in one of them.
  */
 final class PixelVariance {
 
@@ -32,7 +32,7 @@ final class PixelVariance {
     private double lastPower;
 
     /**
-     * Whether one sample in each pixel tells nothing of their errors: it shows no blur of a wide aperture or a long
+     * Whether one sample in each pixel says nothing about their errors: it shows no blur of a wide aperture or a long
      * exposure, and has second differences only where three pixels lie in a line.
      */
     static boolean needsSeveralSamples(RenderPlan plan) {
@@ -40,8 +40,8 @@ final class PixelVariance {
     }
 
     /**
-     * The root mean square error that a picture still has in linear light; NaN if there is too little to tell, or if
-     * nobody wants to know it any more.
+     * The root mean square error that a picture still has in linear light; NaN if there is too little to estimate it
+     * from, or if it is no longer wanted.
      *
      * @param sampledPixels pixels of the film that have samples
      */
@@ -62,8 +62,8 @@ final class PixelVariance {
     /**
      * The roughness of the pixels that have samples.
      *
-     * @param stopped whether nobody wants it any more
-     * @throws CancellationException if nobody does
+     * @param stopped whether it is no longer wanted
+     * @throws CancellationException if it is not
      */
     PixelVariance(Film film, BooleanSupplier stopped) {
         this.film = film;
@@ -75,7 +75,8 @@ final class PixelVariance {
     }
 
     /**
-     * The roughness that a pixel's own samples show, with a border of one pixel; NaN there and where no samples are.
+     * The roughness that each pixel's own samples show, with a border of one pixel; NaN in the border and where there
+     * are no samples.
      */
     private float[] own() {
         float[] own = new float[(width + 2) * (height + 2)];
@@ -109,7 +110,7 @@ final class PixelVariance {
         return own;
     }
 
-    /** A row with a border, of which nothing is known. */
+    /** A row with a border, whose values are all unknown. */
     private double[] unknownRow() {
         double[] row = new double[3 * (width + 2)];
         Arrays.fill(row, Double.NaN);
@@ -181,7 +182,7 @@ final class PixelVariance {
     }
 
     /**
-     * Ends what nobody wants any more: it would hold up whoever cancelled it.
+     * Ends work that is no longer wanted, so that whoever cancelled it need not wait.
      *
      * @throws CancellationException if {@code stopped} says so
      */
@@ -202,7 +203,7 @@ final class PixelVariance {
         return samples <= 1 ? shared[pixel] : shared[pixel] * power(samples, -POWER);
     }
 
-    /** A power, kept for the next pixel, which mostly has as many samples. */
+    /** A power, kept for the next pixel, which usually has the same number of samples. */
     private double power(int samples, double exponent) {
         if (samples != lastSamples || exponent != lastExponent) {
             lastSamples = samples;

@@ -2,19 +2,19 @@ package tompkins.render;
 
 import java.util.concurrent.CancellationException;
 
-/** Where work in the background says how far it is, and asks whether it is still wanted. */
+/** Lets work in the background report how far it is, and ask whether it is still wanted. */
 public interface Progress {
 
     /** The share of the work that is done, from 0 to 1. */
     void setProgress(double share);
 
-    /** Whether the work is to end early. */
+    /** Whether the work should end early. */
     boolean isCancelled();
 
     /**
-     * Ends work that is to end early.
+     * Ends work that should end early.
      *
-     * @throws CancellationException if it is
+     * @throws CancellationException if it should
      */
     default void requireWanted() {
         if (isCancelled()) {

@@ -58,8 +58,9 @@ public sealed interface Quality {
     record TargetError(double rootMeanSquare) implements Quality {
 
         /**
-         * Half a step of a picture of 8 bits: nobody sees less. For the same error, samples where they are needed take
-         * fewer rays than the same number everywhere (see the charts of antialiasing in docs/speed-and-accuracy.md).
+         * Half a step of an 8-bit picture: smaller errors are invisible. For the same error, samples where they are
+         * needed take fewer rays than the same number everywhere (see the charts of antialiasing in
+         * docs/speed-and-accuracy.md).
          */
         public static final TargetError DEFAULT = new TargetError(0.002);
 
@@ -78,7 +79,7 @@ public sealed interface Quality {
     /**
      * Samples where they help most, until the time is over.
      *
-     * @param seconds from the start of the render; what was begun by then is completed
+     * @param seconds from the start of the render; what has been begun by then is completed
      */
     record TimeLimit(double seconds) implements Quality {
 

@@ -19,8 +19,8 @@ import tompkins.trace.RenderPlan;
 import tompkins.trace.SampleTracer;
 
 /**
- * One picture on its way. The threads of the renderer take tiles from one counter, pass by pass; a thread that finds
- * the pass used up waits for the others, so that each pass is complete before the next begins.
+ * One picture that is being rendered. The threads of the renderer take tiles from one counter, pass by pass; a thread
+ * that finds the pass used up waits for the others, so that each pass is complete before the next begins.
  */
 public final class RenderJob {
 
@@ -68,7 +68,7 @@ public final class RenderJob {
     }
 
     /**
-     * What one thread does for this job. Whatever goes wrong is kept, so that nobody waits for a thread that has gone.
+     * What one thread does for this job. Whatever goes wrong is kept, so that nobody waits for a thread that has ended.
      */
     void work() {
         RayCounts mine = new RayCounts();
@@ -142,7 +142,7 @@ public final class RenderJob {
     private void tileDone() {
         listener.tileDone(this);
         if (tilesDone.incrementAndGet() % tiles.size() == 0) {
-            // before the others go on, so that nobody adds to the film while the listener looks at it
+            // before the others continue, so that nothing is added to the film while the listener looks at it
             listener.passDone(this);
             long start = System.nanoTime();
             Pass next;
@@ -233,7 +233,7 @@ public final class RenderJob {
         }
     }
 
-    /** Waits for the end of the job, but not for ever. */
+    /** Waits for the end of the job, but not forever. */
     void await(double seconds) throws InterruptedException {
         end.await((long) (seconds * 1e9), TimeUnit.NANOSECONDS);
     }
@@ -284,8 +284,8 @@ public final class RenderJob {
     }
 
     /**
-     * Of a picture on its way, which changes yet, nothing is told; without shifted colours brightness is what the scene
-     * says, and black may be meant.
+     * An unfinished picture is not judged, and neither is one without shifted colours: its brightness is what the scene
+     * says, and black may be intended.
      */
     private Clipping clipping() {
         Studio studio = plan.studio();

@@ -3,15 +3,15 @@ package tompkins.render;
 import java.util.function.Consumer;
 
 /**
- * Somebody who wants to know how a render goes on. Called by the threads of the renderer, and by the thread that closes
- * it for jobs that had not begun; must return quickly.
+ * Is told how a render goes on. Called by the threads of the renderer, and by the thread that closes it for jobs that
+ * had not begun; must return quickly.
  */
 public interface RenderListener {
 
     /** Nobody. */
     RenderListener NONE = new RenderListener() {};
 
-    /** Somebody who looks at the job after each pass. */
+    /** A listener that looks at the job after each pass. */
     static RenderListener afterEachPass(Consumer<RenderJob> look) {
         return new RenderListener() {
             @Override

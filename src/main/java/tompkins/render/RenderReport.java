@@ -15,10 +15,10 @@ import tompkins.ray.RayCounts;
  * @param shadowRays tests whether a light is visible
  * @param withoutFocus samples whose chief ray misses the surface in focus; focused at infinity
  * @param withoutShutter samples that never cross the shutter; black
- * @param notFinite samples whose colour was no number that a picture can hold; black
+ * @param notFinite samples whose colour was not a number that a picture can hold; black
  * @param tooDeep rays that were given up because of the recursion depth
  * @param tooFaint rays that were given up because they could bring too little light
- * @param lostLight what those could have brought at most, summed over all samples, of which each brings 1
+ * @param lostLight the most that those could have brought, summed over all samples, each of which brings 1
  * @param missesScene whether the picture is complete, the scene has objects, and no ray met any of them
  * @param nodes nodes of bounding-volume trees that were visited
  * @param tests primitives that were tested
@@ -27,8 +27,8 @@ import tompkins.ray.RayCounts;
  * @param blackPixels those that are too faint for a screen, where the motion changes brightness; otherwise 0, and while
  *     the picture is not complete
  * @param whitePixels those that are brighter than white, in the same cases
- * @param error estimated root mean square error in linear light; NaN if there is too little to tell, such as one sample
- *     through a wide aperture, or pixels without any
+ * @param error estimated root mean square error in linear light; NaN if there is too little to estimate it from, such
+ *     as one sample through a wide aperture, or pixels without any
  * @param wantedError the error that was to be reached; 0 if there is none, or the picture is not complete
  * @param time how long it took
  */
@@ -53,10 +53,10 @@ public record RenderReport(
         double wantedError,
         Duration time) {
 
-    /** More pixels than this share of a picture are black only if its exposure is wrong. */
+    /** If more than this share of a picture is black, its exposure must be wrong. */
     private static final double MOST_BLACK = 0.9;
 
-    /** More pixels than this share of a picture are white only if its exposure is wrong. */
+    /** If more than this share of a picture is white, its exposure must be wrong. */
     private static final double MOST_WHITE = 0.5;
 
     /** More than this share of the light can be seen to be missing. */

@@ -17,7 +17,7 @@ public final class Renderer implements AutoCloseable {
     /** Enough for the deepest recursion that surfaces ask for. */
     private static final long STACK_BYTES = 16 << 20;
 
-    /** Larger pictures with a fixed number of samples come without an estimate of their error. */
+    /** Larger pictures with a fixed number of samples get no estimate of their error. */
     private static final long MOST_PIXELS_WITH_ESTIMATE = 4_000_000;
 
     private final int threads;
@@ -32,7 +32,7 @@ public final class Renderer implements AutoCloseable {
     /**
      * A renderer with a number of threads.
      *
-     * @throws IllegalArgumentException if there is less than one
+     * @throws IllegalArgumentException if it is below 1
      */
     public Renderer(int threads) {
         if (threads < 1) {
@@ -72,7 +72,7 @@ public final class Renderer implements AutoCloseable {
                 pool.execute(job::work);
             }
         } catch (RejectedExecutionException closed) {
-            // what the pool had taken of it already must not be rendered
+            // the part that the pool had already taken must not be rendered
             job.cancel();
             jobs.remove(job);
             throw new IllegalStateException("the renderer is closed", closed);
@@ -129,7 +129,7 @@ public final class Renderer implements AutoCloseable {
     public void close() {
         List<Runnable> notBegun = pool.shutdownNow();
         jobs.forEach(RenderJob::cancel);
-        // what no thread has begun ends here, so that nobody waits for it for ever
+        // jobs that no thread has begun end here, so that nobody waits for them forever
         notBegun.forEach(Runnable::run);
         try {
             pool.awaitTermination(1, TimeUnit.SECONDS);

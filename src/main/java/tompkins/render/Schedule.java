@@ -3,16 +3,16 @@ package tompkins.render;
 import java.util.function.BooleanSupplier;
 
 /**
- * Decides which samples are taken. The next pass is asked for by one thread at a time, between passes; how far the
- * picture is, by any thread at any time.
+ * Decides which samples are taken. One thread at a time asks for the next pass, between passes; any thread may ask at
+ * any time how far the picture is.
  */
 interface Schedule {
 
     /**
      * The next pass, or null if the picture is done.
      *
-     * @param stopped whether nobody wants it any more
-     * @throws java.util.concurrent.CancellationException if nobody does
+     * @param stopped whether the picture is no longer wanted
+     * @throws java.util.concurrent.CancellationException if it is not
      */
     Pass next(Film film, BooleanSupplier stopped);
 
@@ -27,6 +27,6 @@ interface Schedule {
      */
     double progress(double work);
 
-    /** Whether no new part of a pass shall be begun because the time is over. */
+    /** Whether no new part of a pass may be begun because the time is over. */
     boolean isOver();
 }

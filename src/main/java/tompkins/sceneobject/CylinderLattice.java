@@ -35,7 +35,7 @@ public record CylinderLattice(
         @Meaning("What the rods along z look like") Surface surfaceAlongZ)
         implements SceneObject {
 
-    /** Most rods of a lattice, so that a slip of the finger does not fill the memory. */
+    /** Most rods of a lattice, so that a typing mistake does not fill the memory. */
     private static final long MOST_RODS = 4_000_000;
 
     /** The lattice of the paper. */

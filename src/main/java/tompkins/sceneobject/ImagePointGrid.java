@@ -77,7 +77,7 @@ public record ImagePointGrid(
 
     @Override
     public void addTo(PrimitiveCollector collector, Placement placement) {
-        // copies of copies of nothing would take for ever, too
+        // copies of copies of nothing would take forever, too
         if (object.primitiveCount() == 0) {
             return;
         }

@@ -37,7 +37,7 @@ public record Moving(
             0,
             List.of(Sphere.DEFAULT));
 
-    /** The most velocities of a scene: each has a search of its own. */
+    /** The most velocities in a scene, because each has a search of its own. */
     public static final int MOST_FRAMES = 256;
 
     /** Checks all values. */

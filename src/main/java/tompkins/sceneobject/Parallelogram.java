@@ -48,9 +48,7 @@ public record Parallelogram(
         Require.present("surface", surface);
     }
 
-    /**
-     * Whether two vectors span no area that is a number: one is 0 or infinite, or their angle is below 1e-9 radians.
-     */
+    /** Whether two vectors span no usable area: one is 0 or infinite, or their angle is below 1e-9 radians. */
     static boolean areParallel(Vector3dc a, Vector3dc b) {
         Vector3d zero = new Vector3d();
         return !a.isFinite()

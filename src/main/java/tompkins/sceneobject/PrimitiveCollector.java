@@ -34,7 +34,7 @@ public final class PrimitiveCollector {
     private final List<FrameObjects> frames = new ArrayList<>();
     private int count;
 
-    /** Whether what has no size that is a number is refused: only where there is a place to name. */
+    /** Whether sizes that are not numbers are refused: only if there is a place in a scene file to name. */
     private boolean checksSizes;
 
     // where what is added now belongs
@@ -75,7 +75,7 @@ public final class PrimitiveCollector {
         return collector.primitives();
     }
 
-    /** The refusal of something that is so large, small or far away that what is worked out from it is no number. */
+    /** The refusal of something that is so large, small or far away that results are no longer numbers. */
     public static InvalidPropertyException refusal(String property, String value) {
         return new InvalidPropertyException(property, ALLOWED, value);
     }
@@ -105,7 +105,7 @@ public final class PrimitiveCollector {
         return refusal;
     }
 
-    /** Accepts what has a size that is a number, or none, as planes. */
+    /** Accepts primitives whose size is a number, and those without a size, such as planes. */
     private static void requireSize(Primitive primitive) {
         Bounds bounds = primitive.bounds();
         if (bounds != null && !Double.isFinite(bounds.halfArea())) {
@@ -113,7 +113,7 @@ public final class PrimitiveCollector {
         }
     }
 
-    /** Adds one primitive behind those that are there. */
+    /** Adds one primitive after those that are there. */
     public void add(Primitive primitive) {
         if (checksSizes) {
             requireSize(primitive);
@@ -124,8 +124,8 @@ public final class PrimitiveCollector {
     }
 
     /**
-     * Adds what moves. All that moves with one velocity shares one frame: another place at time 0 is another place in
-     * it, and another zero of the own time.
+     * Adds what moves. Everything that moves with one velocity shares one frame: a different place at time 0 is a
+     * different place in that frame and a different zero of proper time.
      *
      * @param velocity velocity in the frame in which the placement places
      * @param place where the origin of what moves is at own time 0, before the placement

@@ -26,18 +26,19 @@ public sealed interface SceneObject extends Described
                 ImagePointGrid,
                 Hidden {
 
-    /** The most primitives of a picture, so that copies of copies fill neither the memory nor the day. */
+    /** The most primitives of a picture, so that copies of copies neither fill the memory nor take all day. */
     double MOST_PRIMITIVES = 10_000_000;
 
     /**
-     * The number of primitives that the object becomes, or a few more; no whole number holds that of copies of copies.
+     * The number of primitives that the object becomes, or a few more; a double, because copies of copies may be too
+     * many for a whole number.
      */
     default double primitiveCount() {
         return 1;
     }
 
     /**
-     * The object, where only what rests means something.
+     * Accepts an object only if nothing in it moves.
      *
      * @throws InvalidPropertyException if something in it moves
      */

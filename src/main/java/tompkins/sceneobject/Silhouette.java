@@ -32,7 +32,7 @@ public record Silhouette(
         @Meaning("What the dark parts look like") Surface surface)
         implements SceneObject {
 
-    /** Of a white picture: nothing. */
+    /** Nothing: the silhouette of a white picture. */
     public static final Silhouette DEFAULT = new Silhouette(
             "silhouette",
             new Vector3d(-0.5, -0.5, 10),

@@ -50,7 +50,7 @@ public record TriangleMesh(
             Vector3d first = corner(mesh, triangle, 0);
             Vector3d spanU = placement.vector(corner(mesh, triangle, 1).sub(first));
             Vector3d spanV = placement.vector(corner(mesh, triangle, 2).sub(first));
-            // an area that is no number is not left out: the primitive refuses it
+            // an area that is not a number is not left out: the primitive refuses it
             if (area(spanU, spanV) != 0) {
                 collector.add(new FlatPrimitive(
                         this, surface, FlatPrimitive.Outline.TRIANGLE, placement.point(first), spanU, spanV));

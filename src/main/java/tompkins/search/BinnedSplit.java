@@ -3,8 +3,8 @@ package tompkins.search;
 import java.util.Arrays;
 
 /**
- * Looks for the best of all cuts through some boxes, across one axis between slices of equal width. One for each
- * thread.
+ * Splits some boxes by the best cut across one axis, among those between slices of equal width (binned surface-area
+ * heuristic). One for each thread.
  */
 final class BinnedSplit {
 
@@ -27,7 +27,7 @@ final class BinnedSplit {
     private int bestSlice;
 
     /**
-     * BinnedSplit of boxes that hold primitives.
+     * A split of boxes that hold primitives.
      *
      * @param costOfNode cost of visiting a node, in tests of a primitive: two boxes against a ray, and the memory that
      *     they come from
@@ -37,7 +37,7 @@ final class BinnedSplit {
     }
 
     /**
-     * Chooses the cheapest cut.
+     * Finds the cheapest cut.
      *
      * @param area half the area of the box around all
      * @param worth cost above which a cut is not worth while
@@ -76,7 +76,7 @@ final class BinnedSplit {
         return Math.min(SLICES - 1, (int) ((twiceCentre - least) * scale));
     }
 
-    /** Counts and bounds what lies in each slice; false if all lies in one place. */
+    /** Counts and bounds what lies in each slice; false if everything lies in one place. */
     private boolean slice(Boxes boxes, int from, int to) {
         least = Double.POSITIVE_INFINITY;
         double most = Double.NEGATIVE_INFINITY;
@@ -100,7 +100,7 @@ final class BinnedSplit {
         return true;
     }
 
-    /** Adds to the cost of each cut that of the side that the sweep comes from; infinite where it is empty. */
+    /** Adds to the cost of each cut the cost of the side from which the sweep comes; infinite if that is empty. */
     private void sweep(int first, int step) {
         Boxes.clear(side);
         int count = 0;

@@ -6,8 +6,8 @@ import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 
 /**
- * A few primitives that the rays of a packet may meet, the nearest first, with a note for each ray which of them. One
- * for each thread, filled again and again.
+ * A few primitives that the rays of a packet may meet, the nearest first, with a note for each ray which of them it may
+ * meet. One for each thread, filled again and again.
  */
 final class Candidates {
 
@@ -25,7 +25,7 @@ final class Candidates {
     /** For each ray the sum of a power of two for each candidate that it may meet. */
     private final double[] mayMeet = new double[RayPacket.MOST];
 
-    /** Candidates of rays that a bundle holds. */
+    /** Candidates for the rays of a frustum. */
     Candidates(PacketFrustum bundle) {
         this.bundle = bundle;
     }
@@ -65,7 +65,7 @@ final class Candidates {
     }
 
     /**
-     * Adds a primitive if some ray of the bundle can meet it.
+     * Adds a primitive if some ray of the frustum can meet it.
      *
      * @param leaf the leaf that holds it, or null if none does
      * @return false if there is no room for it
@@ -81,7 +81,7 @@ final class Candidates {
         return true;
     }
 
-    /** Nearer ones first: whoever has met one need not try what lies behind. */
+    /** Nearer ones first: a ray that has met one need not try what lies behind. */
     private void insert(Primitive primitive, TreeNode leaf, double leastDistance) {
         // what may lie anywhere, like a plane, comes first
         double least = leastDistance > 0 ? leastDistance : 0;
@@ -107,7 +107,7 @@ final class Candidates {
         }
     }
 
-    /** Without a branch, and in one kind of number: so the compiler makes instructions for several rays of it. */
+    /** Uses no branch and one kind of number, so that the compiler makes instructions for several rays at once. */
     private void takeOut(double bit, int rayCount) {
         for (int ray = 0; ray < rayCount; ray++) {
             // -1 below 0, otherwise 0
@@ -125,7 +125,7 @@ final class Candidates {
         return Long.bitCount((long) mayMeet[place]);
     }
 
-    /** Searches what the ray at a place hits of them nearer than what was found before. */
+    /** Searches the candidates for a hit of the ray at a place that is nearer than what was found before. */
     void search(Ray ray, int place, NearestHit nearest) {
         int tests = 0;
         for (long left = (long) mayMeet[place]; left != 0; left &= left - 1) {

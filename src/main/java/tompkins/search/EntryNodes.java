@@ -4,15 +4,15 @@ import tompkins.ray.RayPacket;
 
 /**
  * Where a few neighbouring rays enter the tree: the way from its root down to the parts that they can meet is walked
- * only once for all of them. The result of each ray is that of a search of its own. One for each thread, used again for
- * every few rays.
+ * only once for all of them. The result for each ray is the same as that of a search of its own. One for each thread,
+ * used again for every few rays.
  */
 public final class EntryNodes {
 
-    /** The number of rays that pays best; any other is right. */
+    /** The number of rays that is fastest; any other gives the same results. */
     public static final int RAYS = 32;
 
-    /** From this number of nodes on none is opened; more would cost each ray more than they save. */
+    /** With this number of nodes no further one is opened: more would cost each ray more than they save. */
     private static final int MOST = 16;
 
     /** Most steps down the tree. */
@@ -32,7 +32,7 @@ public final class EntryNodes {
     /**
      * Looks for the nodes through which some rays enter the tree.
      *
-     * @param parts what the search for all rays of the packet has found out on its way
+     * @param parts what the search for all rays of the packet has found on its way
      * @param rays a packet that holds the rays
      * @param from place of the first ray
      * @param to place behind the last ray

@@ -4,19 +4,18 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
-import org.joml.Vector3dc;
 import tompkins.primitive.Primitive;
 
-/** What stands in the cells of a lamp's view, the nearest first. All cells lie one behind the other in arrays. */
+/** What lies in the cells of a lamp's view, the nearest first. All cells lie one after the other in arrays. */
 final class LightBuffer {
 
-    /** With more primitives than this in the mean cell the tree takes less memory, and less time to make. */
+    /** With more primitives than this in the average cell the tree needs less memory and less time to build. */
     private static final int MOST_IN_MEAN = 48;
 
-    /** Many primitives may be seen in so many cells each. */
+    /** If there are many primitives, each may be seen in this many cells on average. */
     private static final int MOST_CELLS_OF_MANY = 8;
 
-    /** So many primitives in the cell of the mean primitive are too many, wherever the others are. */
+    /** With this many primitives in the cell of the average primitive there are too many, wherever the others are. */
     private static final int MOST_IN_CROWD = 1000;
 
     /** Number of primitives that are noted at once, while another thread notes others. */
@@ -30,7 +29,7 @@ final class LightBuffer {
     private final long[] entries;
     private final Primitive[] primitives;
 
-    /** Moves each entry to its cell; there they stay in their order. */
+    /** Moves each entry to its cell, where the entries keep their order. */
     private LightBuffer(int[] starts, List<LightBufferBuilder> notes, ProjectedBounds[] sights) {
         this.starts = starts;
         entries = new long[starts[CELLS]];
@@ -46,12 +45,12 @@ final class LightBuffer {
     }
 
     /** The cells of a view, or null if the primitives are seen in too many of them, or too many in one. */
-    static LightBuffer of(Vector3dc lamp, LightBufferProjection view, List<Primitive> primitives) {
+    static LightBuffer of(LightBufferProjection view, List<Primitive> primitives) {
         long most = Math.max((long) MOST_IN_MEAN * CELLS, (long) MOST_CELLS_OF_MANY * primitives.size());
         ProjectedBounds[] sights = primitives.parallelStream()
-                .map(primitive -> ProjectedBounds.of(primitive, lamp, view))
+                .map(primitive -> ProjectedBounds.of(primitive, view))
                 .toArray(ProjectedBounds[]::new);
-        // what crosses a rectangle is seen in each column or in each row of it
+        // what crosses a rectangle is seen in each of its columns or in each of its rows
         long least = Arrays.stream(sights)
                 .map(ProjectedBounds::rectangle)
                 .mapToLong(rectangle -> Math.max(rectangle.width(), rectangle.height()))
@@ -76,7 +75,7 @@ final class LightBuffer {
         return notes;
     }
 
-    /** Numbers are sorted many times as fast as objects. */
+    /** Sorts numbers, which is many times as fast as sorting objects. */
     private static ProjectedBounds[] nearestFirst(ProjectedBounds[] sights) {
         long[] keys = new long[sights.length];
         Arrays.setAll(keys, i -> (long) Float.floatToIntBits(sights[i].leastDistance()) << Integer.SIZE | i);

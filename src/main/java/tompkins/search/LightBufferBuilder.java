@@ -4,10 +4,13 @@ import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicLong;
 import tompkins.search.LightBufferProjection.Rectangle;
 
-/** Notes in which cells of a lamp's view some primitives are seen. For one thread, while others note others. */
+/**
+ * Notes in which cells of a lamp's view some primitives are seen. For one thread, while other threads note other
+ * primitives.
+ */
 final class LightBufferBuilder {
 
-    /** A rectangle of so few cells is taken as it is; a larger one may be empty but for a diagonal. */
+    /** A rectangle of so few cells is taken whole; a larger one may be empty except for a diagonal. */
     private static final int SMALL_RECTANGLE = 16;
 
     private final LightBufferProjection view;
@@ -19,14 +22,14 @@ final class LightBufferBuilder {
     private int[] numbers = new int[1 << 10];
     private long[] entries = new long[1 << 10];
 
-    /** Notes of what a lamp sees. */
+    /** Notes for the view of a lamp. */
     LightBufferBuilder(LightBufferProjection view, ProjectedBounds[] sights) {
         this.view = view;
         this.sights = sights;
     }
 
     /**
-     * Notes some sights, in their order.
+     * Notes some primitives, in their order.
      *
      * @param from number of the first
      * @param to number behind the last
@@ -113,7 +116,7 @@ final class LightBufferBuilder {
         return cells[place];
     }
 
-    /** The number of the sight that an entry belongs to. */
+    /** The number of the primitive to which an entry belongs. */
     int number(int place) {
         return numbers[place];
     }

@@ -11,7 +11,7 @@ import tompkins.ray.RayCounts;
  */
 public final class NearestHit {
 
-    /** Below this depth a tree is cut in halves, so that it ends 40 levels deeper at most. */
+    /** Below this depth a tree is cut into halves of equal number, so that it ends at most 40 levels deeper. */
     static final int DEEPEST_CUT = 80;
 
     static final int DEEPEST_TREE = 128;
@@ -24,7 +24,7 @@ public final class NearestHit {
     private TreeNode leaf;
     private double distance;
 
-    /** The memory of a thread, which counts there the nodes and primitives that its searches look at. */
+    /** The memory of a thread; it counts the nodes and primitives that the thread's searches look at. */
     public NearestHit(RayCounts counts) {
         this.counts = counts;
     }
@@ -35,13 +35,13 @@ public final class NearestHit {
         distance = limit;
     }
 
-    /** Takes up what a search has found before. */
+    /** Goes on from what an earlier search has found. */
     public void resume(Primitive found, double foundDistance) {
         primitive = found;
         distance = foundDistance;
     }
 
-    /** Tests one primitive; whether it is nearer than all before. */
+    /** Tests one primitive and says whether it is nearer than all before. */
     boolean test(Primitive candidate, Ray ray) {
         double candidateDistance = candidate.distance(ray, distance);
         boolean nearer = isNearer(candidate, candidateDistance, primitive, distance);
@@ -52,10 +52,7 @@ public final class NearestHit {
         return nearer;
     }
 
-    /**
-     * Whether a candidate takes the place of what was found before: of equally near ones the one that is listed first
-     * stays.
-     */
+    /** Whether a candidate replaces what was found before: of equally near ones the one that is listed first stays. */
     private static boolean isNearer(Primitive candidate, double candidateDistance, Primitive found, double distance) {
         return candidateDistance < distance
                 || (candidateDistance == distance
@@ -78,7 +75,7 @@ public final class NearestHit {
         leaf = null;
     }
 
-    /** The leaf in which a nearest primitive was found last, or null if none was yet. */
+    /** The leaf in which a nearest primitive was last found, or null if there was none yet. */
     TreeNode leaf() {
         return leaf;
     }

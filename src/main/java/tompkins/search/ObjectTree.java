@@ -5,13 +5,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.sceneobject.PrimitiveCollector;
 
 /**
  * All primitives of one frame, ordered for searching: a bounding-volume tree for what has bounds, a list for infinite
- * planes and for scenes that are too small for a tree to pay. Immutable, shared by all threads.
+ * planes and for scenes that are too small to need a tree. Immutable, shared by all threads.
  */
 public final class ObjectTree {
 
@@ -24,7 +25,7 @@ public final class ObjectTree {
     /** Cost of visiting a node, in tests of a primitive. */
     private static final double NODE = 4;
 
-    /** The same if most are rods, whose test takes twice as long. */
+    /** The same cost if most primitives are rods, whose test takes twice as long. */
     private static final double NODE_AMONG_RODS = 2;
 
     private final Primitive[] listed;
@@ -69,17 +70,22 @@ public final class ObjectTree {
         return root != null;
     }
 
-    /** Whether most primitives that have an end are much longer than wide, as rods. */
+    /** Whether most bounded primitives are much longer than wide, like rods. */
     boolean isMostlyLong() {
         return mostlyLong;
     }
 
-    /** The primitives that have an end. */
+    /** A box around the primitives with bounds, or null if there are none. */
+    Bounds bounds() {
+        return bounded.stream().map(Primitive::bounds).reduce(Bounds::with).orElse(null);
+    }
+
+    /** The primitives with bounds. */
     List<Primitive> bounded() {
         return bounded;
     }
 
-    /** The primitives without end. */
+    /** The primitives without bounds. */
     List<Primitive> unbounded() {
         return unbounded;
     }
@@ -95,9 +101,9 @@ public final class ObjectTree {
     }
 
     /**
-     * Searches the nearest primitive that a ray hits.
+     * Searches for the nearest primitive that a ray hits.
      *
-     * @return whether there is one; it stands in {@code nearest}
+     * @return whether there is one; {@code nearest} holds it
      */
     public boolean nearest(Ray ray, NearestHit nearest) {
         return nearest(ray, Primitive.NO_HIT, nearest);
@@ -134,7 +140,7 @@ public final class ObjectTree {
         nearest.count(0, listed.length);
     }
 
-    /** Searches below a node what is nearer than what was found before. */
+    /** Searches below a node for what is nearer than what was found before. */
     static void searchTree(TreeNode root, Ray ray, NearestHit nearest) {
         double x = ray.x;
         double y = ray.y;

@@ -3,12 +3,12 @@ package tompkins.search;
 import tompkins.search.LightBufferProjection.Rectangle;
 
 /**
- * What a cell of a lamp's view says about a primitive, in one number: in the upper half of the bits a distance from the
- * lamp that it does not fall below, in the lower half the rectangle of parts of the cell in which it is seen. Few bytes
- * decide: a shadow ray among a million primitives looks at dozens of entries, which nobody has asked lately.
+ * What a cell of a lamp's view says about a primitive, in one number: the upper half of the bits holds a lower bound of
+ * its distance from the lamp, the lower half the rectangle of parts of the cell in which it is seen. Few bytes matter:
+ * a shadow ray among a million primitives looks at dozens of entries that are no longer in the processor's cache.
  *
  * <p>Each side of the rectangle has a byte, and so has the place of a ray. A ray passes a side if the two bytes add up
- * to the highest bit; one addition asks all four sides.
+ * to the highest bit; one addition tests all four sides.
  */
 final class PackedEntry {
 
@@ -29,7 +29,7 @@ final class PackedEntry {
         return (long) Float.floatToIntBits(leastDistance) << Integer.SIZE | sides;
     }
 
-    /** The place of a ray in its cell, as entries compare it with their rectangles. */
+    /** The place of a ray in its cell, in the form in which entries compare it with their rectangles. */
     static int place(int part) {
         int column = part & LAST;
         int row = part >> Short.SIZE & LAST;
@@ -45,7 +45,7 @@ final class PackedEntry {
         return ((int) entry + place & ALL_SIDES) == ALL_SIDES;
     }
 
-    /** A distance from the lamp, as entries compare it with theirs. */
+    /** A distance from the lamp in the form in which entries compare it with theirs. */
     static int distance(double distance) {
         return Float.floatToIntBits(Math.nextUp((float) distance));
     }

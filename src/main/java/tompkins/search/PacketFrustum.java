@@ -15,16 +15,16 @@ final class PacketFrustum {
 
     private static final int PLANES = 5;
 
-    /** The plane across the rays: nothing of them lies behind it. */
+    /** The plane across the rays: all of them lie in front of it. */
     private static final int AHEAD = 4;
 
     /**
-     * Widening against rounding, relative to the coordinates of the starts. For those of what is met primitives and
-     * nodes have margins of their own.
+     * Widening against rounding, relative to the coordinates of the starts. Primitives and nodes have margins of their
+     * own for their coordinates.
      */
     private static final double MARGIN = 1e-12;
 
-    /** Smallest cosine between a ray and the mean direction; wider bundles are not worth bounding. */
+    /** Smallest cosine between a ray and the mean direction; it is not worth bounding wider packets. */
     private static final double LEAST_COSINE = 0.2;
 
     final double[] normals = new double[3 * PLANES];
@@ -39,12 +39,12 @@ final class PacketFrustum {
     private double farthestStart;
 
     /**
-     * Bounds some of a packet's rays, from one place to before another.
+     * Bounds the rays of a packet from one place (included) to another (excluded).
      *
-     * @return false if they spread too widely; the bundle must not be used then
+     * @return false if they spread too widely; the frustum must not be used then
      */
     boolean enclose(RayPacket rays, int from, int to) {
-        // any axis does that no ray is far from; of a whole packet the first and the last ray lie in opposite corners
+        // any axis will do that is close to all rays; the first and the last ray of a packet lie in opposite corners
         double ax = rays.dx[from] + rays.dx[to - 1];
         double ay = rays.dy[from] + rays.dy[to - 1];
         double az = rays.dz[from] + rays.dz[to - 1];
@@ -55,7 +55,7 @@ final class PacketFrustum {
         ax /= length;
         ay /= length;
         az /= length;
-        // two directions across: the first is made of the two axes that are best conditioned
+        // two directions across; the first is made from the two best-conditioned axes
         boolean alongX = Math.abs(ax) > 0.7;
         double ex = alongX ? -ay : 0;
         double ey = alongX ? ax : -az;
@@ -109,7 +109,7 @@ final class PacketFrustum {
         normals[3 * plane + 2] = z;
     }
 
-    /** Along a ray n.x only falls, so that its start decides. */
+    /** n.x only falls along a ray, so that its start decides. */
     private void boundStarts(RayPacket rays, int from, int to) {
         double firstX = rays.x[from];
         double firstY = rays.y[from];
@@ -143,7 +143,7 @@ final class PacketFrustum {
         return normals[3 * plane] * x + normals[3 * plane + 1] * y + normals[3 * plane + 2] * z;
     }
 
-    /** Whether no ray of the bundle can meet a primitive. */
+    /** Whether no ray can meet a primitive. */
     boolean misses(Primitive primitive) {
         for (int plane = 0; plane < PLANES; plane++) {
             int at = 3 * plane;
@@ -154,7 +154,7 @@ final class PacketFrustum {
         return false;
     }
 
-    /** Whether no ray of the bundle can meet anything in the box of a node. */
+    /** Whether no ray can meet anything in the box of a node. */
     boolean misses(TreeNode node) {
         for (int plane = 0; plane < PLANES; plane++) {
             double least = node.minimumAlong(normals[3 * plane], normals[3 * plane + 1], normals[3 * plane + 2]);
@@ -165,13 +165,13 @@ final class PacketFrustum {
         return false;
     }
 
-    /** A distance that no ray of the bundle falls below before it reaches a primitive. */
+    /** A lower bound of the distance at which any ray reaches a primitive. */
     double leastDistance(Primitive primitive) {
         int at = 3 * AHEAD;
         return primitive.conservativeMinimumAlong(-normals[at], -normals[at + 1], -normals[at + 2]) - farthestStart;
     }
 
-    /** A distance that no ray of the bundle falls below before it reaches the box of a node. */
+    /** A lower bound of the distance at which any ray reaches the box of a node. */
     double leastDistance(TreeNode node) {
         int at = 3 * AHEAD;
         return node.minimumAlong(-normals[at], -normals[at + 1], -normals[at + 2]) - farthestStart;

@@ -7,33 +7,37 @@ import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 
 /**
- * Searches for all rays of a packet at once, several times faster than for each, with the same result. Where the rays
- * can meet a few primitives only, these are found once for all. Where they are more, they are taken in batches, the
+ * Searches for all rays of a packet at once, several times faster than for each, with the same result. If the rays can
+ * meet only a few primitives, these are found once for all rays. If there are more, they are taken in batches, the
  * nearest first, until all rays but a few have met something nearer than what waits. One for each thread, used again
  * for every packet.
  */
 public final class PacketSearch {
 
-    /** Where the rays meet more parts of the tree than this at once, they meet too many primitives in them, too. */
+    /** If the rays meet more parts of the tree than this at once, they also meet too many primitives in them. */
     private static final int MOST_WAITING = 64;
 
     /**
-     * So many parts that hold {@link #MANY} primitives each on average become too many: the rest need not be opened.
+     * With this many parts that hold {@link #MANY} primitives each on average, there are too many: the rest need not be
+     * opened.
      */
     private static final int MOST_LARGE_WAITING = 12;
 
     private static final int MANY = 1000;
 
-    /** So many candidates tell whether batches pay. */
+    /** Number of candidates by which it is decided whether batches are worth while. */
     private static final int PROBES = 8;
 
-    /** Batches pay if so many rays may meet a candidate on average; what is as small as a pixel is left to each ray. */
+    /**
+     * Batches are worth while if this many rays may meet a candidate on average; objects as small as a pixel are left
+     * to each ray.
+     */
     private static final int LEAST_RAYS = 4;
 
-    /** So few rays search the rest by themselves. */
+    /** When only this many rays are open, each searches the rest by itself. */
     private static final int FEW_RAYS = 24;
 
-    /** A longer way to the next batch does not pay either. */
+    /** If the way to the next batch takes more steps, batches are not worth while either. */
     private static final int MOST_STEPS = 400;
 
     private final PacketFrustum bundle = new PacketFrustum();
@@ -45,7 +49,7 @@ public final class PacketSearch {
     /** The leaves in which candidates were found. */
     private final ArrayDeque<TreeNode> candidateLeaves = new ArrayDeque<>(Candidates.MOST + 1);
 
-    // what each ray has met, if there is more than one batch
+    // what each ray has met so far, if there is more than one batch
     private boolean inBatches;
     private final Primitive[] hits = new Primitive[RayPacket.MOST];
     private final TreeNode[] leaves = new TreeNode[RayPacket.MOST];
@@ -93,7 +97,7 @@ public final class PacketSearch {
         return true;
     }
 
-    /** Whether the candidates are so large that each is in the way of a number of rays: then batches pay. */
+    /** Whether the candidates are so large that each is in the way of several rays; then batches are worth while. */
     private boolean batchesPay(RayPacket rays) {
         candidates.sift(rays);
         int pairs = 0;
@@ -104,8 +108,9 @@ public final class PacketSearch {
     }
 
     /**
-     * Gathers all that the rays can meet. Level by level, so that many parts are told from few before one of them is
-     * searched to its end. What is long is in the way of many rays at many distances: it does not end in batches.
+     * Gathers everything that the rays can meet. It goes level by level, so that it notices many parts before it has
+     * searched one of them to its end. Long primitives are in the way of many rays at many distances and are not taken
+     * in batches.
      */
     private boolean gatherAll() {
         int held = 0;
@@ -143,7 +148,7 @@ public final class PacketSearch {
         return parts > MOST_WAITING || (parts > MOST_LARGE_WAITING && held > MANY * parts);
     }
 
-    /** Lets a node wait, unless all rays miss it; whether it waits. */
+    /** Lets a node wait unless all rays miss it, and says whether it waits. */
     private boolean putOff(TreeNode node) {
         return !bundle.misses(node) && waiting.add(node);
     }
@@ -228,7 +233,7 @@ public final class PacketSearch {
         }
     }
 
-    /** Closes the rays that have met something nearer than all that waits. */
+    /** Closes the rays that have met something nearer than everything that waits. */
     private void closeRays() {
         double front = Primitive.NO_HIT;
         for (TreeNode node : waiting) {
@@ -243,7 +248,7 @@ public final class PacketSearch {
         openCount = left;
     }
 
-    /** Lets each ray that is still open search what waits by itself. */
+    /** Lets each ray that is still open search by itself what waits. */
     private void searchWaiting(RayPacket rays, NearestHit scratch) {
         for (int i = 0; i < openCount; i++) {
             int place = open[i];

@@ -1,13 +1,12 @@
 package tompkins.search;
 
-import org.joml.Vector3dc;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
 
 /**
  * A primitive as a lamp sees it.
  *
- * @param leastDistance a distance from the lamp that no point of it falls below; 0 or more
+ * @param leastDistance a lower bound of its distance from the lamp; 0 or more
  * @param rectangle where it is seen
  * @param strip the same, if it is long; otherwise null
  */
@@ -17,12 +16,10 @@ record ProjectedBounds(
         LightBufferProjection.Rectangle rectangle,
         LightBufferProjection.Strip strip) {
 
-    /** How a lamp with a view of it sees a primitive. */
-    static ProjectedBounds of(Primitive primitive, Vector3dc lamp, LightBufferProjection view) {
+    /** A primitive as a lamp with the given view sees it. */
+    static ProjectedBounds of(Primitive primitive, LightBufferProjection view) {
         Bounds box = primitive.bounds().widened();
-        double rounding = Primitive.SLACK * (box.farthest() + lamp.length());
-        float leastDistance = Math.nextDown((float) (box.distance(lamp) - rounding));
         return new ProjectedBounds(
-                primitive, Math.max(0, leastDistance), view.rectangle(primitive, box), view.strip(primitive, box));
+                primitive, view.leastDistance(box), view.rectangle(primitive, box), view.strip(primitive, box));
     }
 }

@@ -7,8 +7,8 @@ import tompkins.primitive.Primitive;
 
 /**
  * Builds a bounding-volume tree by the surface-area heuristic: a cut is good if few primitives lie in boxes that many
- * rays meet. BinnedSplit are chosen among sixteen along each axis. Halves of large trees are built in parallel; the
- * tree is the same whatever the number of threads.
+ * rays meet. Cuts are chosen among sixteen along each axis ({@link BinnedSplit}). Halves of large trees are built in
+ * parallel; the tree is the same whatever the number of threads.
  */
 final class TreeBuilder {
 
@@ -31,10 +31,9 @@ final class TreeBuilder {
     /**
      * Builds a tree.
      *
-     * @param primitives what it holds, all with bounds; at least one. Afterwards they stand in the order of the leaves,
-     *     and the tree holds copies, which lie in memory in this order, too: what is close together is searched
-     *     together. The copies have taken the place of the primitives
-     * @param costOfNode cost of visiting a node, in tests of a primitive: leaves hold more where it is high
+     * @param primitives what it holds, all with bounds; at least one. Afterwards the array holds copies of them in the
+     *     order of the leaves, which also lie in memory in this order: what is searched together lies together
+     * @param costOfNode cost of visiting a node, in tests of a primitive: leaves hold more if it is high
      */
     static TreeNode build(Primitive[] primitives, double costOfNode) {
         TreeBuilder builder = new TreeBuilder(primitives, costOfNode);
@@ -42,7 +41,7 @@ final class TreeBuilder {
         if (count < SMALLEST_PARALLEL_NODE) {
             return builder.node(0, count, 0, new BinnedSplit(costOfNode));
         }
-        // not the common pool: on two cores that has a single thread
+        // not the common pool, which has a single thread on two cores
         ForkJoinPool pool = new ForkJoinPool(Runtime.getRuntime().availableProcessors());
         try {
             return pool.invoke(builder.new Part(0, count, 0));
@@ -99,7 +98,7 @@ final class TreeBuilder {
         return new TreeNode(all, primitives, from, to);
     }
 
-    /** Parts the primitives; where the second part begins, or -1 if they are better left together. */
+    /** Parts the primitives and says where the second part begins; -1 if they are better left together. */
     private int middle(int from, int to, int depth, BinnedSplit cuts, Bounds all) {
         boolean small = to - from <= LARGEST_LEAF;
         boolean cut = cuts.choose(boxes, from, to, all.halfArea(), small ? to - from : Double.POSITIVE_INFINITY);

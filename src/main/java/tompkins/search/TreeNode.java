@@ -10,8 +10,9 @@ final class TreeNode {
     static final double MISSED = Double.POSITIVE_INFINITY;
 
     /**
-     * Factor by which a box is met sooner, so that rounding, here and in the primitive's own arithmetic, loses no hit:
-     * about ten roundings, of starts that are far away compared with all coordinates of the box.
+     * Factor by which the entry into a box is moved forwards, so that no hit is lost by rounding here and in the
+     * primitive's own arithmetic: about ten roundings, for starts that are far away compared with all coordinates of
+     * the box.
      */
     private static final double SOONER = 1 - 4e-15;
 
@@ -30,10 +31,10 @@ final class TreeNode {
     /** The primitives of the whole tree, of which a leaf holds some; null in an inner node. */
     final Primitive[] primitives;
 
-    /** Place of the first one that the node holds, itself or in its halves. */
+    /** Place of the first primitive that the node holds, itself or in its halves. */
     final int from;
 
-    /** Place behind the last one. */
+    /** Place after the last one. */
     final int to;
 
     private TreeNode parent;
@@ -80,9 +81,9 @@ final class TreeNode {
 
     /**
      * Distance at which a ray enters the box (below 0 if it starts inside), or {@link #MISSED} (Kay and Kajiya 1986).
-     * The largest and the smallest are found without a branch, since a processor guesses wrongly which side of the box
-     * they belong to: a million triangles take 6 % less time. A ray along a plane of the box itself gives 0 times
-     * infinity, which no comparison refuses: the box then counts as met, at a distance that is no number.
+     * The largest and the smallest are found without a branch, because the processor would guess wrongly which side of
+     * the box they belong to: a million triangles take 6 % less time. A ray along a plane of the box itself gives 0
+     * times infinity, which no comparison refuses: the box then counts as met, at a distance that is NaN.
      */
     double entry(double x, double y, double z, double inverseX, double inverseY, double inverseZ, double limit) {
         double enterX = ((inverseX > 0 ? minX : maxX) - x) * inverseX;

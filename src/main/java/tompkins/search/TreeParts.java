@@ -1,9 +1,9 @@
 package tompkins.search;
 
-/** Parts of a tree that hold all of it that some rays can meet. Memory that is used again. */
+/** Parts of a tree that together hold everything that some rays can meet. Memory that is used again. */
 public final class TreeParts {
 
-    /** From more parts on it is quicker to begin at the root. */
+    /** With more parts it is quicker to begin at the root. */
     static final int MOST = 128;
 
     private final TreeNode[] nodes = new TreeNode[MOST];
@@ -19,7 +19,7 @@ public final class TreeParts {
         nodes[count++] = node;
     }
 
-    /** How many there are; 0 if nothing is known of what the rays can meet. */
+    /** How many there are; 0 if nothing is known about what the rays can meet. */
     int count() {
         return count;
     }

@@ -12,7 +12,7 @@ import tompkins.spacetime.SpaceTimeTransformation;
         "Light leaves each point in focus when the point has the same place in both frames; the focus looks undistorted")
 public record FixedPointSurfaceShutter() implements Shutter {
 
-    /** The one there is. */
+    /** The only one. */
     public static final FixedPointSurfaceShutter DEFAULT = new FixedPointSurfaceShutter();
 
     @Override

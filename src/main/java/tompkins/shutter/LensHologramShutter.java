@@ -6,8 +6,8 @@ import tompkins.property.Require;
 import tompkins.spacetime.SpaceTimeTransformation;
 
 /**
- * A shutter at the detector behind a phase hologram of a lens, which is thin and delays no light: the time is {@code t
- * - |PE|}, with the distance from the detector point P to the pupil point E.
+ * A shutter at the detector behind a phase hologram of a lens, which is thin and does not delay light: the time is
+ * {@code t - |PE|}, with the distance from the detector point P to the pupil point E.
  */
 @Meaning("A shutter at the detector, behind a hologram of a lens, which does not delay light")
 public record LensHologramShutter(

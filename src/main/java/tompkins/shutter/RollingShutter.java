@@ -4,8 +4,8 @@ import tompkins.property.Meaning;
 import tompkins.property.Require;
 
 /**
- * A shutter that opens line after line: line k from the first of n opens later by {@code sweep (k + 1/2)/n}. All of a
- * pixel opens with its line. It goes with every model of the {@link Shutter}.
+ * A shutter that opens line after line: line k from the first of n opens later by {@code sweep (k + 1/2)/n}. A whole
+ * pixel opens with its line. It can be combined with every model of the {@link Shutter}.
  */
 @Meaning("How the shutter runs across the picture, which opens line after line")
 public record RollingShutter(

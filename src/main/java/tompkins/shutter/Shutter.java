@@ -32,7 +32,9 @@ public sealed interface Shutter
     /** The same shutter with another opening time; itself if it has none. */
     Shutter openedAt(double openingTime);
 
-    /** The same shutter after a motion of the camera in its own frame: what is at a place of its own goes along. */
+    /**
+     * The same shutter after a motion of the camera in its own frame; what stands at a place of that frame goes along.
+     */
     default Shutter moved(RigidMotion motion) {
         return this;
     }

@@ -1,6 +1,6 @@
 package tompkins.shutter;
 
-/** The way in which a {@link RollingShutter} runs across the picture. */
+/** The direction in which a {@link RollingShutter} runs across the picture. */
 public enum SweepDirection {
 
     /** From the top row to the bottom row. */

@@ -18,7 +18,7 @@ public record FrameMotion(FrameMotion outer, Velocity velocity, Event start) {
     /**
      * Checks how fast the frame is in the scene.
      *
-     * @throws InvalidPropertyException if its motion and that of the frame around it are together faster than
+     * @throws InvalidPropertyException if its motion and that of the frame around it are faster together than
      *     {@link Velocity#LARGEST_GAMMA}; it names both
      */
     public void requireGamma(String property) {
@@ -52,7 +52,7 @@ public record FrameMotion(FrameMotion outer, Velocity velocity, Event start) {
         return new Vector3d(second).fma(first.dot(second) / (outer.gamma() + 1) + velocity.gamma(), first);
     }
 
-    /** How place and time in the scene frame change with the own time of what rests in this frame, in a unit of it. */
+    /** How place and time in the scene frame change in one unit of the proper time of what rests in this frame. */
     public Event worldLine(TransformationLaw law) {
         return step(law, new Event(0, 0, 0, 1));
     }

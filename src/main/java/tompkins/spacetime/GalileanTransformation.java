@@ -6,14 +6,15 @@ import org.joml.Vector3dc;
 import tompkins.ray.Ray;
 
 /**
- * The change of frame of Newton's mechanics: {@code x' = x + beta t}, {@code t' = t}. Light takes its time, but there
- * is no relativity; its speed is 1 in the first frame only. For teaching, against {@link LorentzTransformation}.
+ * The change of frame of Newton's mechanics: {@code x' = x + beta t}, {@code t' = t}. Light takes time, but there is no
+ * relativity; its speed is 1 in the first frame only. It is meant for teaching, to be compared with
+ * {@link LorentzTransformation}.
  */
 final class GalileanTransformation implements SpaceTimeTransformation {
 
     /**
-     * From this speed on, beta is taken from the speed of light: what little is missing there keeps all digits. Below,
-     * where the difference of d and beta loses three of them at most, components count as they are given.
+     * From this speed on, beta is described by how little it lacks to the speed of light, which keeps all digits. Below
+     * it the components are used as they are given: the difference of d and beta loses three digits at most.
      */
     private static final double FAST = 0.999;
 
@@ -62,8 +63,8 @@ final class GalileanTransformation implements SpaceTimeTransformation {
      * The tangent (d, dt) of the ray becomes (d + beta dt, dt). Its spatial part is no longer of length |dt|: the ray
      * keeps both, as a unit direction and a slowness. The phase of a wave is the same in both frames: its frequency in
      * the other one is {@code 1 - slowness beta.d} of what it is here, where a wave runs along its rays. The angles of
-     * a narrow bundle are divided by |d + beta dt|; that those in the plane of d and beta shrink by its inclination,
-     * too, is left out.
+     * a narrow bundle are divided by |d + beta dt|; angles in the plane of d and beta also shrink by its inclination,
+     * which is left out.
      */
     @Override
     public Ray transform(Ray ray, Ray memory) {

@@ -108,8 +108,8 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
     }
 
     /**
-     * Light in a medium, or a line of events, has the tangent (d, -s) with a slowness s other than 1: {@code d' = d + u
-     * ((u.d)/(gamma + 1) - s)}, {@code s' = (gamma s - u.d)/|d'|}, which is Fizeau's drag. The phase of a wave is the
+     * Light in a medium, or a line of events, has the tangent (d, -s), with a slowness s that is not 1: {@code d' = d +
+     * u ((u.d)/(gamma + 1) - s)}, {@code s' = (gamma s - u.d)/|d'|}, which is Fizeau's drag. The phase of a wave is the
      * same in both frames: its frequency is {@code gamma - s u.d} of what it is here.
      */
     private Ray transformSlow(Ray ray, Ray memory) {
@@ -137,8 +137,8 @@ public final class LorentzTransformation implements SpaceTimeTransformation {
     }
 
     /**
-     * The formulas of {@link #transform(Ray, Ray)} again, so that no ray is made that lives for a moment only. Several
-     * short loops without branches: the compiler makes instructions for several rays at once of them.
+     * The formulas of {@link #transform(Ray, Ray)} again, without making a ray for a moment. From several short loops
+     * without branches the compiler makes instructions for several rays at once.
      */
     @Override
     public void transform(RayPacket rays) {

@@ -16,7 +16,7 @@ public final class MetricSpeed {
     private MetricSpeed() {}
 
     /**
-     * The speed in units of c that a text such as {@code 150000 km/s} writes; nothing if it does not end in one of the
+     * The speed in units of c that a text such as {@code 150000 km/s} writes; empty if it does not end in one of the
      * two units.
      *
      * @throws NumberFormatException if no number stands before the unit

@@ -4,8 +4,8 @@ import org.hipparchus.dfp.Dfp;
 import org.hipparchus.dfp.DfpField;
 
 /**
- * An event with sixty digits, for the few places where a double has not enough of them: a camera that has flown a
- * distance of 1e12 has passed the rods of a scene by less than their radius. Slow; for a few events a picture.
+ * An event with sixty digits, for the few places where a double does not have enough: a camera that has flown a
+ * distance of 1e12 may pass the rods of a scene by less than their radius. Slow; meant for a few events per picture.
  */
 public final class PreciseEvent {
 
@@ -35,7 +35,7 @@ public final class PreciseEvent {
         return coordinates[index];
     }
 
-    /** The event as seen from another, rounded only in the end. */
+    /** The event as seen from another, rounded only at the end. */
     public Event minus(Event origin) {
         return new Event(
                 coordinates[0].subtract(exact(origin.x())).toDouble(),

@@ -12,16 +12,16 @@ import tompkins.math.Vectors;
  * rider moves in the frame in which it was at rest by {@code (cosh(a s) - 1)/a} in the time {@code sinh(a s)/a}, and
  * its velocity there is then {@code tanh(a s)} (hyperbolic motion).
  *
- * <p>Directions on board are told in the axes of the camera frame, which is a pure boost of the scene frame. What does
- * not turn on board (a gyroscope) turns against these axes when the thrust is not along the motion, for two boosts are
- * a boost and a rotation (Thomas and Wigner): a step says by how much.
+ * <p>Directions on board are given in the axes of the camera frame, which is a pure boost of the scene frame. What does
+ * not turn on board (a gyroscope) turns against these axes when the thrust is not along the motion, because two boosts
+ * are a boost and a rotation (Thomas and Wigner); a step says by how much.
  *
  * @param event where and when, in the scene frame
  * @param proper the proper velocity u = gamma beta in the scene frame
  */
 public record Rider(Event event, Vector3dc proper) {
 
-    /** What is left of a speed after braking, by rounding, divided by the square of gamma. */
+    /** The speed that rounding leaves after braking, divided by the square of gamma. */
     private static final double ROUNDING = 2e-15;
 
     /** Keeps a copy, which nobody else can change. */
@@ -76,7 +76,7 @@ public record Rider(Event event, Vector3dc proper) {
         Vector3d gained = along.mul(Math.sinh(rapidity), new Vector3d());
         double gainedGamma = Math.cosh(rapidity);
         Vector3d sum = sum(proper, gamma(), gained, gainedGamma);
-        // against the motion a difference of large numbers is left
+        // thrust against the motion leaves a difference of large numbers
         boolean stopped = sum.length() < ROUNDING * gainedGamma * gainedGamma;
         return new Step(new Rider(moved, stopped ? new Vector3d() : sum), turn(proper, gamma(), gained, gainedGamma));
     }
@@ -100,7 +100,7 @@ public record Rider(Event event, Vector3dc proper) {
                 event.time() + (gamma() * own.time() + along));
     }
 
-    /** The proper velocity u1 + u2: u2 is told in the frame that moves with u1. */
+    /** The composition of two proper velocities: u2 is given in the frame that moves with u1. */
     private static Vector3d sum(Vector3dc u1, double gamma1, Vector3dc u2, double gamma2) {
         return new Vector3d(u2).fma(u1.dot(u2) / (gamma1 + 1) + gamma2, u1);
     }

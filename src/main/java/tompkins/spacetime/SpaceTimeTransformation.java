@@ -16,7 +16,7 @@ public sealed interface SpaceTimeTransformation
 
     /**
      * The same light ray in the other frame, starting at the same event. Its direction is NaN if the light stands still
-     * there, as only that of a Galilean world can.
+     * there, which is possible in a Galilean world only.
      */
     default Ray transform(Ray ray) {
         return transform(ray, Ray.blank());

@@ -20,7 +20,7 @@ public enum SpeedScale {
      */
     @Meaning("The rapidity artanh(beta), which adds up when velocities along one line are composed")
     RAPIDITY("rapidity", "from 0 to 19.1"),
-    /** What the speed lacks to that of light, 1 - beta, for speeds that a decimal fraction cannot hold. */
+    /** How far the speed is below that of light, 1 - beta, for speeds that a decimal fraction cannot hold. */
     @Meaning("How far the speed is below that of light, 1 - beta")
     ONE_MINUS_BETA("oneMinusBeta", "above 0 and at most 1");
 
@@ -28,7 +28,7 @@ public enum SpeedScale {
 
     private static final int DIGITS = 4;
 
-    /** A number that differs from 1 by less has four digits only if more of them are told. */
+    /** A number that differs from 1 by less needs more decimals to show four digits of the difference. */
     private static final double NEAR_ONE = 0.01;
 
     /** A number that differs from 1 by less is written as a sum. */
@@ -57,8 +57,8 @@ public enum SpeedScale {
     }
 
     /**
-     * The end of the refusal of a velocity, if a number of it was written as one below 1 but has too many nines to be
-     * told from it; empty if there is none.
+     * What to add to the refusal of a velocity if one of its numbers was written as a number below 1 but has so many
+     * nines that it was rounded to 1; empty otherwise.
      */
     public static String roundingHint(Stream<String> numbers) {
         return numbers.map(String::trim)
@@ -71,7 +71,7 @@ public enum SpeedScale {
     }
 
     /**
-     * A velocity's speed on this scale, for reading: four digits, more near 1, and very near 1 what is lacking or left:
+     * A velocity's speed on this scale, for reading: four digits, more near 1, and very near 1 the difference:
      * {@code 10.48}, {@code 0.99954}, {@code 1 - 5e-9}, {@code 1 + 5e-7}.
      */
     public String reading(Velocity velocity) {

@@ -12,20 +12,20 @@ public enum TransformationLaw {
     /** The velocity is ignored. */
     NONE;
 
-    /** The number by which speeds are told: gamma means something to Lorentz alone. */
+    /** The number in which speeds are given: gamma means something under Lorentz only. */
     public SpeedScale speedScale() {
         return this == LORENTZ ? SpeedScale.GAMMA : SpeedScale.BETA;
     }
 
     /**
-     * What to say of pictures at a velocity, if they may have lost digits: with Lorentz a warning above
+     * What to say about pictures at a velocity if they may have lost digits: under Lorentz, a warning above
      * {@link Velocity#GUARANTEED_GAMMA}.
      */
     public Optional<String> warning(Velocity velocity) {
         return warning("", velocity.gamma());
     }
 
-    /** As {@link #warning(Velocity)}, of what moves in the scene. */
+    /** As {@link #warning(Velocity)}, for what moves in the scene. */
     public Optional<String> warning(FrameMotion motion) {
         return warning("what moves in the scene is too fast for full accuracy: ", motion.gamma());
     }

@@ -125,8 +125,8 @@ public final class Velocity {
     }
 
     /**
-     * The same speed along another direction of any length, which stays as it is given. Components become a number on a
-     * scale; on that of gamma where they are so near the speed of light that the scale may have no digits left.
+     * The same speed along another direction of any length, which stays as it is given. Components become a speed on a
+     * scale: beta, or gamma where they are so near the speed of light that beta may have no digits left.
      *
      * @throws InvalidPropertyException if there is no direction
      */
@@ -136,7 +136,7 @@ public final class Velocity {
     }
 
     /**
-     * The velocity of a description, if it is given and pictures show more than rounding errors at it.
+     * The velocity of a description, if it is given and not so fast that pictures show nothing but rounding errors.
      *
      * @throws InvalidPropertyException if it is missing, or beyond {@link #LARGEST_GAMMA}
      */

@@ -2,7 +2,7 @@ package tompkins.studio;
 
 import tompkins.ray.Colour;
 
-/** What a ray sees that meets nothing in the scene: a colour for each direction. */
+/** What a ray sees if it meets nothing in the scene: a colour for each direction. */
 public sealed interface Background permits UniformBackground, SkyBackground, PanoramaBackground {
 
     /** The light from a direction, a unit vector in the scene frame. */

@@ -18,17 +18,17 @@ import tompkins.surface.Surface;
 
 /**
  * The window in front of the lens: the first object that moves with the camera and has the surface of a Lorentz or a
- * Galileo window. If its velocity is that of the camera, it stays so when the camera's changes.
+ * Galileo window. If its velocity is that of the camera, it follows when the velocity of the camera changes.
  */
 public final class FrontWindow {
 
-    /** What a plane is called that is put there. */
+    /** The name of a plane that is put there. */
     static final String DESCRIPTION = "window in front of the lens";
 
     /** How far the plane is in front of the lens. */
     private static final double DISTANCE = 0.01;
 
-    /** What the component of an object is called that holds its surface. */
+    /** The name of the component that holds the surface of an object. */
     private static final String SURFACE = "surface";
 
     private FrontWindow() {}
@@ -46,7 +46,10 @@ public final class FrontWindow {
                 .filter(surface -> surface instanceof LorentzWindow || surface instanceof GalileoWindow);
     }
 
-    /** The studio with another surface of the window, a plane if there was none; without that object if null. */
+    /**
+     * The studio with another surface of the window, which is a new plane if there was none; without the window if
+     * null.
+     */
     public static Studio with(Studio studio, Surface surface) {
         List<SceneObject> objects = new ArrayList<>();
         boolean found = false;
@@ -81,8 +84,8 @@ public final class FrontWindow {
     }
 
     /**
-     * The studio with its camera turned or moved on board: the window stays in front of the lens; all else that moves
-     * with the camera stays where it is on board.
+     * The studio with its camera turned or moved on board: the window stays in front of the lens; everything else that
+     * moves with the camera stays where it is on board.
      */
     public static Studio held(Studio studio, Camera moved) {
         RigidMotion motion = CameraMotion.between(studio.camera(), moved);

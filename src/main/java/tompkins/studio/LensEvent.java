@@ -33,8 +33,8 @@ public final class LensEvent {
     }
 
     /**
-     * The event in the camera frame, in the middle of the exposure and of the sweep; at the time 0 if no light crosses
-     * the shutter.
+     * The event in the camera frame, in the middle of the exposure and of the sweep; at time 0 if no light crosses the
+     * shutter.
      */
     public static Event inCamera(Studio studio) {
         Camera camera = studio.camera();
@@ -50,7 +50,7 @@ public final class LensEvent {
 
     /**
      * The studio with its camera at another event and with another velocity; the objects that move with the camera, its
-     * focus and its shutter go along. A shutter that opens at no time of its own gives way to one in the aperture.
+     * focus and its shutter go along. A shutter without an opening time is replaced by one in the aperture.
      *
      * @param inScene the event, in the scene frame
      * @param turn how the camera is turned against the axes of its frame

@@ -32,8 +32,8 @@ public record RenderSettings(
         ToneCurve toneCurve) {
 
     /**
-     * 640 x 480 with one sample per pixel: the cheapest picture, and of all with one sample the best, because it is
-     * taken in the centre (see the charts of antialiasing in docs/speed-and-accuracy.md).
+     * 640 x 480 with one sample per pixel: the cheapest picture, and the best with one sample, because it is taken in
+     * the centre (see the charts of antialiasing in docs/speed-and-accuracy.md).
      */
     public static final RenderSettings DEFAULT = new RenderSettings(640, 480, 1, 0, 1, 1000, ToneCurve.LINEAR);
 
@@ -46,7 +46,7 @@ public record RenderSettings(
     /** Largest number of samples per pixel. */
     public static final int MOST_SAMPLES = 1 << 20;
 
-    /** Smallest error that can be wanted: below it, rounding of the light itself comes in. */
+    /** Smallest error that can be asked for: below it, rounding of the light itself matters. */
     public static final double SMALLEST_ERROR = 1e-6;
 
     /** Checks all values. */
@@ -75,12 +75,12 @@ public record RenderSettings(
         return new RenderSettings(newWidth, newHeight, samples, targetError, seed, maximumDepth, toneCurve);
     }
 
-    /** The same settings with a number of samples, the same for each pixel: no error is wanted any more. */
+    /** The same settings with a number of samples that is the same for each pixel, and without a target error. */
     public RenderSettings withSamples(int newSamples) {
         return new RenderSettings(width, height, newSamples, 0, seed, maximumDepth, toneCurve);
     }
 
-    /** The same settings with another wanted error; 0 for the same number of samples everywhere. */
+    /** The same settings with another target error; 0 for the same number of samples everywhere. */
     public RenderSettings withTargetError(double newTargetError) {
         return new RenderSettings(width, height, samples, newTargetError, seed, maximumDepth, toneCurve);
     }

@@ -37,7 +37,7 @@ public record RideLeg(
     /** The most seconds that a leg lasts in a film. */
     public static final double LONGEST = 600;
 
-    /** How much two legs may differ that are one. */
+    /** How much two legs may differ and still count as one. */
     private static final double ROUNDING = 1e-9;
 
     /** The largest rapidity that thrust gives in one leg. */
@@ -65,7 +65,7 @@ public record RideLeg(
         return new Aim(Math.toRadians(turnRightDegrees), Math.toRadians(turnUpDegrees));
     }
 
-    /** Whether another leg goes on as this one: with the same view, thrust and pace, but for rounding. */
+    /** Whether another leg continues this one: with the same view, thrust and pace, except for rounding. */
     boolean goesOn(RideLeg next) {
         double pace = properTime / seconds;
         return next.turnRightDegrees == 0
@@ -76,7 +76,7 @@ public record RideLeg(
                 && next.acceleration.distance(acceleration) <= ROUNDING * acceleration.length();
     }
 
-    /** This leg and one that goes on as it does. */
+    /** This leg together with one that continues it. */
     RideLeg with(RideLeg next) {
         return new RideLeg(
                 seconds + next.seconds,

@@ -36,7 +36,7 @@ public record RideMoment(Studio studio, Rider rider, double properTime, double s
         return new RideMoment(other.withRide(List.of()), rider, properTime, sceneTime);
     }
 
-    /** Whether the camera of a studio is still where this moment has it, as fast, and its shutter opens then. */
+    /** Whether the camera of a studio still has the place, the velocity and the opening time of this moment. */
     public boolean isOf(Studio other) {
         Camera before = studio.camera();
         Camera now = other.camera();
@@ -63,7 +63,10 @@ public record RideMoment(Studio studio, Rider rider, double properTime, double s
         return at(rider.after(inCamera(thrust), time), time);
     }
 
-    /** The thrust that brakes now: against the motion, to the right, up and forwards in the picture; 0 at rest. */
+    /**
+     * The thrust that brakes now: it points against the motion, in components to the right, up and forwards in the
+     * picture; 0 at rest.
+     */
     public Vector3d brake(double strength) {
         Vector3d inCamera = rider.brake(strength);
         Camera camera = studio.camera();
@@ -73,7 +76,7 @@ public record RideMoment(Studio studio, Rider rider, double properTime, double s
                 inCamera.dot(Vectors.unit(camera.viewDirection())));
     }
 
-    /** The moment after the first part of a leg, which takes so long by a clock on board. */
+    /** The moment after the first part of a leg, whose length is a time by a clock on board. */
     public RideMoment after(RideLeg leg, double properPart) {
         return turned(leg).after(leg.acceleration(), properPart);
     }
@@ -102,7 +105,7 @@ public record RideMoment(Studio studio, Rider rider, double properTime, double s
             return this;
         }
         Event event = step.rider().event();
-        // without thrust the velocity stays as somebody wrote it
+        // without thrust the velocity stays as it was written
         Velocity velocity = step.rider().proper().equals(rider.proper())
                 ? studio.velocity()
                 : step.rider().velocity();

@@ -108,7 +108,7 @@ public record Studio(
         Require.present("lesson", lesson);
     }
 
-    /** The title up to a colon, which its explanation follows. */
+    /** The title up to a colon, after which an explanation follows. */
     public String shortTitle() {
         return title.replaceFirst("(?s):.*", "");
     }
@@ -123,7 +123,7 @@ public record Studio(
         return transformation.sceneFromCamera(velocity);
     }
 
-    /** Whether something in the scene moves, be it an object or a lamp. */
+    /** Whether something in the scene moves, an object or a lamp. */
     public boolean hasMotion() {
         return transformation != TransformationLaw.NONE
                 && (scene.stream().anyMatch(SceneObject::moves)
@@ -131,8 +131,8 @@ public record Studio(
     }
 
     /**
-     * Whether motion changes brightness and colours: only relativity says how, of light alone, and a camera at rest
-     * sees what rests as it is.
+     * Whether motion changes brightness and colours. Only relativity says how; the measured view has no light to
+     * change, and a camera at rest sees objects at rest as they are.
      */
     public boolean shiftsColours() {
         return colours != ColourLaw.UNCHANGED

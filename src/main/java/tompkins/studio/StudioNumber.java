@@ -47,7 +47,7 @@ public record StudioNumber(StudioPath place) {
         throw new InvalidPropertyException("place", "that of a number, " + EXAMPLES + " (" + leaf + ")", place);
     }
 
-    /** Whether this is the speed of the camera, on whatever scale. */
+    /** Whether this is the speed of the camera, on any scale. */
     public boolean isSpeed() {
         return place.parent().equals(VELOCITY);
     }

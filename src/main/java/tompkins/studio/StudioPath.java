@@ -44,7 +44,7 @@ public record StudioPath(List<Object> steps) {
     }
 
     /**
-     * The way to an object of a studio, to that very one and not to its equal; empty if the studio does not hold it.
+     * The way to an object of a studio, to that very one and not to an equal one; empty if the studio does not hold it.
      */
     public static Optional<StudioPath> to(Studio studio, Described object) {
         Optional<StudioPath> inScene = ROOT.then("scene").to(studio.scene(), object);
@@ -80,8 +80,8 @@ public record StudioPath(List<Object> steps) {
     }
 
     /**
-     * The way that a text writes as messages do, such as {@code scene[0].centre.x}; empty if it writes none. It need
-     * not lead to anything.
+     * The way that a text describes in the form that messages use, such as {@code scene[0].centre.x}; empty if it is
+     * not a way. It need not lead to anything.
      */
     public static Optional<StudioPath> parse(String text) {
         if (!PATH.matcher(text).matches()) {
@@ -95,7 +95,7 @@ public record StudioPath(List<Object> steps) {
         return step.group(1) == null ? Integer.valueOf(step.group(2)) : step.group(1);
     }
 
-    /** The way as messages write it, such as {@code scene[0].centre.x}. */
+    /** The way in the form that messages use, such as {@code scene[0].centre.x}. */
     @Override
     public String toString() {
         StringBuilder text = new StringBuilder();
@@ -123,8 +123,8 @@ public record StudioPath(List<Object> steps) {
     }
 
     /**
-     * The way to the same part in a whole that has changed, also where it has another place in a list now. A part that
-     * its list has lost leads to the one before it; a way that ends leads to its end.
+     * The way to the same part in a whole that has changed, even if it now has another place in a list. If its list has
+     * lost the part, the way leads to the part before it; if the way now ends earlier, it leads to its end.
      */
     public StudioPath followed(Object before, Object now) {
         StudioPath path = ROOT;
@@ -164,7 +164,7 @@ public record StudioPath(List<Object> steps) {
         return Math.max(0, Math.min(neighbour, now.size() - 1));
     }
 
-    /** The steps that lead on from a part: names, or {@code [0] to [4]} in a list; none if it has no parts. */
+    /** The steps that lead on from a part: names, or {@code [0] to [4]} in a list; empty if it has no parts. */
     public static List<String> stepsFrom(Object part) {
         if (part instanceof List<?> list) {
             return list.isEmpty()
@@ -184,7 +184,7 @@ public record StudioPath(List<Object> steps) {
                 : List.of();
     }
 
-    /** How many steps of this way exist in a whole; all of them, if it leads to a part. */
+    /** How many steps of this way exist in a whole: all of them if it leads to a part. */
     public int length(Object whole) {
         Object part = whole;
         for (int i = 0; i < steps.size(); i++) {

@@ -7,9 +7,9 @@ import java.util.Collection;
 import java.util.List;
 
 /**
- * What the measurements of {@link ApertureStudy} must show. The limits follow from theory: independent places err as
- * N^(-1/2); one place in each cell as N^(-3/4) at an edge (Mitchell 1996), and as N^(-5/8) where the edge also sweeps
- * over the pixel.
+ * What the measurements of {@link ApertureStudy} must show. The limits follow from theory: the error of independent
+ * places falls as N^(-1/2), that of one place in each cell as N^(-3/4) at an edge (Mitchell 1996), and as N^(-5/8) if
+ * the edge also sweeps over the pixel.
  */
 final class ApertureFindings {
 

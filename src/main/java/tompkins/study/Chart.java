@@ -11,7 +11,7 @@ import java.util.function.ToDoubleFunction;
  * @param title above the chart
  * @param across the axis across
  * @param up the axis upwards
- * @param pareto whether the best methods, which no other beats in both, are marked: less is better on both axes
+ * @param pareto whether to mark the best points, which no other beats on both axes; less is better on both
  * @param own the method of the program, whose points are drawn last and larger; empty if there is none
  * @param guides lines to compare the curves with
  */
@@ -98,7 +98,7 @@ public record Chart(
                 .toList();
     }
 
-    /** Those of them that have a place on logarithmic axes. */
+    /** Those of them that can be drawn on logarithmic axes. */
     public List<Measurement> drawn(List<Measurement> all) {
         return shown(all).stream()
                 .filter(point -> x(point) > 0 && y(point).low() > 0)

@@ -133,7 +133,7 @@ public final class ChartDrawing {
         renderer.setSeriesStroke(number, new BasicStroke(1.6f));
         renderer.setSeriesShape(number, marker(number));
         if (name.equals(chart.own())) {
-            // a ring, so that a point of another method at the same place is seen in it
+            // a ring, so that a point of another method at the same place can be seen inside it
             renderer.setSeriesShape(number, new Ellipse2D.Double(-RING, -RING, 2 * RING, 2 * RING));
             renderer.setSeriesShapesFilled(number, false);
             renderer.setSeriesOutlineStroke(number, new BasicStroke(2));
@@ -164,7 +164,7 @@ public final class ChartDrawing {
         return triangle;
     }
 
-    /** The points that no other beats in both, from the cheapest on. */
+    /** The points that no other beats on both axes, from the cheapest on. */
     static List<Measurement> front(Chart chart, List<Measurement> shown) {
         List<Measurement> byCost = new ArrayList<>(shown);
         byCost.sort(Comparator.comparing(chart::x)

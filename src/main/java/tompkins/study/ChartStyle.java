@@ -19,7 +19,7 @@ public record ChartStyle(Color paper, Color ink, Color grid, Color guide, List<C
 
     private static final float PRINTED_SIZE = 12;
 
-    // told apart also by those who see few colours (Okabe and Ito 2008)
+    // can be distinguished even by those who see few colours (Okabe and Ito 2008)
     private static final List<Color> HUES = List.of(
             new Color(0xe69f00),
             new Color(0x56b4e9),

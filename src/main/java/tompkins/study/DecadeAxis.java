@@ -15,7 +15,7 @@ import org.jfree.chart.axis.ValueTick;
 import org.jfree.chart.ui.RectangleEdge;
 import org.jfree.chart.ui.TextAnchor;
 
-/** A logarithmic axis with a number at each power of ten, and at multiples of it where there are few powers. */
+/** A logarithmic axis with a number at each power of ten, and at multiples of it if there are few powers. */
 final class DecadeAxis extends LogAxis {
 
     private static final long serialVersionUID = 1;
@@ -36,7 +36,7 @@ final class DecadeAxis extends LogAxis {
         setLabelPaint(style.ink());
         setTickLabelFont(style.numbers());
         setTickLabelPaint(style.ink());
-        // the default reaches below 0 where all values are smaller than 1e-8, and then the axis shows nothing
+        // the default reaches below 0 if all values are smaller than 1e-8, and then the axis shows nothing
         values.min(Double::compare).ifPresent(least -> setAutoRangeMinimumSize(least / 2));
     }
 

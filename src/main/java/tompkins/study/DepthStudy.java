@@ -43,7 +43,7 @@ final class DepthStudy implements Study {
      * Something to look through.
      *
      * @param title of its chart
-     * @param share the program must follow no more than this share of the rays of a limit that is as exact
+     * @param share the largest share of rays that the program may follow, compared with a limit that is as exact
      * @param limited finds the figures with a limit of depth alone
      * @param program finds the program's figures, from its limit of depth
      */
@@ -88,8 +88,8 @@ final class DepthStudy implements Study {
 
     /**
      * Corridors with the reflectances of the mirrors above and below the camera. With a limit of depth alone the
-     * mirrors are perfect, so that no ray gets faint, and what arrives is dimmed exactly: light that was reflected too
-     * often for the limit is missing altogether.
+     * mirrors are perfect, so that no ray gets faint, and what arrives is dimmed exactly; light that was reflected too
+     * often for the limit is missing completely.
      */
     private static Problem corridors(String key, String title, double share, double above, double below) {
         return new Problem(

@@ -1,7 +1,7 @@
 package tompkins.study;
 
 /**
- * The size of many errors.
+ * The size of a set of errors.
  *
  * @param rootMeanSquare RMSE
  * @param maximum the largest

@@ -55,7 +55,7 @@ final class ExactTrials {
         return Figures.of(runs);
     }
 
-    /** The errors of all pixels; those of one instance stand together. */
+    /** The errors of all pixels; those of one instance are next to each other. */
     double[] errors(Function<SplittableRandom, Instance> problem, SamplePattern pattern, int samples) {
         double[] errors = new double[INSTANCES * PIXELS_OF_INSTANCE];
         SplittableRandom random = new SplittableRandom(seed);

@@ -64,7 +64,7 @@ final class ExposureStudy implements Study {
     public List<Chart> charts() {
         List<Chart> charts = new ArrayList<>();
         for (MotionProblem problem : MotionProblem.values()) {
-            // a formula takes less time than the places: what counts is how many samples a picture needs
+            // a formula takes less time than choosing the places: what counts is how many samples a picture needs
             charts.add(new Chart(
                             problem.key(),
                             problem.title() + ", exact answer",

@@ -8,7 +8,7 @@ import java.util.Locale;
  * @param criterion what is judged
  * @param demanded what it has to be, from theory or as a promise
  * @param found what was measured
- * @param holds whether it is as it must be; if not, something in the program is broken
+ * @param holds whether it is as demanded; if not, something in the program is broken
  */
 public record Finding(String criterion, String demanded, String found, boolean holds) {
 
@@ -22,7 +22,7 @@ public record Finding(String criterion, String demanded, String found, boolean h
         return String.format(Locale.ROOT, pattern, figures);
     }
 
-    /** All in one line. */
+    /** Everything in one line. */
     public String sentence() {
         return criterion + ": " + found + " (demanded: " + demanded + ")";
     }

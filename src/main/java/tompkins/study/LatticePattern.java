@@ -4,7 +4,7 @@ import java.util.SplittableRandom;
 
 /**
  * The points of references: a lattice rule in the order of van der Corput (generating vector of Cools, Kuo and Nuyens
- * 2006), shifted at random for each pixel. None of the competitors uses it.
+ * 2006), shifted at random for each pixel. None of the methods that are compared uses it.
  */
 final class LatticePattern extends SamplePattern {
 

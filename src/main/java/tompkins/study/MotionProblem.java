@@ -40,7 +40,7 @@ enum MotionProblem {
                 slope.shareBelow(c) - slope.shareBelow(c - width));
     }),
 
-    /** A bright disc, which comes and goes along the rows or the columns. */
+    /** A bright disc that passes along the rows or the columns. */
     DISC("disc", "A small disc passes", -0.62, "-2/3", random -> {
         double radius = random.nextDouble(0.5, 2);
         double beside = 0.5 + radius * random.nextDouble(-0.9, 0.9);
@@ -82,7 +82,10 @@ enum MotionProblem {
             return (perX + perY) / 2;
         }
 
-        /** The share of pixel and time in which the height is below a number: the corners of a box take turns. */
+        /**
+         * The share of pixel and time in which the height is below a number: a sum over the corners of a box with
+         * alternating signs.
+         */
         double shareBelow(double height) {
             double sum = 0;
             for (int corner = 0; corner < 8; corner++) {

@@ -62,7 +62,7 @@ public final class PictureStudy {
     /**
      * What is to be measured.
      *
-     * @param others whether samples are measured, too, that cannot be chosen
+     * @param others whether to measure also samples that cannot be chosen
      */
     List<Trial> trials(boolean others) {
         List<Trial> trials = new ArrayList<>();
@@ -117,7 +117,7 @@ public final class PictureStudy {
         }
     }
 
-    /** The quality that a point stands for. */
+    /** The quality of a point. */
     public Quality qualityOf(Measurement point) {
         return point.method().equals(ADAPTIVE)
                 ? new Quality.TargetError(point.setting())

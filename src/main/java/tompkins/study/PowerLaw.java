@@ -40,7 +40,7 @@ record PowerLaw(double slope, double factor, double rSquared) {
         return new PowerLaw(slope, Math.exp((sumY - slope * sumX) / count), slope * xy / yy);
     }
 
-    /** The fall of the median error with a number; errors below three times the reference's own are left out. */
+    /** How the median error falls with a number; errors below three times that of the reference are left out. */
     static PowerLaw ofError(List<Measurement> points, ToDoubleFunction<Measurement> number) {
         List<Measurement> clear = points.stream()
                 .filter(point -> point.medianError() > 3 * point.floor())

@@ -59,7 +59,7 @@ final class PreviewStudy implements Study {
     private static Figures measure(String method, RenderPlan plan, int pass) {
         double rays = (double) plan.width() * plan.height() / (STRIDES[pass] * STRIDES[pass]);
         List<Figures> runs = new ArrayList<>();
-        // the first runs only warm the compiler up
+        // the first runs only let the compiler warm up
         for (int run = -REPEATS; run < REPEATS; run++) {
             Passes passes = passes(plan);
             LinearImage coarse = passes.images.get(pass);

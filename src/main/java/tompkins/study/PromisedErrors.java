@@ -8,7 +8,10 @@ import tompkins.render.Quality;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 
-/** Whether photographs err by what {@link Quality.TargetError} promises: all scenes, several promises and seeds. */
+/**
+ * Whether the error of photographs is what {@link Quality.TargetError} promises: all scenes, several promises and
+ * seeds.
+ */
 final class PromisedErrors {
 
     private static final String PROBLEM = "promise";
@@ -17,7 +20,7 @@ final class PromisedErrors {
     private static final double TOLERANCE = 1.25;
     private static final double SHARE = 0.95;
 
-    /** The references are refined until they are wrong by no more than this. */
+    /** The references are refined until their error is at most this. */
     private static final double WANTED_REFERENCE_ERROR = 0.0004;
 
     private static final double MOST_REFERENCE_ERROR = 0.0005;

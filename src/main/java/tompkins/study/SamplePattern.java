@@ -5,7 +5,7 @@ import tompkins.camera.ConcentricMap;
 
 /**
  * Places in a pixel, on the lens and in the exposure time, and how much each counts. Like the program's own sampler, a
- * pattern depends on the seed and the pixel, never on what was asked before.
+ * pattern depends on the seed and the pixel, never on earlier requests.
  */
 abstract class SamplePattern {
 
@@ -39,9 +39,9 @@ abstract class SamplePattern {
     /** Goes to a sample of the pixel. */
     abstract void goTo(int sample);
 
-    /** A source of chance for a pixel. */
+    /** A random generator for a pixel. */
     final SplittableRandom randomFor(int column, int row) {
-        // the first number of a generator mixes its seed well, the seed itself is not mixed
+        // the seed itself is not well mixed, but the first number of a generator is
         long mixed = new SplittableRandom(seed * 0x9e3779b97f4a7c15L + ((long) row << 32 | column)).nextLong();
         return new SplittableRandom(mixed);
     }

@@ -1,6 +1,6 @@
 package tompkins.study;
 
-/** What the samples of a problem are spread over. */
+/** The space over which the samples of a problem are spread. */
 enum SampledSpace {
 
     /** The lens; in the centre of the pixel and the middle of the exposure time. */

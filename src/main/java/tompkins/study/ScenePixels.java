@@ -41,7 +41,7 @@ final class ScenePixels {
      *
      * @param pixels about how many; {@link #ALL} for all of them
      * @param referenceSamples least number of samples per pixel of the reference
-     * @param wantedError the number is doubled until the reference errs by no more than this
+     * @param wantedError the number is doubled until the error of the reference is at most this
      * @param cancelled asked now and then whether to stop
      */
     ScenePixels(Studio studio, int pixels, int referenceSamples, double wantedError, BooleanSupplier cancelled) {
@@ -55,7 +55,7 @@ final class ScenePixels {
         exposure = plan.exposure();
     }
 
-    /** What the samples of the picture have to be spread over. */
+    /** The space over which the samples of the picture have to be spread. */
     SampledSpace space() {
         if (!plan.blursInTime()) {
             return SampledSpace.LENS_AND_PIXEL;
@@ -81,7 +81,8 @@ final class ScenePixels {
     }
 
     /**
-     * How far the light of photographs is from what it should be; one run for each studio, which differ in their seeds.
+     * How far the light of photographs is from what it should be; one run for each studio; the studios differ in their
+     * seeds.
      *
      * @throws CancellationException soon after the measurement was cancelled
      */

@@ -96,7 +96,7 @@ final class StabilityStudy implements Study {
             double error = place.worked.errors(distance, random)[method.equals(STABLE) ? 0 : 1];
             errors[i] = Math.min(NOTHING_LEFT, Double.isNaN(error) ? NOTHING_LEFT : Math.abs(error));
         }
-        // what is exact to the last bit would have no place on a logarithmic axis
+        // an error of 0 would have no place on a logarithmic axis
         double largest = Math.max(SMALLEST, ErrorNorm.of(errors).maximum());
         return Figures.of(CASES, Spread.exact(0), largest);
     }

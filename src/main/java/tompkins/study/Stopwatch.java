@@ -1,6 +1,6 @@
 package tompkins.study;
 
-/** Times something that is done over and over, after it has run warm. */
+/** Times something that is done over and over, after it has warmed up. */
 final class Stopwatch {
 
     private static final long WARM_NANOS = 20_000_000;

@@ -8,7 +8,7 @@ public interface Study {
     /** What is asked, in a sentence or two. */
     String question();
 
-    /** Everything that changes the figures: other settings, and older figures count no more. */
+    /** Everything that changes the figures; figures measured with other settings do not count. */
     String settings();
 
     /** What is to be measured, in this order. */

@@ -24,7 +24,7 @@ public final class StudyData {
     private static final String COLUMNS = "problem,method,setting,rays,seconds_low,seconds_median,seconds_high,"
             + "error_low,error_median,error_high,maximum,reference_error";
 
-    /** Somebody who wants to know how a study goes on. */
+    /** Is told how a study goes on. */
     @FunctionalInterface
     public interface Listener {
 
@@ -32,7 +32,7 @@ public final class StudyData {
          * Another trial is done.
          *
          * @param measurement its result
-         * @param done trials that are done, those of earlier runs included
+         * @param done trials that are done, including those of earlier runs
          * @param all number of trials
          */
         void measured(Measurement measurement, int done, int all);
@@ -61,8 +61,8 @@ public final class StudyData {
     }
 
     /**
-     * Makes the measurements that the file does not hold yet, and gives all of them in the order of the trials. What
-     * else the file holds is replaced.
+     * Makes the measurements that the file does not hold yet, and returns all of them in the order of the trials.
+     * Everything else in the file is replaced.
      */
     public List<Measurement> complete(Listener listener) throws IOException {
         List<Trial> trials = study.trials();
@@ -90,7 +90,7 @@ public final class StudyData {
         return Files.exists(file) && !isOwn(lines());
     }
 
-    /** The complete lines: one that was cut off when the program was stopped is measured again. */
+    /** The complete lines; a measurement whose line was cut off when the program was stopped is made again. */
     private List<String> lines() throws IOException {
         try {
             String text = Files.readString(file);

@@ -15,8 +15,8 @@ import tompkins.render.Quality;
 import tompkins.search.ObjectTree;
 
 /**
- * A page with the charts of studies, what follows from them, and whether they are as they must be, in Markdown, beside
- * a folder with their files.
+ * A page in Markdown with the charts of studies, what follows from them, and whether they meet their demands, beside a
+ * folder with their files.
  */
 public final class StudyPage {
 
@@ -24,14 +24,14 @@ public final class StudyPage {
     private final String name;
     private final StringBuilder text = new StringBuilder();
 
-    /** The files that were there before, which are of an earlier run or are to be replaced; no others are. */
+    /** The files that were there before and may be replaced: they come from an earlier run, or the user allowed it. */
     private final Set<Path> earlier = new HashSet<>();
 
     /**
      * A page that will be {@code folder/name.md}, with its charts and data in {@code folder/name}.
      *
      * @param introduction Markdown for the top of the page
-     * @throws IOException if nobody can tell what is there already
+     * @throws IOException if it cannot be found out what is there already
      */
     public StudyPage(Path folder, String name, String introduction) throws IOException {
         this.folder = folder;
@@ -115,7 +115,7 @@ public final class StudyPage {
         return folder.resolve(name).resolve(kind + "-" + chart.problem() + ".png");
     }
 
-    /** Writes a file; where it lies. */
+    /** Writes a file and returns where it lies. */
     private Path put(Path file, byte[] content) throws IOException {
         if (earlier.contains(file)) {
             StudyData.replace(file, content);
@@ -161,7 +161,7 @@ public final class StudyPage {
         return folder.resolve(name + ".md");
     }
 
-    /** A text that begins with a capital. */
+    /** The text with a capital at its beginning. */
     static String heading(String text) {
         return Character.toUpperCase(text.charAt(0)) + text.substring(1);
     }

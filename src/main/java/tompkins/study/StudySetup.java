@@ -20,7 +20,7 @@ import tompkins.studio.Studio;
  */
 public record StudySetup(long seed, Studio scene, Function<String, Studio> bundled, List<String> names) {
 
-    /** The name of every scene of a user, however its file is called. */
+    /** The name for a scene of the user, whatever the name of its file. */
     private static final String OWN = "scene";
 
     /** The studios to be measured: the user's own, or else the named ones. */
@@ -35,8 +35,8 @@ public record StudySetup(long seed, Studio scene, Function<String, Studio> bundl
     }
 
     /**
-     * The names of scenes, as settings give them: that of the user's own comes with a digest, which changes with the
-     * scene.
+     * The names of scenes, as settings give them: the name of the user's own scene comes with a digest, which changes
+     * with the scene.
      */
     static String settings(Map<String, Studio> studios) {
         return studios.entrySet().stream()

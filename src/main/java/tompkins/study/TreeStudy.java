@@ -19,7 +19,7 @@ import tompkins.search.NearestHit;
 import tompkins.search.ObjectTree;
 import tompkins.surface.ColouredSurface;
 
-/** From how many objects on a tree pays. */
+/** From how many objects on a tree is faster. */
 final class TreeStudy implements Study {
 
     private static final String SPHERES = "spheres";
@@ -41,7 +41,7 @@ final class TreeStudy implements Study {
     private final int mostObjects;
     private final int manyRepeats;
 
-    /** What was found of all methods, by number of objects. */
+    /** The results of all methods, by number of objects. */
     private final Map<Integer, Map<String, Figures>> races = new HashMap<>();
 
     /** The study, up to a number of objects. */
@@ -49,7 +49,7 @@ final class TreeStudy implements Study {
         this(seed, mostObjects, MANY_REPEATS);
     }
 
-    /** The same, with so many runs for few objects: times need many, what is found needs one. */
+    /** The same, with a number of runs for few objects: times need many runs, the hits need one. */
     TreeStudy(long seed, int mostObjects, int manyRepeats) {
         this.seed = seed;
         this.mostObjects = mostObjects;
@@ -91,7 +91,8 @@ final class TreeStudy implements Study {
     }
 
     /**
-     * All methods with the same objects and rays, in turns, so that whatever else the machine does disturbs all alike.
+     * Runs all methods with the same objects and rays, in turns, so that whatever else the machine does disturbs them
+     * all alike.
      */
     private Map<String, Figures> race(int objects) {
         List<Primitive> primitives = spheres(objects);
@@ -130,7 +131,7 @@ final class TreeStudy implements Study {
         return sum;
     }
 
-    /** How many rays find another object, or the same one at a distance that differs in any bit, than with a list. */
+    /** How many rays find another object than with a list, or the same one at a distance that differs in any bit. */
     private static int differences(List<Primitive> primitives, ObjectTree tree, Ray[] rays) {
         ObjectTree list = new ObjectTree(primitives, Integer.MAX_VALUE);
         NearestHit inList = new NearestHit(new RayCounts());
@@ -144,14 +145,14 @@ final class TreeStudy implements Study {
         return different;
     }
 
-    /** The tree holds copies: the same primitive is the one with the same number. */
+    /** Compares by number, because the tree holds copies of the primitives. */
     private static boolean isSame(NearestHit one, NearestHit other) {
         return one.primitive().order() == other.primitive().order() && one.distance() == other.distance();
     }
 
     private List<Primitive> spheres(int count) {
         SplittableRandom random = new SplittableRandom(seed);
-        // the same share of the view is covered whatever their number
+        // they cover the same share of the view, whatever their number
         double radius = 0.25 / Math.sqrt(count);
         List<SceneObject> spheres = new ArrayList<>();
         for (int i = 0; i < count; i++) {

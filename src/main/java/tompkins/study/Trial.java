@@ -19,7 +19,7 @@ public record Trial(String problem, String method, double setting, Supplier<Figu
                 problem, method, setting, found.rays(), found.seconds(), found.error(), found.maximum(), found.floor());
     }
 
-    /** Whether a measurement is that of this trial. */
+    /** Whether a measurement comes from this trial. */
     boolean made(Measurement measurement) {
         return measurement.problem().equals(problem)
                 && measurement.method().equals(method)

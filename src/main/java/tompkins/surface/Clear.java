@@ -9,7 +9,7 @@ import tompkins.ray.Ray;
 @Meaning("Not there: rays and light pass unchanged; for the holes of cut-outs and tilings")
 public record Clear() implements Surface {
 
-    /** The one there is. */
+    /** The only one. */
     public static final Clear DEFAULT = new Clear();
 
     @Override

@@ -24,9 +24,7 @@ public record Mirror(
         return Response.goesOn(reflected(ray, hit, reflectance), Colour.grey(reflectance));
     }
 
-    /**
-     * The mirrored ray, with a share of the light. Its direction is made of unit length again, whatever came before.
-     */
+    /** The mirrored ray, with a share of the light. Its direction is made a unit vector again. */
     static Ray reflected(Ray ray, Hit hit, double share) {
         double twice = 2 * hit.cosine(ray);
         double dx = ray.dx - twice * hit.normalX;

@@ -24,12 +24,12 @@ public record Refractive(
     public static final Refractive DEFAULT = new Refractive(1.5);
 
     /**
-     * After so many surfaces light that can leave is let out whole: a ray that grazes the inside of a sphere would
-     * otherwise run around in it until the recursion depth ends it, and its light would be lost.
+     * After so many surfaces all light that can leave is let out: a ray that grazes the inside of a sphere would
+     * otherwise run around in it until it meets the depth limit, and its light would be lost.
      */
     private static final int LONGEST_CAPTURE = 32;
 
-    /** Far beyond all media, and not so far that times inside become infinite. */
+    /** Far beyond all media, but small enough that times inside stay finite. */
     private static final double LARGEST_RATIO = 1e6;
 
     /** Checks the ratio: from 1e-6 to 1e6. */
@@ -51,7 +51,7 @@ public record Refractive(
         double transmitted = 1 - reflected;
         boolean caught = !entering && ray.depth >= LONGEST_CAPTURE && cosineBehind > 0;
         if (caught || ray.throughput * Math.min(reflected, transmitted) < Ray.FAINTEST) {
-            // all to the stronger part, so that the least light goes the wrong way
+            // everything goes to the stronger part, so that as little light as possible goes the wrong way
             return Response.goesOn(
                     caught || reflected < transmitted
                             ? ray.bent(hit, direction.x, direction.y, direction.z, slowness, 1, 1)
@@ -60,7 +60,7 @@ public record Refractive(
         }
         Ray mirrored = Mirror.reflected(ray, hit, reflected);
         Ray bent = ray.bent(hit, direction.x, direction.y, direction.z, slowness, 1, transmitted);
-        // the tracer loops over the stronger part, so that each level of recursion halves the light at least
+        // the tracer loops over the stronger part, so that each level of recursion at least halves the light
         return reflected < transmitted
                 ? split(tracer, mirrored, reflected, bent, transmitted)
                 : split(tracer, bent, transmitted, mirrored, reflected);

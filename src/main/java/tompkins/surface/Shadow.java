@@ -9,7 +9,7 @@ public enum Shadow {
     /** At some points: {@link Surface#throwsShadowAt} must be asked. */
     BY_POINT;
 
-    /** Whether a surface throws a shadow that is this one at some of its points, and the other one at others. */
+    /** How a surface throws shadows that behaves like this at some of its points, and like the other at the rest. */
     Shadow orElsewhere(Shadow other) {
         return this == other ? this : BY_POINT;
     }

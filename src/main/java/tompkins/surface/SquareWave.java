@@ -12,12 +12,12 @@ final class SquareWave {
     private SquareWave() {}
 
     /**
-     * The mean of the wave from {@code centre - half} to {@code centre + half}, by its integral, a triangle wave.
-     * Within the rounding of the coordinates also where the window is far narrower than a tile or holds millions of
+     * The mean of the wave from {@code centre - half} to {@code centre + half}, by its integral, a triangle wave. It is
+     * right to the rounding of the coordinates, even if the window is far narrower than a tile or holds millions of
      * them.
      */
     static double mean(double centre, double half) {
-        // so wide, or so far away, that no number is left: the mean of the whole wave
+        // too wide or too far away for digits: the mean of the whole wave
         if (!(half < END && Math.abs(centre) < END)) {
             return 0;
         }
@@ -34,8 +34,8 @@ final class SquareWave {
     }
 
     /**
-     * Whether a whole number is odd, which one that no int can hold may be, too: by its half, which is exact. The
-     * processor takes longer for one remainder of doubles than for all the rest of a filtered tiling.
+     * Whether a whole number, which may be too large for an int, is odd: decided by its half, which is exact. One
+     * remainder of doubles would take the processor longer than all the rest of a filtered tiling.
      */
     static boolean isOdd(double whole) {
         return 2 * Math.floor(whole / 2) < whole;

@@ -9,9 +9,9 @@ import tompkins.ray.Ray;
 import tompkins.ray.SurfaceCoordinates;
 
 /**
- * A chequerboard of two surfaces. Far away a pixel sees many tiles, and single rays would draw a moire that is not
- * there; a filtered tiling shows the share of each surface in the spot that the ray lights, worked out exactly: the
- * mean of the product of two square waves over the spot's box.
+ * A chequerboard of two surfaces. Far away a pixel sees many tiles, and single rays would draw a false moire pattern; a
+ * filtered tiling shows the share of each surface in the spot that the ray lights, worked out exactly: the mean of the
+ * product of two square waves over the spot's box.
  */
 @Meaning("A chequerboard of two surfaces")
 public record Tiling(
@@ -64,7 +64,7 @@ public record Tiling(
     /** Each surface answers for its share of the bundle; the tracer loops over the larger share. */
     private Response respondBoth(Ray ray, Hit hit, Tracer tracer, double share) {
         if (continuesRays() && ray.throughput * Math.min(share, 1 - share) < Ray.FAINTEST) {
-            // what would not be followed is given to the larger share
+            // a share too faint to be followed is added to the larger one
             return (share < 0.5 ? first : second).respond(ray, hit, tracer);
         }
         Response ofFirst = first.respond(ray.dimmed(1 - share), hit, tracer).times(1 - share);

@@ -20,7 +20,7 @@ public enum WindowAxes {
         }
         SurfaceCoordinates at = hit.coordinates;
         Vector3d normal = new Vector3d(hit.normalX, hit.normalY, hit.normalZ);
-        // gradients may leave the surface, as that of the height does on a cone: what counts is their part in it
+        // gradients may leave the surface, as that of the height does on a cone: only their part in the surface counts
         Vector3d first = unit(without(normal, new Vector3d(at.uX(), at.uY(), at.uZ())), Vectors.firstAxis(normal));
         // the second axis is the part of its coordinate's gradient that the first does not hold
         Vector3d second = unit(
@@ -29,7 +29,7 @@ public enum WindowAxes {
         return first.mul(vector.x()).add(second.mul(vector.y())).add(normal.mul(vector.z()));
     }
 
-    /** A unit vector, or another one where rounding leaves nothing of it. */
+    /** The unit vector along a vector, or the other one if rounding leaves nothing of it. */
     private static Vector3d unit(Vector3d vector, Vector3dc other) {
         return vector.lengthSquared() > 0 ? Vectors.unit(vector) : new Vector3d(other);
     }

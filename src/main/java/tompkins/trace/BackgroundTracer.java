@@ -5,7 +5,7 @@ import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
 import tompkins.studio.Background;
 
-/** What is beyond the objects of the scene: its background, which asks for directions alone. */
+/** What is beyond the objects of the scene: its background, which depends on directions only. */
 record BackgroundTracer(Background background) implements Beyond {
 
     @Override

@@ -4,7 +4,7 @@ import tompkins.ray.Colour;
 import tompkins.ray.Ray;
 
 /**
- * What came of following a ray among the objects of a frame.
+ * The result of following a ray among the objects of a frame.
  *
  * @param light what the ray has brought by itself
  * @param factor what becomes of the light that comes back to where the ray has left the objects

@@ -14,13 +14,13 @@ import tompkins.ray.Ray;
 import tompkins.surface.Refractive;
 
 /**
- * The medium around the lens: a camera may stand in glass or under water that moves with it. What it stands in is told
- * by how often a line through the lens leaves it. Open surfaces do not count, except infinite planes. Those of one
- * medium are judged together: two of them may be the faces of a plate.
+ * The medium around the lens: a camera may stand in glass or under water that moves with it. The medium is found by
+ * counting how often a line through the lens leaves it. Open surfaces do not count, except infinite planes. Planes of
+ * one medium are judged together, because two of them may be the faces of a plate.
  */
 final class LensMedium {
 
-    /** Any direction does in which lines meet no edges and along which nobody lays a plane. */
+    /** Any direction will do in which lines are unlikely to meet edges or run along planes. */
     private static final Vector3dc LINE = new Vector3d(0.4871, 0.6113, 0.6237).normalize();
 
     private LensMedium() {}
@@ -30,7 +30,7 @@ final class LensMedium {
      * vacuum.
      */
     static double slowness(List<Primitive> primitives, Vector3dc place) {
-        // a body may have many primitives, as a mesh has
+        // a body may have many primitives, like a mesh
         Map<List<Object>, List<Primitive>> bodies = primitives.stream()
                 .filter(primitive -> primitive.surface() instanceof Refractive)
                 .collect(Collectors.groupingBy(
@@ -53,7 +53,9 @@ final class LensMedium {
         return slowness;
     }
 
-    /** What a line crosses from a place on, the nearest first: 1 where it leaves the body, -1 where it enters it. */
+    /**
+     * The crossings of a line from a place on, the nearest first: 1 where it leaves the body, -1 where it enters it.
+     */
     private static Collection<Integer> crossings(List<Primitive> body, Vector3dc from, Vector3dc line) {
         TreeMap<Double, Integer> crossings = new TreeMap<>();
         for (Primitive primitive : body) {
@@ -77,7 +79,8 @@ final class LensMedium {
     }
 
     /**
-     * The same where that is most, and not less than 0: it has left no plate that it had not entered, or started in.
+     * The largest such number along the line, at least 0: a line leaves only plates that it has entered, or in which it
+     * starts.
      */
     private static int mostLeft(Collection<Integer> crossings) {
         int most = 0;

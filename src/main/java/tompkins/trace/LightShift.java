@@ -5,13 +5,13 @@ import tompkins.light.Metering;
 import tompkins.ray.Colour;
 
 /**
- * What becomes of the light of the scene on its way into the camera frame. Where it is metered, white light keeps its
- * luminance in the middle of the picture, since a fast camera would see all things ahead thousands of times too bright.
- * What moves with the camera is left as it is. Immutable, shared by all threads.
+ * What becomes of the light of the scene on its way into the camera frame. If it is metered, white light keeps its
+ * luminance in the middle of the picture, because a fast camera would see everything ahead thousands of times too
+ * bright. What moves with the camera is left as it is. Immutable, shared by all threads.
  */
 final class LightShift {
 
-    /** The scene is made brighter by so much at most; what is fainter stays dark. */
+    /** The largest factor by which the scene is made brighter; what is fainter stays dark. */
     private static final double MOST_GAIN = 0x1p20;
 
     /** Far brighter than a picture can show, and still a number when it is summed. */
@@ -42,8 +42,8 @@ final class LightShift {
     }
 
     /**
-     * The colour in the camera frame of light that a lamp has sent to a surface. In a medium that is outrun there may
-     * be no factor above 0; colours are left alone then.
+     * The colour in the camera frame of light that a lamp has sent to a surface. If the camera outruns the light of a
+     * medium there may be no factor above 0; then colours stay as they are.
      *
      * @param light the colour, as if lamp and surface had one frame
      * @param lampFactor frequency in the frame of the surface divided by that in the frame of the lamp

@@ -8,8 +8,8 @@ import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.View;
 
 /**
- * How far what is seen moves across the picture while the shutter is open. A point goes on as its object does; the
- * place in the picture at which it is seen follows from three neighbouring rays: one beside, one below and one a little
+ * How far what is seen moves across the picture while the shutter is open. A point moves with its object; the place in
+ * the picture at which it is seen follows from three neighbouring rays: one beside it, one below it and one a little
  * later. The line delays of a rolling shutter are in these rays, and so are windows before the lens.
  */
 final class MotionBlur {
@@ -53,7 +53,7 @@ final class MotionBlur {
         if (seen == null || seen.frame() == Frame.CAMERA) {
             return 0;
         }
-        // the first thing in the scene: mirrors and glass bend what comes after it
+        // the first hit in the scene: mirrors and glass bend what comes after it
         RayLife.Encounter first = life.mainHits().stream()
                 .filter(hit -> hit.frame() == Frame.SCENE)
                 .findFirst()
@@ -68,7 +68,7 @@ final class MotionBlur {
         Vector3d perRow = miss(at(x, y + down, 0.5), point, velocity).sub(here).mul(down);
         Vector3d perExposure =
                 miss(at(x, y, 0.5 + LATER), point, velocity).sub(here).div(LATER);
-        // columns and rows that undo what the exposure does, by least squares
+        // columns and rows that undo the effect of the exposure, by least squares
         double columns = perColumn.lengthSquared();
         double rows = perRow.lengthSquared();
         double mixed = perColumn.dot(perRow);

@@ -8,11 +8,11 @@ import tompkins.world.FrameRoutes;
 import tompkins.world.World;
 
 /**
- * A medium of the scene in which the lens is, as the camera sees it that moves through it. There the tangent (d, -s) of
- * a ray has, in the rest frame of the medium, the slowness of the medium; s follows from that for each direction.
+ * A medium of the scene in which the lens is, seen by a camera that moves through it. The tangent (d, -s) of a ray has,
+ * in the rest frame of the medium, the slowness of the medium; this gives s for each direction.
  *
  * <p>Under the Lorentz transformation the time of the tangent in the medium is {@code q = G s - U.d}, and {@code s^2 -
- * 1 = (1 - 1/n^2) q^2}, since the length of a 4-vector is the same in all frames. In a Galilean world {@code n |d - w
+ * 1 = (1 - 1/n^2) q^2}, because the length of a 4-vector is the same in all frames. In a Galilean world {@code n |d - w
  * s| = s}. Both are quadratic equations. Where the camera outruns the light of the medium there may be no solution: no
  * light comes from there.
  */

@@ -18,10 +18,10 @@ import tompkins.surface.Mirror;
 import tompkins.surface.Refractive;
 import tompkins.surface.Surface;
 
-/** Says in sentences what a picture leaves out of nature, as far as that can be seen in it. */
+/** Says in sentences which parts of nature a picture leaves out, if that could be seen in it. */
 final class Omissions {
 
-    /** Pixels in a row of the grid of pixels that are tried; as many rows. */
+    /** Number of rows, and of columns, of the grid of pixels that are tried. */
     private static final int TRIED = 24;
 
     /** Searches of a primitive that a sentence may cost: some milliseconds. */
@@ -40,7 +40,7 @@ final class Omissions {
      *
      * @param inScene the surfaces of the scene
      * @param beforeLens the surfaces that move with the camera
-     * @param hasImagePoints whether the scene holds points where the camera photographs others
+     * @param hasImagePoints whether the scene holds image points
      */
     Omissions(
             RenderPlan plan,

@@ -4,7 +4,7 @@ import tompkins.primitive.Primitive;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 
-/** Somebody who watches the life of a ray. What it is given it does not keep: its memory is used again. */
+/** Watches the life of a ray. An observer must not keep what it is given: its memory is used again. */
 interface PathObserver {
 
     /** What follows, until {@link #returns()}, is the life of a weaker branch of a ray that was split. */
@@ -20,16 +20,17 @@ interface PathObserver {
     void crosses(Ray ray);
 
     /**
-     * The ray, or one that came of it, hits something.
+     * The ray, or one that came from it, hits something.
      *
      * @param frame whether this is in the camera frame, or in the scene
      * @param index the number of the frame of the ray and the hit, 0 for the camera frame or the scene frame itself
      * @param primitive what was hit
-     * @param event the event of the hit in the frame in which the ray has begun: there a fast object rounds it less
+     * @param event the event of the hit in the frame in which the ray began, where the speed of the object causes less
+     *     rounding
      * @param eventIndex the number of that frame
      */
     void hits(Frame frame, int index, Ray ray, Hit hit, Primitive primitive, Hit event, int eventIndex);
 
-    /** The ray, or what came of it, goes on and meets nothing more in a frame. */
+    /** The ray, or one that came from it, goes on and meets nothing else in a frame. */
     void leaves(Frame frame, Ray ray);
 }

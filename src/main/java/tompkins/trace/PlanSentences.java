@@ -31,7 +31,7 @@ import tompkins.world.World;
 /** Says in sentences what a picture models and what it leaves out. */
 final class PlanSentences {
 
-    /** Frames whose content is told: nobody reads on. */
+    /** The most frames whose content is listed; nobody reads more. */
     private static final int MOST_TOLD = 8;
 
     private final RenderPlan plan;
@@ -93,7 +93,7 @@ final class PlanSentences {
                 + " from the lamps, and after mirrors and glass.";
     }
 
-    /** What the picture may suffer from, in clauses. */
+    /** What may be wrong with the picture, in clauses. */
     List<String> warnings() {
         List<String> warnings = new ArrayList<>();
         studio.transformation().warning(studio.velocity()).ifPresent(warnings::add);

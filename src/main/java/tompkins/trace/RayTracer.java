@@ -1,12 +1,10 @@
 package tompkins.trace;
 
 import java.util.List;
-import org.joml.Vector3dc;
 import tompkins.light.Illumination;
 import tompkins.light.LightSource;
 import tompkins.light.Lighting;
 import tompkins.light.Sightline;
-import tompkins.primitive.Primitive;
 import tompkins.ray.Colour;
 import tompkins.ray.Hit;
 import tompkins.ray.Ray;
@@ -31,8 +29,7 @@ final class RayTracer implements Tracer, Lighting {
     private final Frame place;
     private final ObjectTree objects;
     private final Illumination illumination;
-    private final List<LightSource> lights;
-    private final LampShadows[] lampShadows;
+    private final RestingLamps restingLamps;
 
     /** The frames that move in this one, or null if there are none. */
     private final MovingWorld movingWorld;
@@ -44,10 +41,6 @@ final class RayTracer implements Tracer, Lighting {
     private final NearestHit nearest;
     private final Hit hitMemory = Hit.blank();
     private final Ray startMemory = Ray.blank();
-    private final Ray shadowMemory = Ray.blank();
-
-    /** What threw the last shadow: it often throws the next one, too. */
-    private Primitive lastShadow;
 
     /** The number of the frame whose hit is answered now; 0 is that of this tracer. */
     private int frame;
@@ -80,9 +73,8 @@ final class RayTracer implements Tracer, Lighting {
             PathObserver observer) {
         this.place = place;
         this.objects = objects;
-        this.lights = lights;
         illumination = new Illumination(lights, this);
-        this.lampShadows = lampShadows;
+        restingLamps = new RestingLamps(objects, lights, lampShadows, counts, nearest);
         this.movingWorld = movingWorld;
         this.beyond = beyond;
         this.maximumDepth = maximumDepth;
@@ -93,7 +85,7 @@ final class RayTracer implements Tracer, Lighting {
 
     /** Begins a packet: forgets what was seen before, so that the work for a packet depends on nothing else. */
     void beginBlock() {
-        lastShadow = null;
+        restingLamps.forget();
         nearest.forgetLeaf();
         if (movingWorld != null) {
             movingWorld.beginBlock();
@@ -183,8 +175,11 @@ final class RayTracer implements Tracer, Lighting {
         counts.rays++;
         frame = 0;
         way = Colour.WHITE;
-        Ray start = rays.copy(index, startMemory);
-        return withBeyond(follow(start, movingWorld.search().nearest(index, start), hitMemory));
+        if (!movingWorld.search().nearest(index)) {
+            Colour far = beyond.colour(rays, index);
+            return shifts() ? movingWorld.seen(far, rays.frequency[index], 1) : far;
+        }
+        return withBeyond(follow(movingWorld.search().ray(), true, hitMemory));
     }
 
     /** The light that comes back along a ray of a packet, which is searched for alone. */
@@ -209,7 +204,7 @@ final class RayTracer implements Tracer, Lighting {
             return path.light();
         }
         Colour far = path.factor().times(beyond.colour(left));
-        return path.light().plus(shifts() ? movingWorld.seen(far, left, 1) : far);
+        return path.light().plus(shifts() ? movingWorld.seen(far, left.frequency, 1) : far);
     }
 
     /**
@@ -286,8 +281,7 @@ final class RayTracer implements Tracer, Lighting {
         if (movingWorld != null) {
             return movingWorld.lampWays().find(source, frame, hit, eventFrame, event, sight);
         }
-        Vector3dc lamp = lights.get(source).position();
-        sight.set(lamp.x() - hit.x, lamp.y() - hit.y, lamp.z() - hit.z);
+        restingLamps.find(source, hit, sight);
         return true;
     }
 
@@ -296,21 +290,7 @@ final class RayTracer implements Tracer, Lighting {
         if (movingWorld != null) {
             return movingWorld.lampWays().isClear(source, frame, from, eventFrame, event, sight);
         }
-        counts.shadowRays++;
-        double distance = Math.sqrt(sight.x * sight.x + sight.y * sight.y + sight.z * sight.z);
-        double toX = sight.x / distance;
-        double toY = sight.y / distance;
-        double toZ = sight.z / distance;
-        LampShadows seen = lampShadows[source];
-        if (seen != null) {
-            return !seen.shadows(from, toX, toY, toZ, distance, shadowMemory, counts);
-        }
-        Ray ray = shadowMemory.setShadow(from, toX, toY, toZ);
-        if (lastShadow != null && lastShadow.shadows(ray, distance)) {
-            return false;
-        }
-        lastShadow = objects.shadow(ray, distance, nearest);
-        return lastShadow == null;
+        return restingLamps.isClear(source, from, sight);
     }
 
     @Override
@@ -320,7 +300,7 @@ final class RayTracer implements Tracer, Lighting {
 
     @Override
     public Colour seen(Colour light, Ray ray, double dopplerFactor) {
-        return movingWorld.seen(light.times(way), ray, dopplerFactor);
+        return movingWorld.seen(light.times(way), ray.frequency, dopplerFactor);
     }
 
     @Override

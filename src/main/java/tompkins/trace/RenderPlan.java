@@ -75,7 +75,7 @@ public final class RenderPlan {
                 ? MovingMedium.around(lensEvent(), world, studio.transformation(), crossing, routes)
                 : null;
         cameraLights = World.atRest(studio.lights());
-        // last, for it follows a ray by this plan
+        // last, because it follows a ray by this plan
         shift = studio.shiftsColours()
                 ? new LightShift(studio.colours(), studio.metering(), middleDopplerFactor())
                 : null;
@@ -91,7 +91,8 @@ public final class RenderPlan {
     }
 
     /**
-     * The plan for the same picture by the plainest of searches, every primitive for every ray: what others must equal.
+     * The plan for the same picture by the simplest search, every primitive for every ray, which other plans must
+     * equal.
      */
     static RenderPlan plain(Studio studio) {
         return new RenderPlan(studio, null, true);
@@ -113,7 +114,7 @@ public final class RenderPlan {
         if (middle != null && middle.sceneStart() != null) {
             return middle.frequencyRatio();
         }
-        // no light of the scene comes there: as if nothing stood before the lens
+        // no light of the scene comes from there: as if nothing stood before the lens
         Vector3dc direction = chiefDirection(width() / 2.0, height() / 2.0);
         Ray ray = Ray.from(0, 0, 0, direction.x(), direction.y(), direction.z(), 0);
         return 1 / sceneFromCamera.transform(ray).frequency;
@@ -158,7 +159,7 @@ public final class RenderPlan {
         return studio.settings().height();
     }
 
-    /** The factor by which the light is multiplied in the end: exposure compensation. */
+    /** The factor by which the light is multiplied at the end: exposure compensation. */
     public double exposure() {
         return Math.pow(2, studio.camera().exposureStops());
     }
@@ -173,7 +174,7 @@ public final class RenderPlan {
         return world.frames();
     }
 
-    /** Whether nothing changes with time: all rests in one frame, and there are no clocks. */
+    /** Whether nothing changes with time: everything rests in one frame, and there are no clocks. */
     public boolean isStill() {
         return isAtRest()
                 && world.frameCount() == 1
@@ -182,7 +183,7 @@ public final class RenderPlan {
                         .noneMatch(primitive -> primitive.surface().showsTime());
     }
 
-    /** Boxes around the first objects that have an end, where they are in the scene when the picture is taken. */
+    /** Boxes around the first bounded objects, where they are in the scene when the picture is taken. */
     public List<Bounds> sceneBounds(int most) {
         return world.bounds(lensInScene().time(), most);
     }
@@ -202,9 +203,7 @@ public final class RenderPlan {
         return studio.camera().exposureTime() > 0 && !isStill();
     }
 
-    /**
-     * Whether different samples of a pixel differ by more than their places in it: one of them tells nothing of that.
-     */
+    /** Whether samples of a pixel differ by more than their places in it, which a single sample does not show. */
     public boolean blurs() {
         return studio.camera().hasWideAperture() || blursInTime();
     }
@@ -277,13 +276,14 @@ public final class RenderPlan {
     }
 
     /**
-     * The plan in sentences: what this picture needs, what it leaves out, and why; of its samples the quality tells.
+     * The plan in sentences: what this picture needs, what it leaves out, and why; the quality says how its samples are
+     * taken.
      */
     public List<String> sentences() {
         return inSentences().sentences();
     }
 
-    /** What this picture may suffer from, in clauses without a full stop; all of them stand in the sentences, too. */
+    /** What may be wrong with this picture, in clauses without a full stop; the sentences contain all of them. */
     public List<String> warnings() {
         return inSentences().warnings();
     }

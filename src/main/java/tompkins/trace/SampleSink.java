@@ -2,7 +2,7 @@ package tompkins.trace;
 
 import tompkins.ray.Colour;
 
-/** Somebody who takes samples of a block of pixels. */
+/** Receives the samples of a block of pixels. */
 public interface SampleSink {
 
     /** Whether a sample of a pixel is wanted; asked before its ray is made. */

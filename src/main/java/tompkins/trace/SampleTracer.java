@@ -37,7 +37,7 @@ public final class SampleTracer {
     private final RayPacket rays = new RayPacket(RayPacket.MOST);
     private final Colour[] colours = new Colour[RayPacket.MOST];
 
-    /** The samples whose colours are known: clearing references instead would cost the collector time. */
+    /** The samples whose colours are known; clearing references instead would cost the garbage collector time. */
     private final boolean[] known = new boolean[RayPacket.MOST];
 
     private final Colour[] sums = new Colour[RayPacket.MOST];
@@ -79,10 +79,11 @@ public final class SampleTracer {
     }
 
     /**
-     * Tells how many samples a pixel gets from now on; 1 before. Each stands for a part of the pixel, so that what is
-     * finer is not blurred twice, by the width of its ray and by the others. The part shrinks like samples^-0.75, as
-     * the error of the program's places at an edge does (see the charts of aperture in docs/speed-and-accuracy.md):
-     * what the width of rays blurs, which no difference between samples tells, stays below what the samples miss.
+     * Sets how many samples a pixel gets from now on; it starts with 1. Each stands for a part of the pixel, so that
+     * fine detail is not blurred twice, by the width of a ray and by the mean over several rays. The part shrinks like
+     * samples^-0.75, as the error of the sampler at an edge does (see the charts of aperture in
+     * docs/speed-and-accuracy.md): the blur by the width of rays, which no difference between samples shows, stays
+     * below the error of the samples.
      *
      * @param samples 1 or more
      */
@@ -229,7 +230,10 @@ public final class SampleTracer {
         }
     }
 
-    /** A ray without a direction, whose light stands still in the scene, keeps all around it from being bounded. */
+    /**
+     * The colour of a ray for which nothing was found in advance: a ray without a direction, whose light stands still
+     * in the scene, prevents that for all rays near it.
+     */
     private Colour colourWithoutHelp(int index, RayTracer tracer) {
         return Double.isNaN(rays.dx[index]) ? Colour.BLACK : tracer.singleColour(rays, index);
     }

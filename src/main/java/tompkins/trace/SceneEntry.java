@@ -49,7 +49,7 @@ final class SceneEntry implements Beyond {
         return shift == null || sceneTracer.shifts() ? light : shift.seen(light, 1 / frequency);
     }
 
-    /** Takes each ray of a packet into the scene frame; no observer is told. */
+    /** Takes each ray of a packet into the scene frame; the observer is not told. */
     void cross(RayPacket rays) {
         crossing.cross(rays);
     }

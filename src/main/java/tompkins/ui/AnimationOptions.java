@@ -15,7 +15,7 @@ import tompkins.ui.widget.NumberKind;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 
-/** Asks how many pictures a second an animation is to have, and how large they are to be. */
+/** Asks how many pictures a second an animation should have, and how large they should be. */
 final class AnimationOptions {
 
     private final JPanel panel = Rows.of("wrap 2, hidemode 3, gap 8 5", "[][grow,fill]");
@@ -34,7 +34,7 @@ final class AnimationOptions {
         void take(int number);
     }
 
-    /** Proposes an animation of a studio in the size of that; {@code frames} says how many pictures a rate needs. */
+    /** Proposes an animation in the size of a studio; {@code frames} says how many pictures a rate needs. */
     AnimationOptions(Studio studio, IntUnaryOperator frames) {
         this.studio = studio;
         this.frames = frames;

@@ -26,7 +26,7 @@ public final class Captions {
 
     private static final String SETTING = "caption";
 
-    /** From this speed on, digits are counted from the speed of light. */
+    /** From this speed on, digits count the difference from the speed of light. */
     private static final double FAST = 0.9;
 
     private final PictureCanvas canvas;
@@ -34,7 +34,7 @@ public final class Captions {
     private final boolean usual;
     private NumberProperty animated;
 
-    /** Captions on a canvas, if the settings say so; where they do not say it, if it is usual. */
+    /** Captions on a canvas, if the settings say so; {@code usual} counts if they say nothing. */
     Captions(PictureCanvas canvas, Settings settings, boolean usual) {
         this.canvas = canvas;
         this.settings = settings;
@@ -47,14 +47,14 @@ public final class Captions {
         return settings.number(SETTING, usual ? 1 : 0) != 0;
     }
 
-    /** Gives pictures captions from now on, or none. */
+    /** Shows captions from now on, or hides them. */
     void setShown(boolean shown) {
         settings.setNumber(SETTING, shown ? 1 : 0);
         settings.save();
         update();
     }
 
-    /** Tells of another number from now on; of none if it is null. */
+    /** Names another number from now on; none if it is null. */
     void setAnimated(NumberProperty number) {
         animated = number;
         update();

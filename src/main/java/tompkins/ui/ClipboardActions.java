@@ -50,7 +50,7 @@ final class ClipboardActions {
         this.status = status;
     }
 
-    /** Puts the photograph on the clipboard, in its own size, with its overlays and its caption if it has some. */
+    /** Puts the photograph on the clipboard, in its own size, with its overlays and its caption if it has any. */
     void copyPicture() {
         Studio studio = model.studio();
         Picture onScreen = view.canvas().shown().now();

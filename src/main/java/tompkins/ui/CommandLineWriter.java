@@ -6,8 +6,8 @@ import tompkins.animation.Animation;
 import tompkins.studio.Studio;
 
 /**
- * Knows the command lines that do again what the window does. They are empty if none can say what has changed, so that
- * the scene has to be saved first.
+ * Writes command lines that repeat what the window does. They are empty if options cannot express what has changed; the
+ * scene has to be saved first.
  */
 public interface CommandLineWriter {
 

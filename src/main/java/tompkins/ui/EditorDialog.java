@@ -39,7 +39,7 @@ final class EditorDialog {
         dialog.setVisible(true);
     }
 
-    /** Shows the editor at a part of the studio, unless what is typed there is wrong and must be put right first. */
+    /** Shows the editor at a part of the studio, unless a wrong value in it must be corrected first. */
     void open(StudioPath part) {
         open();
         editor.choose(part);
@@ -58,7 +58,7 @@ final class EditorDialog {
         Screens.moveBeside(dialog, owner);
     }
 
-    /** As large as it needs to be, and not smaller than it was made. */
+    /** Makes it as large as it needs to be, and not smaller than the user has made it. */
     void fitToLook() {
         if (dialog != null) {
             Dimension made = dialog.getSize();

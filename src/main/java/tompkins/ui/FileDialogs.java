@@ -12,7 +12,7 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Texts;
 
-/** What the window asks about files and says of them: which one to read or write, and what became of it. */
+/** What the window asks and says about files: which one to read or write, and what became of it. */
 final class FileDialogs implements FileContentEditor.Choosers {
 
     private final JFrame frame;
@@ -20,7 +20,7 @@ final class FileDialogs implements FileContentEditor.Choosers {
     private final StatusBar status;
     private final Settings settings;
 
-    /** Where a file was read or saved last, as long as the scene has the same file; null before. */
+    /** The folder where a file was last read or saved while the scene has the same file; null before. */
     private File lastFolder;
 
     FileDialogs(JFrame frame, StudioModel model, StatusBar status, Settings settings) {
@@ -31,8 +31,8 @@ final class FileDialogs implements FileContentEditor.Choosers {
     }
 
     /**
-     * A file chooser where a file was read or saved last for this scene; before, in the folder of the scene, or,
-     * without one, where a file was opened or saved last.
+     * A file chooser. It starts where a file was last read or saved for this scene, else in the folder of the scene,
+     * else where any file was last opened or saved.
      */
     @Override
     public JFileChooser chooser() {
@@ -54,12 +54,12 @@ final class FileDialogs implements FileContentEditor.Choosers {
                 .orElse(null);
     }
 
-    /** A scene of another file is about to be shown, whose files are elsewhere. */
+    /** Tells that a scene from another file is about to be shown, whose files are elsewhere. */
     void forgetFolder() {
         lastFolder = null;
     }
 
-    /** What files of the scene are called, without an ending: like its own, or like its title up to a colon. */
+    /** The name for files of the scene, without an ending: that of its own file, or its title up to a colon. */
     String fileName() {
         String name = model.file() == null
                 ? model.studio()
@@ -70,7 +70,7 @@ final class FileDialogs implements FileContentEditor.Choosers {
         return name.isEmpty() ? "scene" : name;
     }
 
-    /** A file was saved that can be opened again; tells of it. */
+    /** Says that a file was saved that can be opened again. */
     void saved(Path file) {
         settings.addRecentFile(file);
         used(file);
@@ -78,15 +78,15 @@ final class FileDialogs implements FileContentEditor.Choosers {
         status.report(Texts.get(refused ? "file.savedWithout" : "file.saved", file));
     }
 
-    /** A file was saved that cannot be opened again; tells of it, and what the user should know about it. */
+    /** Says that a file was saved that cannot be opened again, and what the user should know about it. */
     void exported(Path file, List<String> warnings) {
         used(file);
         String saved = Texts.get("file.saved", file);
-        // it may have taken so long that nobody looks
+        // it may have taken so long that the user is not looking
         status.say(Stream.concat(Stream.of(saved), warnings.stream()).collect(Collectors.joining("; ")));
     }
 
-    /** Tells that a file was left as it was, since its saving was cancelled. */
+    /** Says that a file was left as it was because saving was cancelled. */
     void sayNotSaved(Path file) {
         status.report(Texts.get("file.notSaved", file));
     }

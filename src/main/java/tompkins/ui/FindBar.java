@@ -20,7 +20,10 @@ import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.TextChanges;
 import tompkins.ui.widget.Texts;
 
-/** Finds words in a text, whatever their case: marks all places, and goes from one to the next and round. */
+/**
+ * Finds words in a text, whatever their case: marks all places, and goes from one to the next and after the last to the
+ * first.
+ */
 final class FindBar {
 
     private static final int COLUMNS = 14;

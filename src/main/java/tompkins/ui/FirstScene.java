@@ -11,7 +11,7 @@ import tompkins.ui.widget.Messages;
  * @param studio the scene
  * @param file where it was read from, or null
  * @param problem why it is not the scene that was asked for; empty if it is
- * @param besideRest whether the photograph is seen beside that of a camera at rest, and both tell their speed
+ * @param besideRest whether the photograph is shown beside that of a camera at rest, both with their speed
  */
 public record FirstScene(Studio studio, Path file, String problem, boolean besideRest) {
 
@@ -21,7 +21,7 @@ public record FirstScene(Studio studio, Path file, String problem, boolean besid
     }
 
     /**
-     * The scene of the program, which nobody asked for: it shows at once what motion does.
+     * The scene of the program, if no other was asked for: it shows at once what motion does.
      *
      * @param problem why it is not the scene that was asked for; empty if there was none
      */

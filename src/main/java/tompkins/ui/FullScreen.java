@@ -6,8 +6,8 @@ import javax.swing.JComponent;
 import javax.swing.JFrame;
 
 /**
- * The picture on all of the screen, for the lecture room: no frame, no menus, no panel, no line at the bottom. The keys
- * of the menus work on.
+ * Shows the picture on the whole screen, for the lecture room: no frame, no menus, no panel, no line at the bottom. The
+ * keys of the menus keep working.
  */
 final class FullScreen {
 
@@ -22,10 +22,10 @@ final class FullScreen {
     private GraphicsDevice covered;
 
     /**
-     * Nothing is covered yet.
+     * A full screen that is off.
      *
-     * @param side the panel, which is not to be seen beside the picture unless somebody wants it there
-     * @param hidden what is not to be seen there at all
+     * @param side the panel, which is hidden unless the user asks for it
+     * @param hidden what is always hidden
      */
     FullScreen(JFrame frame, SideRoom side, List<JComponent> hidden) {
         this.frame = frame;
@@ -38,7 +38,7 @@ final class FullScreen {
         return covered != null;
     }
 
-    /** Covers the screen on which the window is, or gives it back. */
+    /** Covers the screen on which the window is, or uncovers it. */
     void toggle() {
         if (isOn()) {
             leave();
@@ -52,7 +52,7 @@ final class FullScreen {
         }
     }
 
-    /** Gives the screen back; false if it is not covered. */
+    /** Uncovers the screen; false if it is not covered. */
     boolean leave() {
         if (!isOn()) {
             return false;

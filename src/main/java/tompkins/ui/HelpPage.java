@@ -39,7 +39,7 @@ record HelpPage(URL url) {
         } catch (IOException missing) {
             throw new UncheckedIOException(missing);
         }
-        // figures stay as they are, line by line
+        // code stays as it is, line by line
         String markdown = url.getPath().endsWith(".md") ? content : content.indent(4);
         return HtmlRenderer.builder()
                 .extensions(EXTENSIONS)

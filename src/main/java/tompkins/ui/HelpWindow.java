@@ -52,7 +52,7 @@ final class HelpWindow {
     private final JDialog window;
     private HelpPage page;
 
-    /** A page, how far it was scrolled, and how far the keys had come that go from link to link. */
+    /** A page, how far it was scrolled, and which link the keys had reached. */
     private record Place(HelpPage page, Rectangle seen, int caret) {}
 
     /**
@@ -72,7 +72,7 @@ final class HelpWindow {
                 follow(event.getDescription());
             }
         });
-        // else Tab would leave the text, and no key lead to its links
+        // otherwise Tab would leave the text, and no key would lead to its links
         text.setFocusTraversalKeys(
                 KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, Set.of(KeyStroke.getKeyStroke("ctrl TAB")));
         text.setFocusTraversalKeys(
@@ -91,7 +91,7 @@ final class HelpWindow {
         Screens.moveBeside(window, owner);
     }
 
-    /** Shows a page: the one that was read last where it was left, others from their top. */
+    /** Shows a page: where it was left if it was the last one, otherwise from its top. */
     void show(HelpPage wanted) {
         Screens.keepOnScreen(window);
         if (!wanted.equals(page)) {
@@ -168,7 +168,10 @@ final class HelpWindow {
         }
     }
 
-    /** Swing takes a click anywhere behind the end of a line for one on the link with which the line ends. */
+    /**
+     * Whether a click is meant for a link: Swing takes a click anywhere after the end of a line for one on the link at
+     * the end of the line.
+     */
     private boolean isMeant(HyperlinkEvent event) {
         if (!(event.getInputEvent() instanceof MouseEvent click)) {
             return true;
@@ -183,7 +186,7 @@ final class HelpWindow {
         }
     }
 
-    /** Follows the link to which the keys have come; that of Swing for it knows no relative addresses. */
+    /** Follows the link that the keys have reached; Swing's own action knows no relative addresses. */
     private void followReached() {
         HTMLDocument document = (HTMLDocument) text.getDocument();
         Object link = document.getCharacterElement(text.getCaretPosition())
@@ -222,7 +225,7 @@ final class HelpWindow {
         }
     }
 
-    /** The part of the text that begins with a heading; where it is already if there is none of this name. */
+    /** The place of a heading in the text; the present place if there is no heading of this name. */
     private Rectangle placeOf(String heading) {
         Element element = ((HTMLDocument) text.getDocument()).getElement(heading);
         Rectangle seen = text.getVisibleRect();

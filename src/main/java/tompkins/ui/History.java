@@ -10,8 +10,8 @@ import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.EntryField;
 
 /**
- * Undo and redo as a person sees them: what stands in a field of the window without having been taken is the last thing
- * that was done, though the model knows nothing of it.
+ * Undo and redo as a person sees them: what was typed into a field but not taken yet is the last thing that was done,
+ * although the model does not know it.
  */
 final class History {
 
@@ -23,8 +23,8 @@ final class History {
     /**
      * The history.
      *
-     * @param pause ends an animation, which would go on from what was taken back, and forget what can be taken again
-     * @param otherScene told that a step led to a scene that was open before, or after
+     * @param pause ends an animation, which would otherwise go on from what was taken back and lose what can be redone
+     * @param otherScene told that a step led to another scene
      */
     History(StudioModel model, Window window, Runnable pause, Runnable otherScene) {
         this.model = model;
@@ -45,7 +45,7 @@ final class History {
         return model.isModified() || !pending().isEmpty();
     }
 
-    /** Takes back what was typed last: what is right becomes a step first, so that it can be taken again. */
+    /** Takes back what was typed last. If it is right it first becomes a step, so that it can be redone. */
     void undo() {
         Map<EntryField, String> typed =
                 pending().stream().collect(Collectors.toMap(Function.identity(), EntryField::displayed));
@@ -57,7 +57,7 @@ final class History {
         }
         pending().forEach(EntryField::revert);
         if (!isStep) {
-            // of the animation, say, which is no part of the scene
+            // of the animation, for instance, which is not part of the scene
             typed.forEach(EntryField::enter);
         }
     }
@@ -81,7 +81,7 @@ final class History {
         }
     }
 
-    /** Takes back all that was done since the studio was opened or saved. */
+    /** Takes back everything that was done since the studio was opened or saved. */
     void reset() {
         takeEntries();
         pending().forEach(EntryField::revert);

@@ -15,7 +15,7 @@ import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import tompkins.ui.widget.Texts;
 
-/** The keys and what the mouse does, group by group in two columns: each beside what it means. */
+/** The keys and the mouse, group by group in two columns, each beside its meaning. */
 final class KeyTable {
 
     private final JPanel panel = new JPanel(new MigLayout("novisualpadding, insets 0, gap 48 0"));
@@ -34,7 +34,7 @@ final class KeyTable {
         panel.add(column(lines.subList(middle, lines.size())), "aligny top");
     }
 
-    /** Like {@code Ctrl+Shift+S}. */
+    /** The key in words, such as {@code Ctrl+Shift+S}. */
     private static String text(KeyStroke key) {
         String modifiers = InputEvent.getModifiersExText(key.getModifiers());
         return (modifiers.isEmpty() ? "" : modifiers + "+") + KeyEvent.getKeyText(key.getKeyCode());

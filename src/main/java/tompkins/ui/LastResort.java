@@ -8,12 +8,12 @@ import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
 
 /**
- * Tells the user of what went wrong on the event thread and nobody expected: a program that was started with the mouse
- * has no console to tell it.
+ * Tells the user about unexpected errors on the event thread, because a program that was started with the mouse has no
+ * console.
  */
 final class LastResort implements Thread.UncaughtExceptionHandler {
 
-    /** What was told: what fails whenever the window is painted is told once. */
+    /** The errors that were reported: an error that occurs whenever the window is painted is reported once. */
     private final Set<String> told = new HashSet<>();
 
     @Override

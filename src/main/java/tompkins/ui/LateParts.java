@@ -12,11 +12,11 @@ import tompkins.studio.Studio;
 
 /**
  * What a window has, but not from the beginning: its panel, the examples in its menu, and its icon. They come after the
- * first picture, so that it does not wait for them; all that can be made away from the event thread is.
+ * first picture, so that it does not wait for them; whatever can be made away from the event thread is made there.
  */
 final class LateParts {
 
-    /** They do not wait longer than this for a picture, for it may never come. */
+    /** They do not wait longer than this for a picture, because it may never come. */
     private static final int LONGEST_WAIT_MILLISECONDS = 400;
 
     private final CountDownLatch firstPicture = new CountDownLatch(1);
@@ -53,7 +53,8 @@ final class LateParts {
         try {
             firstPicture.await(LONGEST_WAIT_MILLISECONDS, TimeUnit.MILLISECONDS);
             SwingUtilities.invokeLater(panel);
-            // until it is there: to wait for the panel itself would keep its errors from those who tell of them
+            // only until it is there: waiting for the panel itself would hide its errors from the code that reports
+            // them
             SwingUtilities.invokeAndWait(() -> {});
         } catch (InterruptedException | InvocationTargetException e) {
             return;

@@ -13,9 +13,9 @@ import tompkins.ui.picture.MeasureProbe;
 import tompkins.ui.picture.Picture;
 
 /**
- * Measures in the photograph: while it is on, clicks mark places, and a panel under the picture tells what lies between
- * them. Where another picture is compared, clicks there mark places in that one, and sizes in both are compared, too.
- * It follows each picture. A place too many begins anew.
+ * Measures in the photograph: while it is on, clicks mark places, and a panel under the picture says what lies between
+ * them. If another picture is compared, clicks there mark places in that one, and sizes in both are compared, too. It
+ * measures again in each new picture. One place more than needed starts again.
  */
 final class MeasureTool implements MeasurePanel.Commands {
 
@@ -131,7 +131,7 @@ final class MeasureTool implements MeasurePanel.Commands {
         }
     }
 
-    /** Other pictures are on the screen: what was measured in those before is measured again. */
+    /** Other pictures are on the screen: measures in them what was measured in the previous ones. */
     void show() {
         if (isOn()) {
             update();

@@ -228,7 +228,7 @@ final class Menus {
             reset.setEnabled(history.canReset());
         };
         beforeShowing(menu, update);
-        // the keys work while the menu is closed: what there is nothing for does nothing
+        // the keys work while the menu is closed: an item without anything to do does nothing
         afterHiding(menu, () -> List.of(undo, redo, reset).forEach(item -> item.setEnabled(true)));
         return menu;
     }
@@ -248,7 +248,7 @@ final class Menus {
         return menu;
     }
 
-    /** What invites most must not have to be looked for. */
+    /** The button of the ride, which must be found without searching. */
     private JButton rideButton() {
         JButton button = new JButton(Texts.get("ride.begin"));
         Naming.name(button, "ride.begin");

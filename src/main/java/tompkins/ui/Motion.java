@@ -103,7 +103,7 @@ final class Motion {
         return play;
     }
 
-    /** What is half typed would stop an animation at once. */
+    /** Takes what is half typed, which would otherwise stop an animation at once. */
     private void takeEntries() {
         EntryField.takeAll(frame);
     }
@@ -161,7 +161,7 @@ final class Motion {
         ride.setShown(true);
     }
 
-    /** What the line at the top of the picture says; nothing if the camera is not on a ride. */
+    /** What the line at the top of the picture says; empty if the camera is not on a ride. */
     private String line() {
         RideMoment moment = pilot.moment();
         return moment == null || ride == null || !ride.isShown() ? "" : state() + Captions.of(moment);

@@ -21,7 +21,7 @@ import javax.swing.text.html.ImageView;
 import javax.swing.text.html.ParagraphView;
 import javax.swing.text.html.StyleSheet;
 
-/** How the pages of the documents look: in the present look, and no wider than their window, as far as that goes. */
+/** How the pages of the documents look: in the present look, and if possible no wider than their window. */
 @SuppressWarnings("serial") // never written to a stream
 final class PageKit extends HTMLEditorKit {
 
@@ -57,7 +57,7 @@ final class PageKit extends HTMLEditorKit {
                 if (tag == HTML.Tag.IMG) {
                     return new Picture(element);
                 }
-                // else lines of code would not be broken
+                // otherwise lines of code would not be broken
                 return tag == HTML.Tag.IMPLIED ? new ParagraphView(element) : super.create(element);
             }
         };
@@ -74,7 +74,7 @@ final class PageKit extends HTMLEditorKit {
             setLoadsSynchronously(true);
         }
 
-        /** How much smaller it is; without a text of some width it is as large as it was taken. */
+        /** The factor by which it is smaller; 1 while the width of the text is unknown. */
         private double scale() {
             Container text = getContainer();
             return text == null || text.getWidth() == 0
@@ -87,7 +87,7 @@ final class PageKit extends HTMLEditorKit {
             super.setSize(width, height);
             if (told != scale()) {
                 told = scale();
-                // else what is around it goes on as if it had the size that it had in a window of another width
+                // otherwise the text around it is laid out as if it still had its size in a window of another width
                 preferenceChanged(null, true, true);
             }
         }
@@ -111,7 +111,7 @@ final class PageKit extends HTMLEditorKit {
             smaller.scale(scale(), scale());
             smaller.translate(-corner.x, -corner.y);
             corner.setSize((int) super.getPreferredSpan(X_AXIS), (int) super.getPreferredSpan(Y_AXIS));
-            // where it is painted it is painted again with each frame, if it is an animation
+            // if it is an animation, it is painted again with each frame
             super.paint(smaller, corner);
             smaller.dispose();
         }

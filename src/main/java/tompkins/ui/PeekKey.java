@@ -21,7 +21,7 @@ final class PeekKey {
         frame.addWindowFocusListener(new WindowAdapter() {
             @Override
             public void windowLostFocus(WindowEvent event) {
-                // the key is let go of elsewhere
+                // the key is released elsewhere
                 canvas.setOtherAlone(false);
             }
         });

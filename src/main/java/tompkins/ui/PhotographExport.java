@@ -84,7 +84,9 @@ final class PhotographExport {
                 () -> dialogs.sayNotSaved(file));
     }
 
-    /** The photograph of a studio in its own size: the picture on the screen if that is it, or taken anew. */
+    /**
+     * The photograph of a studio in its own size: the picture on the screen if it has that size, otherwise a new one.
+     */
     static LinearImage photograph(Studio studio, Picture onScreen, Progress progress) throws InterruptedException {
         if (onScreen != null
                 && onScreen.complete()
@@ -97,7 +99,7 @@ final class PhotographExport {
         }
     }
 
-    /** Saves a picture; where it lies. */
+    /** Saves a picture and returns where it lies. */
     private static Path write(
             Path file, LinearImage image, PictureFormat format, ToneCurve curve, PhotographInfo info, boolean replace)
             throws FileException {

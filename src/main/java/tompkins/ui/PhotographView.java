@@ -68,7 +68,7 @@ final class PhotographView implements AutoCloseable {
     private final PixelProbe picked = new PixelProbe(this::fail);
     private Studio rendered;
 
-    /** The room for each picture; null while nobody knows it. */
+    /** The room for each picture; null while it is unknown. */
     private Room room;
 
     private Picking picking;
@@ -119,7 +119,7 @@ final class PhotographView implements AutoCloseable {
         compared.render();
     }
 
-    /** Pictures are taken in the size in which they are shown; in their own as long as nobody knows that. */
+    /** The size for the picture of a studio: that in which it is shown, or its own while that is unknown. */
     private Dimension sizeOf(Studio studio) {
         RenderSettings own = studio.settings();
         return room == null ? new Dimension(own.width(), own.height()) : room.sizeOf(own);
@@ -134,7 +134,7 @@ final class PhotographView implements AutoCloseable {
         Dimension before = size();
         room = newRoom;
         screen.setRoom(room);
-        // before the first picture there is nothing to take again
+        // before the first picture there is nothing to render again
         if (rendered != null && !size().equals(before)) {
             render();
         }
@@ -174,12 +174,12 @@ final class PhotographView implements AutoCloseable {
         return Texts.get("compare.kept", kept.shortTitle(), Captions.motion(kept));
     }
 
-    /** Marks a place of the picture and tells the life of its ray; of no place if it is null. */
+    /** Pins a place of the picture, so that the life of its ray is told; unpins it if the place is null. */
     void setPin(Point2D place) {
         pin.set(place, false);
     }
 
-    /** What a picture is called where two are seen; null where the studio's is seen alone. */
+    /** The name of a picture if two are shown; null if the studio's is shown alone. */
     private String nameOf(Picture picture) {
         if (picture != canvas.shown().now()) {
             return compared.name();
@@ -201,7 +201,7 @@ final class PhotographView implements AutoCloseable {
     /**
      * Lets clicks on the picture give the distance of what is there, until one is taken.
      *
-     * @param taker takes a distance, or none: of nothing it is NaN
+     * @param taker takes a distance, which is NaN if nothing is there, and says whether it is the wanted one
      * @param ended called when a distance was taken, or the picking was cancelled
      */
     void startPicking(DoublePredicate taker, Runnable ended) {
@@ -223,7 +223,7 @@ final class PhotographView implements AutoCloseable {
         canvas.setMeasuring(taker != null);
     }
 
-    /** Asks how far away what is seen at a place is: as far as what is in focus where nothing is. */
+    /** Asks for the distance of what is seen at a place; where nothing is, it is that of the focus. */
     void askDistance(PicturePlace place, DoubleConsumer answer) {
         Picture picture = canvas.shown().now();
         Camera camera = picture.studio().camera();

@@ -14,7 +14,7 @@ import tompkins.ui.picture.PictureCanvas;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Note;
 
-/** Says on a spoilt picture what spoils it, and offers the remedy there. */
+/** Says on a spoilt picture what is wrong with it, and offers a remedy. */
 final class PictureNotice {
 
     private final StudioModel model;
@@ -24,7 +24,7 @@ final class PictureNotice {
     private Studio noticed;
     private Remedy remedy;
 
-    /** Nothing is said on the canvas yet. */
+    /** A notice that is hidden. */
     PictureNotice(StudioModel model, PictureCanvas canvas) {
         this.model = model;
         button.setName("notice.remedy");
@@ -36,7 +36,7 @@ final class PictureNotice {
         canvas.add(panel, "wmin 0");
     }
 
-    /** Shows what there is to say of the picture on the screen; of one that is not complete nobody knows. */
+    /** Shows what there is to say about the picture on the screen; about an incomplete one nothing is known. */
     void show(Picture picture) {
         if (picture.complete()) {
             noticed = picture.studio();
@@ -62,7 +62,7 @@ final class PictureNotice {
     @SuppressWarnings("serial") // never written to a stream
     private static final class NoticePanel extends JPanel {
 
-        /** Its width where the canvas has room for it, in sizes of the type. */
+        /** Its width if the canvas has room for it, in sizes of the type. */
         private static final double WIDTH = 26;
 
         NoticePanel() {

@@ -21,7 +21,7 @@ final class PixelPin implements AutoCloseable {
     private Point2D place;
     private boolean inOther;
 
-    /** The plan of the picture that was read, and what the picture was called then. */
+    /** The plan of the picture that was read, and the name of the picture at that time. */
     private RenderPlan readPlan;
 
     private String readName;
@@ -77,7 +77,7 @@ final class PixelPin implements AutoCloseable {
     private void read() {
         Picture picture = picture();
         if (place == null || picture == null) {
-            // it may hold a large scene
+            // the plan may hold a large scene
             readPlan = null;
             listener.accept(null, null);
             return;

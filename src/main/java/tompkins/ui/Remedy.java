@@ -12,12 +12,12 @@ import tompkins.ui.widget.Texts;
  * What puts a spoilt picture right at once.
  *
  * @param problem what spoils it, in a sentence
- * @param action what would help, in a few words
- * @param studio the studio with that
+ * @param action what helps, in a few words
+ * @param studio the studio after the action
  */
 record Remedy(String problem, String action, Studio studio) {
 
-    /** Of the pixels of a good picture, more may not be brighter than white. */
+    /** The largest share of pixels that may be brighter than white in a good picture. */
     private static final double MOST_WHITE = 0.1;
 
     /** The remedy for a picture, if there is one. */

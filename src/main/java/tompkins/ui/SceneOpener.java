@@ -52,9 +52,11 @@ final class SceneOpener {
         this.beginLesson = beginLesson;
     }
 
-    /** Does what lets go of the scene, once its changes are saved or discarded; not at all if the user cancels that. */
+    /**
+     * Does something that leaves the scene, after its changes are saved or discarded; does nothing if the user cancels.
+     */
     void leaveScene(Runnable next) {
-        // or the scene would go on changing behind the question, and never be saved
+        // otherwise the scene would go on changing behind the question and never be saved
         pause.run();
         EntryField.takeAll(frame);
         Messages.Unsaved answer = model.isModified()
@@ -63,7 +65,7 @@ final class SceneOpener {
         switch (answer) {
             case SAVE ->
                 saver.save(() -> {
-                    // what changed while the file was written is not in it
+                    // changes made while the file was written are not in it
                     if (!model.isModified()) {
                         next.run();
                     }
@@ -93,7 +95,8 @@ final class SceneOpener {
     }
 
     /**
-     * An example that was only looked at from elsewhere or in other motion comes back by undo: nothing to ask about.
+     * As {@link #leaveScene}, but without a question for an example of which only the camera or the motion was changed:
+     * undo brings it back.
      */
     private void leaveForAnother(Runnable next) {
         Studio opened = model.opened();
@@ -111,7 +114,7 @@ final class SceneOpener {
         }
     }
 
-    /** Begins a scene without objects, and then goes on to where they are added. */
+    /** Begins a scene without objects, and then does something else, such as opening the editor. */
     void begin(Runnable next) {
         leaveForAnother(() -> {
             show(Studio.DEFAULT, null);

@@ -26,10 +26,10 @@ final class SceneSaver {
     private final StatusBar status;
     private final FileDialogs dialogs;
 
-    /** What the scene files held when they were opened or saved last. */
+    /** What the scene files held when they were last opened or saved. */
     private final Map<Path, Studio> held = new HashMap<>();
 
-    /** What was done last to save a scene in a file; it may still go on. */
+    /** The last attempt to save a scene in a file, which may still go on. */
     private final Map<Path, BackgroundTask> saves = new HashMap<>();
 
     SceneSaver(JFrame frame, StudioModel model, StatusBar status, FileDialogs dialogs) {
@@ -40,7 +40,7 @@ final class SceneSaver {
         hold(model.file(), model.studio());
     }
 
-    /** Takes notice of what a file held when it was opened. */
+    /** Remembers what a file held when it was opened. */
     void hold(Path file, Studio studio) {
         held.put(file, studio);
     }
@@ -53,7 +53,7 @@ final class SceneSaver {
     /**
      * Saves the scene where it came from; asks for a place if it has none.
      *
-     * @param next is done when the scene is saved, and not if it is not
+     * @param next done after the scene was saved; not done if it was not saved
      */
     void save(Runnable next) {
         EntryField.takeAll(frame);
@@ -65,7 +65,7 @@ final class SceneSaver {
         }
     }
 
-    /** A scene as it was when it was to be saved: it may play on behind the questions. */
+    /** A scene as it was when it was saved; an animation may go on behind the questions. */
     private record Saving(Studio studio, Studio opened, Runnable next) {}
 
     /** Saves over a scene file; asks first if that loses what somebody wrote. */
@@ -85,12 +85,15 @@ final class SceneSaver {
         awaitEnd(file, search);
     }
 
-    /** Does not save a scene in a file again until what was done last to save one there has ended. */
+    /** Waits with saving in a file until the last attempt to save there has ended. */
     void awaitEnd(Path file, BackgroundTask save) {
         saves.put(file, save);
     }
 
-    /** Whether a file is being saved, which is said: its content is not known, and another writer might be faster. */
+    /**
+     * Whether a file is being saved, and if so tells the user: its content is not known, and a second writer might be
+     * faster.
+     */
     private boolean isBeingSaved(Path file) {
         BackgroundTask last = saves.get(file);
         boolean saving = last != null && last.isRunning();
@@ -158,7 +161,7 @@ final class SceneSaver {
                         () -> dialogs.sayNotSaved(file)));
     }
 
-    /** Saves a scene; where it lies. */
+    /** Saves a scene and returns where it lies. */
     private static Path write(Studio studio, Path file, boolean replace) throws IOException {
         if (!replace) {
             return StudioWriter.saveNew(studio, file);

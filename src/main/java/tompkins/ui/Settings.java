@@ -27,7 +27,7 @@ final class Settings {
     private static final String FILE = "window.properties";
     private static final int MOST_RECENT = 8;
 
-    /** Larger than any that was written by this program. */
+    /** Larger than any file that was written by this program. */
     private static final int LARGEST = 1 << 20;
 
     /** Null if nothing can be kept. */
@@ -35,7 +35,7 @@ final class Settings {
 
     private final Properties values = new Properties();
 
-    /** What the user should know about the settings; empty if there is nothing, or it was told. */
+    /** What the user should know about the settings; empty if there is nothing, or it was already told. */
     private String trouble;
 
     private boolean told;
@@ -49,7 +49,7 @@ final class Settings {
         this(folder.path() == null ? null : folder.path().resolve(FILE), folder.trouble());
     }
 
-    /** Settings in a file; whatever cannot be read is as if it had not been set. */
+    /** Settings in a file; whatever cannot be read counts as not set. */
     Settings(Path file) {
         this(file, "");
     }
@@ -57,7 +57,7 @@ final class Settings {
     private Settings(Path file, String trouble) {
         this.file = file == null ? null : file.toAbsolutePath();
         this.trouble = trouble;
-        // where nobody may look there may be a file all the same
+        // even in a folder that cannot be read there may be a file
         if (file != null && !Files.notExists(file)) {
             read();
         }
@@ -132,11 +132,11 @@ final class Settings {
                 try {
                     files.add(Path.of(name));
                 } catch (InvalidPathException damaged) {
-                    // as if it had not been set
+                    // it counts as not set
                 }
             }
         }
-        // a root has no name, and is no file
+        // a root has no name and is not a file
         files.removeIf(path -> path.getFileName() == null || path.toString().isEmpty());
         return files;
     }
@@ -152,7 +152,7 @@ final class Settings {
         save();
     }
 
-    /** Writes the file; a folder that cannot be written only means that nothing is remembered, which is told. */
+    /** Writes the file; if the folder cannot be written, nothing is remembered, and the user is told so. */
     void save() {
         if (file == null) {
             return;

@@ -37,7 +37,7 @@ import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Section;
 import tompkins.ui.widget.Texts;
 
-/** The narrow panel beside the photograph: all that a teacher turns, one part under the other. */
+/** The narrow panel beside the photograph: everything that a teacher adjusts, one part under the other. */
 final class SidePanel {
 
     private static final double WIDTH = 25;
@@ -103,7 +103,7 @@ final class SidePanel {
         split.setBorder(BorderFactory.createEmptyBorder());
         split.setDividerSize(0);
         split.setResizeWeight(RAY_BEGINS);
-        // keys of the window, which split panes have a use of their own for
+        // keys of the window, for which split panes have a use of their own
         for (String key : List.of("F6", "F8")) {
             split.getInputMap(JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(key), "none");
         }
@@ -125,13 +125,13 @@ final class SidePanel {
                 ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         scroll.setName(name);
         scroll.setBorder(BorderFactory.createEmptyBorder());
-        // beside the other one it takes what room there is
+        // beside the other one it takes the room that is left
         scroll.setMinimumSize(new Dimension(0, 0));
         scroll.getVerticalScrollBar().setUnitIncrement(20);
         return scroll;
     }
 
-    /** What there is to see in another scene must not be out of view. */
+    /** Scrolls to what there is to see in another scene. */
     private void show(StudioModel model, Note remarks) {
         String text = model.studio().remarks();
         title.setText(titled(model, model.studio().shortTitle()));
@@ -141,7 +141,7 @@ final class SidePanel {
         }
     }
 
-    /** A title of the scene, which says so if it is that of an example which has been changed since. */
+    /** A title of the scene, which says so if it is that of a changed example. */
     static String titled(StudioModel model, String title) {
         return model.isChangedExample() ? Texts.get("title.changed", title) : title;
     }
@@ -158,7 +158,7 @@ final class SidePanel {
         }
     }
 
-    /** Focuses at a distance; a click beside all objects gives none, and the next one may be better. */
+    /** Focuses at a distance; false if a click beside all objects gave none, so that the user can try again. */
     private static boolean focus(StudioModel model, Consumer<String> teller, double distance) {
         if (distance > 0) {
             Camera camera = model.studio().camera();
@@ -169,7 +169,7 @@ final class SidePanel {
         return distance > 0;
     }
 
-    /** The width of a narrow panel, which it has at least. */
+    /** The least width of the panel. */
     static int leastWidth() {
         return Look.pixels(WIDTH);
     }

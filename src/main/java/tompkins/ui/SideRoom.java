@@ -17,7 +17,7 @@ import tompkins.ui.widget.Look;
 
 /**
  * The room beside the photograph. The panel comes into it when there is time, or as soon as it is needed: to make it
- * takes half a second with its layout, for which the first picture need not wait.
+ * and lay it out takes half a second, for which the first picture need not wait.
  */
 final class SideRoom {
 
@@ -35,7 +35,7 @@ final class SideRoom {
     /** Whether the panel is hidden because the window is narrow. */
     private boolean folded;
 
-    /** An empty room for the panel that somebody makes. */
+    /** An empty room for a panel that will be made. */
     SideRoom(Supplier<SidePanel> maker) {
         this.maker = maker;
     }
@@ -44,7 +44,7 @@ final class SideRoom {
         return room;
     }
 
-    /** Whether the panel is to be seen in its room. */
+    /** Whether the panel is in its room. */
     boolean isFurnished() {
         return panel != null && panel.component().isVisible();
     }
@@ -61,7 +61,7 @@ final class SideRoom {
         return panel;
     }
 
-    /** The texts find out how high they are only when they hear how wide they are: nobody need see that. */
+    /** Lays out the panel before it is shown, because the heights of its texts follow from their widths. */
     private void furnish(JComponent content) {
         content.setVisible(false);
         room.add(content);
@@ -98,7 +98,7 @@ final class SideRoom {
 
     /**
      * Folds the panel whenever the window becomes so narrow that no room is left for the photograph, and brings it back
-     * when there is room again. Somebody may {@link #toggle} it meanwhile.
+     * when there is room again. The user may {@link #toggle} it meanwhile.
      *
      * @param content what the photograph shares with this room
      * @param folding told when the panel is folded, and when it is not any more
@@ -132,7 +132,7 @@ final class SideRoom {
         }
     }
 
-    /** What does not follow the look by itself. */
+    /** Sets the sizes that do not follow the look by themselves. */
     void fitToLook() {
         int width = panel == null ? SidePanel.leastWidth() : panel.width();
         room.setPreferredSize(new Dimension(width, 0));

@@ -13,7 +13,7 @@ import tompkins.ui.picture.VelocityArrow;
 
 /**
  * What is drawn over the picture on the screen, as the settings say. A photograph that is saved has none of it; what
- * formulas say about the scene goes along where a picture is copied or an animation is exported.
+ * formulas say about the scene is also drawn into pictures that are copied and animations that are exported.
  */
 final class Signs {
 
@@ -66,7 +66,7 @@ final class Signs {
     private final SideMap map = new SideMap();
     private final SceneOverlay overlay;
 
-    /** The signs on a canvas; {@code failures} is told, by any thread, of what could not be worked out. */
+    /** The signs on a canvas; {@code failures} is told by any thread what could not be worked out. */
     Signs(PictureCanvas canvas, Settings settings, Consumer<Throwable> failures) {
         this.canvas = canvas;
         this.settings = settings;

@@ -39,13 +39,13 @@ final class StatusBar {
     private final Timer fading;
     private String failure;
 
-    /** What is said of the picture if there is nothing else to say. */
+    /** The hint for the picture if there is nothing else to say. */
     private String pictureHint = Texts.get("status.idle");
 
     private boolean picking;
     private boolean panelFolded;
 
-    /** The picture on the screen, if it is said that it becomes better; else null. */
+    /** The picture on the screen while the line says that it is being refined; otherwise null. */
     private Picture refining;
 
     /** A status bar that shows the progress of a controller. */
@@ -53,7 +53,7 @@ final class StatusBar {
         this(controller, MESSAGE_MILLISECONDS);
     }
 
-    /** The same, with messages about what has happened that stay for so long. */
+    /** The same, with the time for which messages about what has happened stay. */
     StatusBar(RenderController controller, int messageMilliseconds) {
         this.controller = controller;
         fading = new Timer(messageMilliseconds, event -> showIdle());
@@ -104,7 +104,7 @@ final class StatusBar {
         return panelFolded ? Texts.get("status.panelFolded") : pictureHint;
     }
 
-    /** A line that is too long for the window is read in its tip. */
+    /** Sets the line; if it is too long for the window, its tooltip shows the rest. */
     private void setWhat(String text) {
         fading.stop();
         what.setText(text);
@@ -127,7 +127,7 @@ final class StatusBar {
         }
     }
 
-    /** Forgets all that was said of a scene, for another one. */
+    /** Clears everything that was said about a scene. */
     void clear() {
         failure = null;
         showIdle();
@@ -186,7 +186,7 @@ final class StatusBar {
 
     /** Shows what the picture on the screen is. */
     void show(Picture shown) {
-        // what was rendered before the stop may reach the screen after it
+        // a picture that was rendered before the stop may reach the screen after it
         boolean ended = shown.complete() || controller.isStopped();
         refining = ended ? null : shown;
         if (failure != null) {
@@ -252,7 +252,7 @@ final class StatusBar {
         where.setText(" ");
     }
 
-    /** As {@link #say}, of what has happened, which is old after a while. */
+    /** As {@link #say}, for news that disappear after a while. */
     void report(String message) {
         say(message);
         fading.restart();

@@ -117,7 +117,7 @@ public final class TompkinsWindow {
         frame.setLocationByPlatform(true);
         model.addListener(this::showTitle);
         showTitle();
-        // what is laid out before the window is on its screen is laid out again
+        // a layout made before the window is on its screen would be made again
         frame.addNotify();
         fitToLook();
         settings.tellTrouble(status::say);
@@ -127,8 +127,8 @@ public final class TompkinsWindow {
     }
 
     /**
-     * Begins with what takes longest before a window can be opened, on the event thread. Called early where one is
-     * likely to be opened; returns at once. Needs a display.
+     * Starts on the event thread what takes longest before a window can be opened. Called early if a window is likely
+     * to be opened; returns at once. Needs a display.
      */
     public static void prepare() {
         // the texts of the window are English; those of file choosers and keys must not be in another language
@@ -165,7 +165,10 @@ public final class TompkinsWindow {
         return window;
     }
 
-    /** Undo and redo lead from one scene to another, which nobody may have meant; a pin stays with its scene. */
+    /**
+     * Says that undo or redo has led to another scene, which may not have been meant. The pin goes: it belongs to its
+     * scene.
+     */
     private void sayOtherScene() {
         view.setPin(null);
         status.report(Texts.get("history.otherScene", model.studio().title()));
@@ -175,9 +178,9 @@ public final class TompkinsWindow {
         editor.open(part);
     }
 
-    /** Brings the panel. The processors are its own meanwhile: the picture goes on afterwards. */
+    /** Brings the panel. The picture pauses meanwhile, so that the panel has the processors. */
     private void furnish() {
-        // a window that was closed meanwhile has no picture any more
+        // a window that was closed meanwhile has no picture
         boolean unfinished = frame.isDisplayable() && view.controller().isBusy();
         view.stop();
         side.panel();
@@ -232,7 +235,7 @@ public final class TompkinsWindow {
         return content;
     }
 
-    /** What does not follow the look by itself. */
+    /** Sets the sizes that do not follow the look by themselves. */
     private void fitToLook() {
         side.fitToLook();
         size.require(Screens.atMost(frame, Look.pixels(MINIMUM_WIDTH), Look.pixels(MINIMUM_HEIGHT)));

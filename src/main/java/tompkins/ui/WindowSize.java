@@ -17,7 +17,7 @@ final class WindowSize {
     private final Settings settings;
     private Dimension normal;
 
-    /** The size that the window had before it was made as large as it must be at least, and the one after that. */
+    /** The size of the window before it was enlarged to its least size, and the size after that. */
     private Dimension before;
 
     private Dimension enlarged;
@@ -56,8 +56,8 @@ final class WindowSize {
     }
 
     /**
-     * Makes the window as large as it must be at least. What that adds is taken off again as soon as less will do,
-     * unless somebody has given the window another size meanwhile.
+     * Makes the window at least as large as it must be. This enlargement is taken back as soon as less is enough,
+     * unless the user has given the window another size meanwhile.
      */
     void require(Dimension least) {
         Dimension now = frame.getSize();
@@ -72,7 +72,7 @@ final class WindowSize {
         }
     }
 
-    /** Writes how the window is now into the settings. */
+    /** Writes the present size of the window into the settings. */
     void save() {
         settings.setNumber("width", normal.width);
         settings.setNumber("height", normal.height);

@@ -13,15 +13,18 @@ import tompkins.spacetime.TransformationLaw;
 /**
  * The way of a ray from the camera frame into the scene frame, and where the coordinates of each frame begin.
  *
- * <p>A camera that has been on its way for a long time is far from the origin of the scene frame, and so is everything
- * that it sees: with coordinates of order 1e7 a double has no digits left for rods of radius 0.02. Then a frame is
+ * <p>A camera that has flown for a long time is far from the origin of the scene frame, and so is everything that it
+ * sees: with coordinates of order 1e7 a double does not have enough digits for rods of radius 0.02. Then a frame is
  * described from an origin of its own near the camera (doubles, subtracted exactly from the objects), rays are
  * transformed relative to the lens, and the rest between the lens and that origin is added, worked out once with sixty
  * digits.
  */
 public final class FrameCrossing {
 
-    /** Distance and time of the camera from the origin of a frame at which it gets an origin of its own. */
+    /**
+     * If the camera is farther than this from the origin of a frame, in space or time, the frame gets an origin of its
+     * own.
+     */
     private static final double FAR = 1000;
 
     private final SpaceTimeTransformation sceneFromCamera;
@@ -43,7 +46,7 @@ public final class FrameCrossing {
         this.law = law;
         this.lens = lens;
         Event inScene = sceneFromCamera.transform(lens);
-        // a camera at rest has not flown far from what it sees
+        // a camera at rest has not moved away from what it sees
         boolean atRest = sceneFromCamera instanceof IdentityTransformation;
         Event far = origin(inScene);
         origin = atRest ? new Event(0, 0, 0, far.time()) : far;

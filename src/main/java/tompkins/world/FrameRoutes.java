@@ -9,8 +9,8 @@ import tompkins.sceneobject.FrameObjects;
 import tompkins.spacetime.Event;
 
 /**
- * The ways between the frames of a world, each a change of frame after the other: nested motion is never made one
- * boost, for two boosts are a boost and a rotation. Immutable.
+ * The ways between the frames of a world, as changes of frame one after the other: nested motions are never made into
+ * one boost, because two boosts are a boost and a rotation. Immutable.
  */
 public final class FrameRoutes {
 

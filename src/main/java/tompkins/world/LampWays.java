@@ -9,6 +9,7 @@ import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.search.LampShadows;
+import tompkins.search.LampTrack;
 import tompkins.search.NearestHit;
 import tompkins.search.ObjectTree;
 import tompkins.spacetime.TransformationLaw;
@@ -59,7 +60,8 @@ public final class LampWays {
      * Finds the way from a hit to a lamp.
      *
      * @param frame the frame of the hit
-     * @param event the event of the hit in the frame in which the ray has come, where a fast object rounds it less
+     * @param event the event of the hit in the frame in which the ray came, where the speed of the object causes less
+     *     rounding
      * @param eventFrame that frame
      * @return false if no light of the lamp gets to the event
      */
@@ -74,16 +76,15 @@ public final class LampWays {
             sight.set(at.x() - hit.x, at.y() - hit.y, at.z() - hit.z);
             return true;
         }
-        routes.transform(eventFrame, lampFrame, eventRay.setShadow(event, 0, 0, 1), eventRay);
-        double x = at.x() - eventRay.x;
-        double y = at.y() - eventRay.y;
-        double z = at.z() - eventRay.z;
+        routes.transform(eventFrame, lampFrame, way.setShadow(event, 0, 0, 1), way);
+        double x = at.x() - way.x;
+        double y = at.y() - way.y;
+        double z = at.z() - way.z;
         double length = Math.sqrt(x * x + y * y + z * z);
         if (length == 0) {
             return false;
         }
-        place.setPlace(eventRay.x, eventRay.y, eventRay.z, eventRay.time);
-        routes.transform(lampFrame, frame, way.setShadow(place, x / length, y / length, z / length), way);
+        routes.transform(lampFrame, frame, way.aim(x / length, y / length, z / length), way);
         double stretched = length * way.stretch;
         sight.set(way.dx * stretched, way.dy * stretched, way.dz * stretched, way.stretch, 1);
         return true;
@@ -92,7 +93,7 @@ public final class LampWays {
     /**
      * In a Galilean world light has speed 1 in the camera frame, on every leg. With R from the hit to where the lamp is
      * at the time of the hit, and its velocity w, both in the camera frame, the light has been on its way for the time
-     * s in which |R - w s| = s.
+     * s that solves |R - w s| = s.
      */
     private boolean findWithOneCarrier(Vector3dc at, int lampFrame, int frame, Hit hit, Sightline sight) {
         routes.toCamera(frame, eventRay.setShadow(hit, 0, 0, 1), eventRay);
@@ -133,7 +134,10 @@ public final class LampWays {
         return true;
     }
 
-    /** Whether nothing throws a shadow on a hit along a way that was found for it; asked as that. */
+    /**
+     * Whether nothing throws a shadow on a hit along a way that was found for it; the parameters are those of
+     * {@link #find}.
+     */
     public boolean isClear(int source, int frame, Hit hit, int eventFrame, Hit event, Sightline sight) {
         counts.shadowRays++;
         double length = Math.sqrt(sight.x * sight.x + sight.y * sight.y + sight.z * sight.z);
@@ -160,9 +164,17 @@ public final class LampWays {
     }
 
     private boolean isDark(int source, int frame, Hit start, Ray ray, double length) {
-        LampShadows seen = lampFrames[source] == frame ? world.lampShadows(source) : null;
+        LampShadows seen = null;
+        double place = 0;
+        LampTrack track = world.lampTrack(source, frame);
+        if (lampFrames[source] == frame) {
+            seen = world.lampShadows(source);
+        } else if (track != null) {
+            place = track.at(ray, length);
+            seen = place == LampTrack.NOWHERE ? null : track.seenFrom(place);
+        }
         if (seen != null) {
-            return seen.shadows(start, ray.dx, ray.dy, ray.dz, length, eventRay, counts);
+            return seen.shadows(start, ray, place - Math.floor(place), length, counts);
         }
         Primitive last = lastShadows[frame];
         if (last != null && last.shadows(ray, length)) {

@@ -7,7 +7,7 @@ import tompkins.property.NumberText;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
 
-/** Makes primitives of lists of objects, if they are not too many. */
+/** Makes primitives from lists of objects, if there are not too many. */
 public final class ObjectPreparation {
 
     private ObjectPreparation() {}
@@ -25,7 +25,7 @@ public final class ObjectPreparation {
         }
     }
 
-    /** Counts before anything is made: copies of copies would take for ever. */
+    /** Counts before anything is made, because copies of copies could take forever. */
     private static void requireFewEnough(String name, List<SceneObject> objects) {
         double before = 0;
         for (int i = 0; i < objects.size(); i++) {

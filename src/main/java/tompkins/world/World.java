@@ -3,6 +3,7 @@ package tompkins.world;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Matrix3d;
@@ -19,7 +20,9 @@ import tompkins.sceneobject.ImagePoints;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
 import tompkins.search.LampShadows;
+import tompkins.search.LampTrack;
 import tompkins.search.ObjectTree;
+import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
@@ -27,19 +30,19 @@ import tompkins.surface.Refractive;
 
 /**
  * The scene, ready to be met by rays: for each velocity in it an inertial frame with the primitives that rest there in
- * a tree; the lamps, each in its frame, and what each lamp sees of what rests with it. Nothing of it depends on the
+ * a tree; the lamps, each in its frame, and what each lamp sees of what rests with it. None of it depends on the
  * camera, unless the scene holds image points or the camera is far away; a film in which only the camera changes uses
  * one for all its pictures.
  */
 public final class World {
 
-    /**
-     * The lamps that get a light buffer, which takes milliseconds to make; with more of them the tree does for the
-     * rest.
-     */
+    /** The most lamps that get a light buffer, which takes milliseconds to make; for further lamps the tree is used. */
     private static final int MOST_BUFFERS = 16;
 
-    /** Primitives that all lamps with buffers see: a million take 30 MB and half a second for each lamp. */
+    /**
+     * The most primitives that all lamps with buffers see together: a million take 30 MB and half a second for each
+     * lamp. Lamps that pass see as many again.
+     */
     private static final int MOST_SEEN = 2_000_000;
 
     private final List<SceneObject> described;
@@ -55,12 +58,15 @@ public final class World {
     private final List<FrameObjects> lightFrames = new ArrayList<>();
     private final List<LampShadows> lampShadows = new ArrayList<>();
 
+    /** For each light and frame the way of the light past what rests there, or null if that is not prepared. */
+    private final LampTrack[][] lampTracks;
+
     /**
      * Prepares the scene of a studio.
      *
      * @param crossing says where the coordinates of each frame begin
      * @param imagePoints where the camera photographs the points that move with it
-     * @param plain whether to leave out all that only saves time: trees, and what the lamps see
+     * @param plain whether to leave out everything that only saves time: trees, and light buffers
      * @throws tompkins.property.InvalidPropertyException if an object is too large, too small or too fast to work with
      */
     public World(Studio studio, FrameCrossing crossing, ImagePoints imagePoints, boolean plain) {
@@ -97,6 +103,10 @@ public final class World {
                         .toList())
                 .toList();
         prepareShadows(plain);
+        lampTracks = new LampTrack[lights.size()][frames.size()];
+        if (!plain && frames.size() > 1) {
+            prepareTracks(routes(crossing));
+        }
     }
 
     private void add(LightSource source, PrimitiveCollector collector, Placement placement) {
@@ -114,8 +124,7 @@ public final class World {
     }
 
     /**
-     * What lights the camera's own frame: lamps as if they stood at the same coordinates of it, where they are at time
-     * 0.
+     * The lights of the camera's own frame: lamps as if they stood at the coordinates in it that they have at time 0.
      */
     public static List<LightSource> atRest(List<LightSource> lights) {
         return lights.stream()
@@ -141,7 +150,29 @@ public final class World {
         }
     }
 
-    /** Whether this is what would be prepared for a studio, whatever its camera is. */
+    private void prepareTracks(FrameRoutes routes) {
+        AtomicLong left = new AtomicLong(MOST_SEEN);
+        for (int i = 0; i < Math.min(MOST_BUFFERS, lights.size()); i++) {
+            Vector3dc lamp = lights.get(i).position();
+            int own = frameOfLight(i);
+            for (int frame = 0; frame < frames.size() && lamp != null; frame++) {
+                if (frame != own) {
+                    lampTracks[i][frame] = LampTrack.of(
+                            place(routes, own, frame, lamp, 0),
+                            place(routes, own, frame, lamp, 1),
+                            objects.get(frame),
+                            left);
+                }
+            }
+        }
+    }
+
+    private static Vector3dc place(FrameRoutes routes, int from, int to, Vector3dc place, double time) {
+        return routes.transform(from, to, new Event(place.x(), place.y(), place.z(), time))
+                .position();
+    }
+
+    /** Whether the same would be prepared for a studio, whatever its camera is. */
     public boolean isOf(Studio studio, FrameCrossing crossing) {
         return !followsCamera
                 && described == studio.scene()
@@ -194,8 +225,8 @@ public final class World {
     }
 
     /**
-     * Boxes around the first objects that have an end, in the scene frame, where they are at a time of it; those of
-     * moving ones hold the corners of their boxes at rest.
+     * Boxes around the first bounded objects, in the scene frame, where they are at a time of it; boxes of moving
+     * objects hold the corners of their boxes at rest.
      */
     public List<Bounds> bounds(double sceneTime, int most) {
         return IntStream.range(0, frames.size())
@@ -244,6 +275,11 @@ public final class World {
     /** What a light source sees of what rests with it, or null if that is not prepared. */
     public LampShadows lampShadows(int source) {
         return lampShadows.get(source);
+    }
+
+    /** The way of a light source past what rests in another frame than its own, or null if that is not prepared. */
+    LampTrack lampTrack(int source, int frame) {
+        return lampTracks[source][frame];
     }
 
     /** The ways between the frames. */

@@ -22,6 +22,7 @@ public final class WorldSearch {
     private final NearestHit nearest;
     private final Ray[] mapped;
     private final FramePacket[] packets;
+    private final Ray packetStart = Ray.blank();
     private RayPacket sceneRays;
 
     // of the search that was made last
@@ -52,6 +53,10 @@ public final class WorldSearch {
         final RayPacket rays = new RayPacket(RayPacket.MOST);
         final PacketSearch search = new PacketSearch();
         final EntryNodes entries = new EntryNodes();
+
+        /** The ray that is searched for now. */
+        final Ray ray = Ray.blank();
+
         /** Where each ray must search; null if what they meet was found for all together. */
         TreeParts parts;
 
@@ -78,6 +83,11 @@ public final class WorldSearch {
                 compare(inFrame, i);
             }
         }
+        ray = frame == from ? start : mapped[frame];
+        if (found != null && frame != from) {
+            // whoever follows the ray keeps it while others are searched for
+            mapped[frame] = Ray.blank();
+        }
         return end();
     }
 
@@ -97,15 +107,19 @@ public final class WorldSearch {
     }
 
     /** As {@link #nearest(Ray, int)}, for a ray of that packet; asked in the order of the places. */
-    public boolean nearest(int place, Ray start) {
-        begin(start, 0);
+    public boolean nearest(int place) {
+        begin(packetStart, 0);
         for (int i : filled) {
-            search(packets[i], i, place, start);
+            search(packets[i], i, place);
+        }
+        if (found != null) {
+            sceneRays.copy(place, packetStart);
+            ray = packets[frame].ray;
         }
         return end();
     }
 
-    private void search(FramePacket packet, int index, int place, Ray start) {
+    private void search(FramePacket packet, int index, int place) {
         boolean isFound = packet.parts == null;
         if (!isFound && place % EntryNodes.RAYS == 0) {
             packet.hasEntries = packet.entries.find(
@@ -118,7 +132,7 @@ public final class WorldSearch {
         if (isFound && !packet.search.mayMeet(place) || Double.isNaN(packet.rays.dx[place])) {
             return;
         }
-        Ray inFrame = index == 0 ? start : packet.rays.copy(place, mapped[index]);
+        Ray inFrame = packet.rays.copy(place, packet.ray);
         double limit = limit(inFrame);
         if (isFound) {
             packet.search.nearest(inFrame, place, limit, nearest);
@@ -137,7 +151,6 @@ public final class WorldSearch {
         distance = Primitive.NO_HIT;
         share = Primitive.NO_HIT;
         frame = newFrom;
-        ray = newStart;
     }
 
     private double limit(Ray inFrame) {
@@ -156,17 +169,12 @@ public final class WorldSearch {
             distance = nearest.distance();
             share = candidateShare;
             frame = index;
-            ray = inFrame;
         }
     }
 
     private boolean end() {
         nearest.resume(found, distance);
         nearest.forgetLeaf();
-        if (found != null && ray == mapped[frame]) {
-            // whoever follows the ray keeps it while others are searched for
-            mapped[frame] = Ray.blank();
-        }
         return found != null;
     }
 
@@ -175,7 +183,7 @@ public final class WorldSearch {
         return frame;
     }
 
-    /** The ray that was searched for last, in that frame. */
+    /** The ray of that hit, in that frame. */
     public Ray ray() {
         return ray;
     }

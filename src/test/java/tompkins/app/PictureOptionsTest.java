@@ -79,7 +79,7 @@ class PictureOptionsTest {
                 "--beta fast | --beta=0.9 or --beta=0,0,0.9, was fast",
                 "--beta 1.2 | --beta must be at least 0 and below 1 (the speed of light), was 1.2",
                 "--beta -0.5 | --beta must be at least 0 and below 1 (the speed of light), was -0.5",
-                "--beta .99999999999999999 | (the speed of light), was 1; .99999999999999999 was rounded to 1: nearer",
+                "--beta .99999999999999999 | (the speed of light), was 1; .99999999999999999 was rounded to 1: to come nearer",
                 "--gamma 0.9 | --gamma must be from 1 to 100000000, was 0.9",
                 "--gamma Infinity | --gamma must be from 1 to 100000000, was Infinity",
                 "--gamma 1e9 | --gamma must be from 1 to 100000000, was 1e9",

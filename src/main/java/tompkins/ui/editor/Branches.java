@@ -7,8 +7,8 @@ import java.util.Set;
 import tompkins.property.Descriptions;
 
 /**
- * Tells what a tree of the studio shows as branches from what a form shows: branches are lists, and whatever may hold
- * lists at any depth, such as groups of objects.
+ * Decides what the tree of the studio shows as branches and what a form shows: branches are lists, and whatever may
+ * hold lists at any depth, such as groups of objects.
  */
 final class Branches {
 

@@ -52,14 +52,14 @@ final class ColourEditor implements ValueEditor {
     private void choose(Component parent, Note note) {
         Color before = screenColour();
         Color chosen = JColorChooser.showDialog(parent, Texts.get("colour.title"), before);
-        // what a screen can show is less than the colour: nothing is lost where none was chosen
+        // a screen may show less than the colour; if no other was chosen, nothing must be lost
         if (chosen != null && !chosen.equals(before)) {
             note.attempt(() -> commit.accept(
                     new Colour(light(chosen.getRed()), light(chosen.getGreen()), light(chosen.getBlue()))));
         }
     }
 
-    /** Light brighter than white is chosen like the colour that it has, and stays as bright. */
+    /** The factor that keeps light brighter than white as bright when its colour is chosen. */
     private double brightness() {
         return Math.max(1, Math.max(colour.red(), Math.max(colour.green(), colour.blue())));
     }

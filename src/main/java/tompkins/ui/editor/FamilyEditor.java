@@ -27,7 +27,10 @@ final class FamilyEditor implements ValueEditor {
     private Class<?> shownType;
     private Object shown;
 
-    /** What was made last by choosing a type, and the parts of the values from which it came, the latest first. */
+    /**
+     * The value that was last made by choosing a type, and the parts of the values from which it came, the latest
+     * first.
+     */
     private Object made;
 
     private final List<Part> parts = new ArrayList<>();
@@ -69,8 +72,8 @@ final class FamilyEditor implements ValueEditor {
     }
 
     /**
-     * A standard value of a type, with those parts of the shown value, or of those from which it was made, that it has,
-     * too, if they go together.
+     * The default value of a type, with all parts that it has in common with the shown value, or with those from which
+     * that was made, if they fit together.
      */
     private Object alike(Class<?> type) {
         Object standard = Descriptions.standard(type);
@@ -88,7 +91,7 @@ final class FamilyEditor implements ValueEditor {
         }
     }
 
-    /** The parts that are not as usual. */
+    /** The parts that differ from the default. */
     private List<Part> ownParts() {
         Object usual = Descriptions.standard(shownType);
         return Descriptions.components(shownType).stream()
@@ -97,7 +100,9 @@ final class FamilyEditor implements ValueEditor {
                 .toList();
     }
 
-    /** A part of a value. Numbers and choices of yes or no mean another thing in another type. */
+    /**
+     * A part of a value. Numbers and yes-or-no choices are left out, because they mean something else in another type.
+     */
     private record Part(RecordComponent component, Object value) {
 
         boolean fits(RecordComponent other) {

@@ -31,7 +31,7 @@ public final class FileContentEditor implements ValueEditor {
         /** The next chooser. */
         JFileChooser chooser();
 
-        /** A file that was chosen could be used. */
+        /** Tells that a chosen file could be used. */
         void used(Path file);
     }
 
@@ -71,7 +71,7 @@ public final class FileContentEditor implements ValueEditor {
                 : Optional.empty();
     }
 
-    /** Reads in the background: a mesh may be large. What is read for a form that is gone by then is dropped. */
+    /** Reads in the background: a mesh may be large. If the form is gone by then, the result is dropped. */
     private void read(Path file, Reader reader, Note note, Consumer<Object> commit) {
         BackgroundTask.find(
                 SwingUtilities.getWindowAncestor(button),
@@ -80,7 +80,7 @@ public final class FileContentEditor implements ValueEditor {
                 Runnable::run);
     }
 
-    /** Reads a file, and gives what is to be done then. */
+    /** Reads a file, and returns what has to be done afterwards. */
     private Runnable afterReading(Path file, Reader reader, Note note, Consumer<Object> commit) {
         try {
             Object content = reader.read(file);

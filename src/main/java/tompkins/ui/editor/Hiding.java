@@ -21,7 +21,7 @@ final class Hiding {
         return value instanceof Hidden hidden ? content(path.then("object"), hidden.object()) : path;
     }
 
-    /** The types that can be chosen from a family: hiding is for a button. */
+    /** The types that can be chosen from a family; hiding is left to a button. */
     static List<Class<?>> types(Class<?> family) {
         return Descriptions.members(family).stream()
                 .filter(type -> type != Hidden.class)

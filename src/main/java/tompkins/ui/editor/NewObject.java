@@ -17,7 +17,7 @@ import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
 import tompkins.surface.Tiling;
 
-/** Where what is new comes into the scene: beside what is there already, and the first object onto a floor. */
+/** Decides where new parts of a scene are placed: beside what is there already, and the first object on a floor. */
 final class NewObject {
 
     /** The components of objects that say where they are, and not how large or how turned. */
@@ -36,13 +36,13 @@ final class NewObject {
             "translation",
             "place");
 
-    /** From one object to the next, in widths of the new one. */
+    /** The distance from one object to the next, in widths of the new one. */
     private static final double STEP = 1.25;
 
-    /** After so many places to either side it comes where it usually is. */
+    /** After this many places to either side, the object stays where it usually is. */
     private static final int MOST_STEPS = 50;
 
-    /** To look for room among more primitives takes too long. */
+    /** Looking for room among more primitives would take too long. */
     private static final double MOST_PRIMITIVES = 100_000;
 
     /** From one lamp to the next. */
@@ -99,7 +99,7 @@ final class NewObject {
         return object;
     }
 
-    /** The floor beneath a first object; none if that has no place, or is endless itself. */
+    /** The floor beneath a first object; empty if the object has no place, or is endless itself. */
     static Optional<SceneObject> floorBeneath(Object first) {
         return first instanceof SceneObject object
                 ? bounds(object)
@@ -108,7 +108,7 @@ final class NewObject {
                 : Optional.empty();
     }
 
-    /** The box around an object; none if it is endless, or nothing. */
+    /** The box around an object; empty if it is endless or empty. */
     private static Optional<Bounds> bounds(SceneObject object) {
         List<Bounds> parts = new ArrayList<>();
         PrimitiveCollector.primitivesOf(object).forEach(primitive -> parts.add(primitive.bounds()));

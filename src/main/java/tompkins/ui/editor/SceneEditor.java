@@ -59,7 +59,7 @@ public final class SceneEditor {
         up.addActionListener(event -> changeList(list -> ListEdits.moved(list, place(), place() - 1), -1));
         down.addActionListener(event -> changeList(list -> ListEdits.moved(list, place(), place() + 1), 1));
         remove.addActionListener(event -> {
-            // goes with what it was typed for
+            // what was typed is removed with its entry
             EntryField.in(formPanel).forEach(EntryField::revert);
             changeList(list -> ListEdits.removed(list, place()), 0);
         });
@@ -116,7 +116,7 @@ public final class SceneEditor {
                 : studio.camera().getClass();
     }
 
-    /** Chooses another line, unless a wrong value is to be put right or taken back first. */
+    /** Chooses another line, unless a wrong value must be corrected or taken back first. */
     private void leaveFor(StudioTree.Line chosen) {
         StudioPath path = chosen.path();
         if (EntryField.in(formPanel).anyMatch(EntryField::isPending)) {
@@ -125,9 +125,7 @@ public final class SceneEditor {
         choose(path);
     }
 
-    /**
-     * Chooses a part, or the nearest thing that it would be a part of, unless a wrong value is to be put right first.
-     */
+    /** Chooses a part, or the nearest part above it that exists, unless a wrong value must be corrected first. */
     public void choose(StudioPath part) {
         if (takesEntries()) {
             select(part);
@@ -139,7 +137,7 @@ public final class SceneEditor {
         show(tree.chosenLine());
     }
 
-    /** Takes what is typed into the form; if some of it is refused, goes there and is false. */
+    /** Takes what is typed into the form; if some of it is refused, goes there and returns false. */
     private boolean takesEntries() {
         boolean taken = EntryField.takeAll(formPanel);
         EntryField.in(formPanel)
@@ -207,7 +205,7 @@ public final class SceneEditor {
         return line.path().equals(StudioPath.ROOT);
     }
 
-    /** The list of the chosen line; that of the objects where all is chosen, as it is at first. */
+    /** The list of the chosen line; the list of objects if the whole studio is chosen, as it is at first. */
     private StudioPath listPath() {
         return isElement() ? line.path().parent() : isAll() ? StudioPath.ROOT.then("scene") : line.path();
     }

@@ -36,7 +36,7 @@ final class StudioTree {
      */
     record Line(StudioPath path, Type type, String label) {
 
-        /** What there is room for. */
+        /** The label, shortened to the room that there is. */
         @Override
         public String toString() {
             return label.codePointCount(0, label.length()) <= LONGEST
@@ -51,7 +51,7 @@ final class StudioTree {
     private final JTree tree = new LabelledTree();
     private final Updating updating = new Updating();
 
-    /** A tree that tells of the chosen line. */
+    /** A tree that tells which line was chosen. */
     StudioTree(Consumer<Line> chosen) {
         tree.setName("tree");
         tree.setCellRenderer(new DefaultTreeCellRenderer());
@@ -60,7 +60,7 @@ final class StudioTree {
         tree.addTreeSelectionListener(event -> updating.unless(() -> chosen.accept(chosenLine())));
     }
 
-    /** A tree that tells the whole label of a line that is shortened. */
+    /** A tree whose tooltips show the whole label of a shortened line. */
     private static final class LabelledTree extends JTree {
 
         private static final long serialVersionUID = 1;
@@ -125,7 +125,7 @@ final class StudioTree {
         }
     }
 
-    /** Chooses the line of a part, or of the nearest thing that it would be a part of, without telling of it. */
+    /** Chooses the line of a part, or of the nearest part above it that exists, without telling anybody. */
     void select(StudioPath path) {
         DefaultMutableTreeNode node = (DefaultMutableTreeNode) tree.getModel().getRoot();
         boolean found = true;

@@ -61,7 +61,7 @@ final class TreeAndForm {
                 + trees.getInsets().right;
     }
 
-    /** A branch that is opened may need more room, and the form gives up what it can. */
+    /** Gives an opened branch more room if it needs that; the form gives up what it can. */
     private void makeRoomForTree() {
         int most = split.getWidth() - split.getDividerSize() - forms.getMinimumSize().width;
         int wanted = Math.min(treeWidth(), most);

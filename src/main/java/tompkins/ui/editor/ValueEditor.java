@@ -2,13 +2,13 @@ package tompkins.ui.editor;
 
 import javax.swing.JComponent;
 
-/** Controls for one value of a description. They give new values to whoever made them. */
+/** Controls for one value of a description. They give new values to the code that made them. */
 interface ValueEditor {
 
     /** The controls. */
     JComponent component();
 
-    /** Whether the controls take several lines, so that their label stands beside the first. */
+    /** Whether the controls take several lines, so that their label is placed beside the first. */
     default boolean isTall() {
         return false;
     }

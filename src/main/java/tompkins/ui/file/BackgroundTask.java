@@ -45,12 +45,12 @@ public final class BackgroundTask implements Progress {
     /** Shorter work shows no window. */
     private static final int PATIENCE_MILLISECONDS = 400;
 
-    /** Of the work: what is done sooner tells nothing about the rest. */
+    /** The share of the work that must be done before the rest is estimated. */
     private static final double LEAST_SHARE = 0.01;
 
     private static final double LONGEST_IN_SECONDS = 100;
 
-    /** What runs at the moment; used by the event thread alone. */
+    /** The tasks that run at the moment; used by the event thread alone. */
     private static final List<BackgroundTask> RUNNING = new ArrayList<>();
 
     private final Window owner;
@@ -82,7 +82,7 @@ public final class BackgroundTask implements Progress {
         bar.setStringPainted(true);
         panel.add(cancel, "growx 0, alignx right");
         made.setContentPane(panel);
-        // what is typed meanwhile is not meant for it
+        // keys that are typed meanwhile are not meant for it
         made.setAutoRequestFocus(false);
         made.setName("task");
         made.setDefaultCloseOperation(JDialog.DO_NOTHING_ON_CLOSE);
@@ -129,7 +129,8 @@ public final class BackgroundTask implements Progress {
     }
 
     /**
-     * Brings forward what still runs for a window, which should not be closed before. Called by the event thread.
+     * Brings forward the tasks that still run for a window, which should not be closed before they end. Called by the
+     * event thread.
      *
      * @return whether anything runs
      */
@@ -153,7 +154,7 @@ public final class BackgroundTask implements Progress {
         } catch (CancellationException stopped) {
             end = notDone;
         } catch (Exception | Error failure) {
-            // whatever it is, a task that has ended must not count as running
+            // whatever happened, a task that has ended must not count as running
             end = () -> Messages.error(
                     owner, Messages.isOfMemory(failure) ? title + ": " + Messages.of(failure) : Messages.of(failure));
         }
@@ -177,7 +178,7 @@ public final class BackgroundTask implements Progress {
         }
     }
 
-    /** How long it still takes, if it goes on as it has in some seconds; nothing is said before it has got anywhere. */
+    /** How long it will still take, estimated after some seconds; empty before enough is done. */
     static String remaining(double share, double seconds) {
         if (share < LEAST_SHARE) {
             return "";

@@ -14,7 +14,7 @@ public final class ChosenFile {
 
     private ChosenFile() {}
 
-    /** The path of a file; empty if no file can have its name, which is said over a component. */
+    /** The path of a file; empty if no file can have its name; a message over a component then says so. */
     public static Optional<Path> path(Component parent, File file) {
         try {
             return Optional.of(file.toPath());

@@ -24,7 +24,7 @@ public enum Loss {
     /** Another scene, which another program put there. */
     OTHER_SCENE;
 
-    /** What is lost of a file that held a studio when it was opened or saved last. Reads the file. */
+    /** What is lost of a file that held a studio when it was last opened or saved. Reads the file. */
     public static Loss of(Path file, Studio held) {
         try {
             if (PhotographFile.isPicture(file)) {

@@ -16,21 +16,21 @@ import tompkins.ui.widget.EntryField;
 import tompkins.ui.widget.Messages;
 import tompkins.ui.widget.Texts;
 
-/** Asks under which name and in which format a file is to be saved. */
+/** Asks for the name and the format of a file to save. */
 public final class SaveDialog {
 
     private static final Pattern OTHER_ENDING = Pattern.compile(".*\\.(?!v\\d)\\p{Alpha}\\p{Alnum}{1,3}");
 
     private SaveDialog() {}
 
-    /** What is done with the name that was chosen. */
+    /** Receives the name that was chosen. */
     @FunctionalInterface
     public interface Saver<T> {
 
         /**
          * Saves a file.
          *
-         * @param replace whether the user knows that there is a file of this name, and wants it replaced; a file that
+         * @param replace whether the user knows that there is a file of this name, and wants it replaced. A file that
          *     appears later must not be
          */
         void save(Path file, T format, boolean replace);
@@ -58,7 +58,7 @@ public final class SaveDialog {
         chooser.setSelectedFile(new File(chooser.getCurrentDirectory(), name));
         while (chooser.showSaveDialog(frame) == JFileChooser.APPROVE_OPTION) {
             if (!EntryField.takeAll(chooser)) {
-                // what else is asked for has a wrong value, which is marked
+                // another field of the dialog has a wrong value, which is marked
                 continue;
             }
             Optional<Path> chosen = ChosenFile.path(frame, chooser.getSelectedFile());

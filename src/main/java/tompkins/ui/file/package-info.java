@@ -1,2 +1,2 @@
-/** Opening and saving: what is asked, dropped or put on the clipboard, and work that takes a while. */
+/** Opening and saving: dialogs, files that are dropped, the clipboard, and work that takes a while. */
 package tompkins.ui.file;

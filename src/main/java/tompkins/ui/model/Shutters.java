@@ -7,14 +7,14 @@ import tompkins.shutter.Shutter;
 import tompkins.studio.LensEvent;
 import tompkins.studio.Studio;
 
-/** Puts one shutter model in the place of another. */
+/** Replaces one shutter model by another. */
 public final class Shutters {
 
     private Shutters() {}
 
     /**
      * The studio with another shutter model, opened so that the light in the middle of the picture crosses the lens
-     * when it did before: what changes in the picture is the model's doing alone.
+     * when it did before: only the model changes the picture.
      */
     public static Studio replaced(Studio studio, Class<?> model) {
         Camera camera = studio.camera();

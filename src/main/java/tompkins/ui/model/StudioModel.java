@@ -12,8 +12,8 @@ import java.util.function.UnaryOperator;
 import tompkins.studio.Studio;
 
 /**
- * The studio that the window shows, with all that it was before. A panel never changes a studio: it proposes another
- * one. Used by the event thread alone.
+ * The studio that the window shows, with its history. A panel never changes a studio: it proposes another one. Used by
+ * the event thread alone.
  */
 public final class StudioModel {
 
@@ -49,7 +49,7 @@ public final class StudioModel {
     private final Deque<Step> future = new ArrayDeque<>();
     private Step current;
 
-    /** Those that go on: an animation may run while a slider is dragged. */
+    /** The gestures that go on: an animation may run while a slider is dragged. */
     private final Set<Object> gestures = new HashSet<>();
 
     /** A model of a studio; the file may be null. */
@@ -91,8 +91,8 @@ public final class StudioModel {
     }
 
     /**
-     * Whether the studio is an example that was changed, so that its title and its remarks speak of another picture:
-     * something else than size and quality of the picture differs, and they do not.
+     * Whether the studio is an example that was changed, so that its title and its remarks no longer fit the picture:
+     * something other than size and quality has changed, but they have not.
      */
     public boolean isChangedExample() {
         Studio now = studio();
@@ -183,7 +183,7 @@ public final class StudioModel {
         move(past, future);
     }
 
-    /** Takes the step again that was taken back last, if there is one. */
+    /** Repeats the step that was last taken back, if there is one. */
     public void redo() {
         move(future, past);
     }
@@ -198,7 +198,7 @@ public final class StudioModel {
         tellListeners();
     }
 
-    /** Takes a step during a gesture, or during none if it is null. */
+    /** Takes a step of a gesture, or of none if that is null. */
     private void change(Step next, Object gesture) {
         if (take(next, gesture)) {
             tellListeners();

@@ -31,12 +31,12 @@ import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.VectorFields;
 
 /**
- * Where the camera is and where it looks, as seen in the scene when the picture is taken; in the camera frame, where
- * that says something else.
+ * Where the camera is and where it looks in the scene when the picture is taken; also in the camera frame, if that
+ * differs.
  */
 public final class CameraPanel {
 
-    /** Objects that tell where the middle of the scene is. */
+    /** The most objects that are used to find the middle of the scene. */
     private static final int MOST_OBJECTS = 100_000;
 
     private static final Vector3dc UP = new Vector3d(0, 1, 0);
@@ -150,7 +150,7 @@ public final class CameraPanel {
         Vector3d view = new Vector3d(camera.viewDirection());
         view.y = 0;
         if (view.length() < 1e-9 * camera.viewDirection().length()) {
-            // straight up or down: what was at the lower or the upper edge of the picture
+            // straight up or down: towards what was at the lower or the upper edge of the picture
             view.set(camera.upDirection()).mul(camera.viewDirection().y() > 0 ? -1 : 1).y = 0;
         }
         hold(CameraMotion.turned(camera, Vectors.unit(view), UP));

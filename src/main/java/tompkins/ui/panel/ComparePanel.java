@@ -30,7 +30,7 @@ import tompkins.ui.widget.Wording;
 /** What the picture is compared with, and how the two are shown. */
 public final class ComparePanel {
 
-    /** What there is to compare with. */
+    /** What the photograph can be compared with. */
     public enum Other {
         /** No other picture. */
         NOTHING,
@@ -71,14 +71,14 @@ public final class ComparePanel {
      *
      * @param model what the photograph shows
      * @param changed told what the user wants to compare
-     * @param peeking told when the other picture is to be shown alone, and when not any more
+     * @param peeking told when the other picture should be shown alone, and when no longer
      * @param keeping keeps the picture that is shown, and says what to call it
      */
     public ComparePanel(
             StudioModel model, Consumer<Compared> changed, Consumer<Boolean> peeking, Supplier<String> keeping) {
         this.model = model;
         this.changed = changed;
-        // the kept picture comes with the first that is kept
+        // the kept picture can be chosen once one is kept
         Stream.of(Other.values()).filter(other -> other != Other.KEPT_PICTURE).forEach(others::addItem);
         Naming.items(others, Wording::label);
         Naming.name(others, "compare.name");
@@ -105,7 +105,7 @@ public final class ComparePanel {
         update();
     }
 
-    /** Ends the comparison where a lesson begins: it would show the answer beside the question. */
+    /** Ends the comparison when a lesson begins, because it would show the answer beside the question. */
     private void follow() {
         LessonPlan opened = model.opened().lesson();
         boolean begins = opened instanceof Lesson && !opened.equals(lesson);

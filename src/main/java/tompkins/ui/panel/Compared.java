@@ -14,7 +14,7 @@ import tompkins.ui.picture.Comparison;
  * What the photograph is compared with.
  *
  * @param other the kind of the other picture
- * @param shutter the model of the other shutter, where that is what differs
+ * @param shutter the model of the other shutter, if that is what differs
  * @param view how the two are shown
  * @param name what the other picture is called
  */
@@ -36,7 +36,7 @@ public record Compared(ComparePanel.Other other, Class<?> shutter, Comparison vi
         };
     }
 
-    /** Whether the other picture shows just what the photograph of a studio shows. */
+    /** Whether the other picture shows exactly what the photograph of a studio shows. */
     boolean isSame(Studio now) {
         return switch (other) {
             case NOTHING, KEPT_PICTURE -> false;

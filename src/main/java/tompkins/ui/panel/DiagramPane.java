@@ -37,7 +37,7 @@ final class DiagramPane extends JPanel {
 
     private static final double HEIGHT = 12.5;
 
-    /** What is seen of the time after the ray reached the lens, in parts of what is seen of the time before. */
+    /** The time that is shown after the ray reached the lens, as a share of the time that is shown before. */
     private static final double AFTER = 0.22;
 
     /** Room around the events of the ray, as a factor. */
@@ -45,7 +45,7 @@ final class DiagramPane extends JPanel {
 
     private static final double DOT = 0.28;
 
-    /** How far inwards from its end an axis may have its name, in halves of the height of the type. */
+    /** How far inwards from its end the name of an axis may be, in halves of the height of the type. */
     private static final int STEPS_INWARDS = 8;
 
     private static final String PRIME = "\u2032";
@@ -128,7 +128,7 @@ final class DiagramPane extends JPanel {
         return List.of(through(diagram.otherTime()), through(diagram.otherSpace()));
     }
 
-    /** The world line of what the ray ends at, if it does. */
+    /** The world line of the object at which the ray ends, if there is one. */
     List<Line2D> object() {
         return diagram.object() == null
                 ? List.of()
@@ -143,7 +143,7 @@ final class DiagramPane extends JPanel {
     }
 
     /**
-     * The numbers of the upright axis of time that there is room for, and the names of all axes near their ends: those
+     * The numbers on the upright axis of time for which there is room, and the names of all axes near their ends; those
      * of the camera have primes. Each with its place in pixels, from the top of its letters to the line they stand on.
      */
     Map<String, Rectangle2D> words(FontMetrics type) {
@@ -194,8 +194,8 @@ final class DiagramPane extends JPanel {
     }
 
     /**
-     * The places beside an axis, from its ends inwards, at first at the end of a direction and to the right, as it is
-     * seen from the event at the lens.
+     * The places beside an axis, from its ends inwards; first those at the end in a given direction, and on the right
+     * as seen from the event at the lens.
      */
     private List<Rectangle2D> besideAxis(String name, Point2D direction, FontMetrics type) {
         List<Rectangle2D> places = new ArrayList<>();
@@ -234,7 +234,7 @@ final class DiagramPane extends JPanel {
         return new Point2D.Double(start.getX() + length * right, start.getY() + length * down);
     }
 
-    /** The way of the ray in straight pieces, in pixels: a point at least. */
+    /** The way of the ray in straight pieces, in pixels; at least a point. */
     private List<Line2D> ray() {
         List<Point2D> corners =
                 new ArrayList<>(diagram.path().stream().map(this::place).toList());

@@ -20,7 +20,7 @@ import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Wording;
 
-/** A choice between a few laws of nature, or between the views of it. */
+/** A choice between a few laws of nature, or between the views of a scene. */
 public final class LawPanel {
 
     private final JPanel panel = Rows.column();

@@ -38,7 +38,7 @@ public final class LensPanel {
     private final Note samplesNote = new Note("");
     private final JToggleButton pick = new JToggleButton(Texts.get("lens.pick"));
 
-    /** The panel; {@code picking} is told when a point of the picture is to be picked, and when not any more. */
+    /** The panel; {@code picking} is told when a point of the picture should be picked, and when no longer. */
     public LensPanel(StudioModel model, Consumer<Boolean> picking) {
         this.model = model;
         Class<?> lens = ThinLensCamera.class;
@@ -111,8 +111,8 @@ public final class LensPanel {
     }
 
     /**
-     * Says of the picture on the screen if its one sample leaves a wide aperture or a long exposure without effect, or
-     * if it has others than the scene says.
+     * Says so if the single sample of the picture on the screen leaves a wide aperture or a long exposure without
+     * effect, or if the picture has other samples than the scene says.
      */
     public void show(Picture picture) {
         boolean wished = picture.quality() instanceof Quality.TargetError;
@@ -120,7 +120,7 @@ public final class LensPanel {
                 picture.isTooSharp() ? Texts.get("lens.oneSample") : wished ? Texts.get("lens.otherSamples") : "");
     }
 
-    /** Nothing is to be picked any more. */
+    /** Ends the picking of a point. */
     public void endPicking() {
         pick.setSelected(false);
     }

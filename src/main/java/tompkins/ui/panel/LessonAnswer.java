@@ -3,7 +3,7 @@ package tompkins.ui.panel;
 import tompkins.lesson.Prediction;
 
 /**
- * What somebody answered before looking.
+ * What a reader answered before looking.
  *
  * @param prediction what is expected
  * @param sure whether the answer is sure

@@ -17,7 +17,7 @@ final class LessonNumbersPage {
 
     private static final int DIGITS = 6;
 
-    /** An error is known to fewer digits. */
+    /** The digits of an error, which is known less exactly. */
     private static final int ERROR_DIGITS = 2;
 
     private final JPanel panel = Rows.column();

@@ -195,7 +195,7 @@ public final class LessonPanel {
         });
         show(following);
         if (following == Step.REASON) {
-            // what is explained must be seen
+            // the text explains what must be on the screen
             fitting().ifPresent(present -> model.set(present.measured()));
         } else if (following == Step.MEASURE) {
             fitting().ifPresent(this::measure);
@@ -217,7 +217,7 @@ public final class LessonPanel {
         begin();
     }
 
-    /** Measures with a studio as it is, but for the number that the lesson moves. */
+    /** Measures with a studio as it is, except for the number that the lesson moves. */
     private void measure(LessonStudio present) {
         numbers.showBusy();
         model.set(present.measured());
@@ -233,10 +233,9 @@ public final class LessonPanel {
     }
 
     /**
-     * What a measurement gave.
+     * The result of measuring.
      *
-     * @param results what was measured
-     * @param problem why nothing was, or null
+     * @param results what was measured @param problem why nothing was measured, or null
      */
     private record Outcome(List<LessonResult> results, String problem) {
 
@@ -249,7 +248,7 @@ public final class LessonPanel {
         }
     }
 
-    /** A panel with a line above it, also in another look. */
+    /** A panel with a line above it, in any look. */
     private static final class Strip extends JPanel {
 
         private static final long serialVersionUID = 1;

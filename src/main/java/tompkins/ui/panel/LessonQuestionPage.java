@@ -18,7 +18,7 @@ import tompkins.ui.widget.Paragraph;
 import tompkins.ui.widget.Rows;
 import tompkins.ui.widget.Texts;
 
-/** The first page of a lesson: its question, the predictions, and how sure one is. */
+/** The first page of a lesson: its question, the predictions, and how sure the reader is. */
 final class LessonQuestionPage {
 
     private final JPanel panel = Rows.column();

@@ -33,7 +33,7 @@ final class LessonReasonPage {
         return panel;
     }
 
-    /** Says what to think of an answer. */
+    /** Judges an answer. */
     void show(LessonAnswer answer) {
         boolean isRight = lesson.isRight(answer.prediction());
         verdict.setText(Texts.get("lesson." + (isRight ? "right" : "wrong") + (answer.sure() ? "Sure" : "")));

@@ -33,7 +33,9 @@ final class NumberChoice {
         return (NumberProperty) numbers.getSelectedItem();
     }
 
-    /** Offers the numbers of a studio; false if it has no more the chosen one, so that another one is chosen. */
+    /**
+     * Offers the numbers of a studio; false if the chosen one is no longer among them, so that another one is chosen.
+     */
     boolean show(Studio studio) {
         if (offeredOf != null && NumberProperty.unchanged(offeredOf, studio)) {
             return true;

@@ -18,7 +18,8 @@ import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Wording;
 
 /**
- * A number of the studio as the window calls it. Two are equal if they are called the same and stand in the same place.
+ * A number of the studio under the name that the window gives it. Two are equal if they have the same name and the same
+ * place.
  *
  * @param name what the user calls it
  * @param number where it stands
@@ -26,7 +27,7 @@ import tompkins.ui.widget.Wording;
  */
 public record NumberProperty(String name, StudioNumber number, Function<Studio, String> text) {
 
-    /** So many numbers are offered at most; scenes can have millions. */
+    /** The most numbers that are offered; scenes can have millions. */
     private static final int MOST = 500;
 
     /** A number that is shown with its first digits. */
@@ -74,7 +75,7 @@ public record NumberProperty(String name, StudioNumber number, Function<Studio, 
         return properties;
     }
 
-    /** Whether nothing changed in a studio that could make its numbers others. */
+    /** Whether nothing has changed in a studio that could change which numbers it has. */
     static boolean unchanged(Studio before, Studio now) {
         return before.camera() == now.camera() && before.hasSameObjects(now);
     }

@@ -12,7 +12,10 @@ public final class PlanFold {
 
     private final JPanel panel = Rows.column();
 
-    /** Kept from picture to picture: a new note takes the event thread a millisecond, another text next to nothing. */
+    /**
+     * Kept from picture to picture, because a new note takes the event thread a millisecond, but a new text almost
+     * nothing.
+     */
     private final List<Note> notes = new ArrayList<>();
 
     /** The sentences, to be put into a panel. */

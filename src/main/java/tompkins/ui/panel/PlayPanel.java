@@ -152,7 +152,10 @@ public final class PlayPanel {
                 number -> commit.accept(number.doubleValue()));
     }
 
-    /** A number with which the animation begins or ends; what the studio refuses is marked at once, not half-way. */
+    /**
+     * A number with which the animation begins or ends; one that the studio refuses is marked at once, and not
+     * half-way.
+     */
     private double allowed(String end, double number) {
         Require.finite(end, number);
         // made only to see whether it can be
@@ -186,7 +189,7 @@ public final class PlayPanel {
         }
     }
 
-    /** Goes to the present value of the number, unless it runs; it pauses when somebody else has set it. */
+    /** Goes to the present value of the number, unless it runs; it pauses if something else has changed it. */
     private void follow() {
         double now = present();
         if (now != played) {
@@ -202,7 +205,7 @@ public final class PlayPanel {
         return property().number().in(model.studio());
     }
 
-    /** What the hand has done with the scrubber is a step of its own, unless it belongs to an animation that runs. */
+    /** Makes a drag of the scrubber a step of its own, unless it belongs to an animation that runs. */
     private void endStep() {
         if (!isPlaying()) {
             model.endGesture(gesture);
@@ -318,7 +321,7 @@ public final class PlayPanel {
         showTime();
     }
 
-    /** As wide as the wider of its texts, so that nothing moves when it is pressed. */
+    /** A button as wide as the wider of its texts, so that nothing moves when it is pressed. */
     @SuppressWarnings("serial") // never written to a stream
     private static final class PlayButton extends JToggleButton {
 

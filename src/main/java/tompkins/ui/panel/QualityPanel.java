@@ -48,7 +48,7 @@ import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.Tips;
 import tompkins.ui.widget.Wording;
 
-/** How good the picture has to be: the error that is wanted, and a chart of speed against accuracy to choose from. */
+/** How good the picture has to be: the target error, and a chart of speed against accuracy to choose from. */
 public final class QualityPanel {
 
     /** The size of the chart at first, in sizes of the type. */
@@ -56,7 +56,7 @@ public final class QualityPanel {
 
     private static final double CHART_HEIGHT = 40;
 
-    /** How far from a point the mouse still takes it, in pixels. */
+    /** How far from a point the mouse still selects it, in pixels. */
     private static final double REACH = 12;
 
     private final JPanel panel = Rows.panel();
@@ -65,7 +65,7 @@ public final class QualityPanel {
     private final StudioModel model;
     private Quality shown;
 
-    /** The one that is open, which takes the place of the one before; null if none is. */
+    /** The window that is open, which replaces the previous one; null if none is. */
     private ChartWindow chartWindow;
 
     /** The panel. */
@@ -151,13 +151,13 @@ public final class QualityPanel {
 
         private List<Measurement> shown = List.of();
 
-        /** What is said of the point under the mouse, which a click would take; null if there is none. */
+        /** What is said about the point under the mouse, which a click would take; null if there is none. */
         private String pointedAt;
 
-        /** What is said of the point that was taken; null if none is in force. */
+        /** What is said about the point that was taken; null if none is in force. */
         private String chosenPoint;
 
-        /** What is said once nothing is measured any more; null before. */
+        /** What is said after the measuring has ended; null before. */
         private String ended;
 
         ChartWindow(Window owner) {
@@ -181,7 +181,7 @@ public final class QualityPanel {
             // its own menu saves without asking whether to overwrite, and a drag would zoom away from the points
             chart.setPopupMenu(null);
             chart.setMouseZoomable(false);
-            // or it would be drawn smaller and stretched where there is more room
+            // otherwise it would be drawn smaller and stretched if there is more room
             chart.setMaximumDrawWidth(Integer.MAX_VALUE);
             chart.setMaximumDrawHeight(Integer.MAX_VALUE);
             PointChooser chooser = new PointChooser();

@@ -86,7 +86,7 @@ public final class RaySection {
      */
     public void show(PixelProbe.Reading reading, String picture) {
         section.component().setVisible(reading != null);
-        // an unpinned ray lets go of its scene
+        // an unpinned ray must not keep its scene in memory
         hits = reading == null || reading.life() == null
                 ? List.of()
                 : reading.life().hits();
@@ -111,7 +111,7 @@ public final class RaySection {
     /** The objects that the ray hit and that the studio still holds, with their names. */
     private Map<StudioPath, String> objects() {
         Map<StudioPath, String> objects = new LinkedHashMap<>();
-        // glass is hit again and again, and to look for it in a large scene takes time
+        // glass is hit again and again, and finding it in a large scene takes time
         Set<Described> sought = Collections.newSetFromMap(new IdentityHashMap<>());
         for (RayLife.Encounter hit : hits) {
             if (sought.add(hit.object())) {

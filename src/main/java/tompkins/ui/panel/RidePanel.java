@@ -133,7 +133,7 @@ public final class RidePanel {
     private void export(Consumer<Studio> exporter) {
         pilot.setRiding(false);
         Studio studio = model.studio();
-        // a ride that leads too far is refused before anybody chooses a file
+        // a ride that leads too far is refused before a file is chosen
         note.attempt(() -> exporter.accept(studio));
     }
 }

@@ -18,11 +18,11 @@ import tompkins.ui.widget.Texts;
 
 /**
  * Rides with the camera of a model: time runs, thrust changes the velocity, and what happens can be recorded and
- * replayed. A whole ride is one step of the history. It ends when somebody else changes where the camera is.
+ * replayed. A whole ride is one step of the history. It ends when something else changes where the camera is.
  */
 public final class RidePilot {
 
-    /** As often as pictures can be made of it. */
+    /** As often as pictures can be made. */
     private static final int TICK_MILLISECONDS = 16;
 
     /** After a longer pause of the program the ride goes on as if there had been none. */
@@ -46,7 +46,7 @@ public final class RidePilot {
     private double filmTime;
     private long lastTick;
 
-    /** A pilot for the camera of a model, who says in a line what happens. */
+    /** A pilot for the camera of a model; messages about the ride go to {@code teller}. */
     public RidePilot(StudioModel model, Consumer<String> teller) {
         this.model = model;
         this.teller = teller;
@@ -81,7 +81,7 @@ public final class RidePilot {
         return gesture;
     }
 
-    /** The present moment of the ride, or of one that pauses; null if the camera has gone elsewhere since. */
+    /** The present moment of the ride, which may be paused; null if the camera has been moved elsewhere since. */
     public RideMoment moment() {
         return moment != null && moment.studio() == model.studio() ? moment : null;
     }
@@ -106,7 +106,7 @@ public final class RidePilot {
         }
     }
 
-    /** No thrust any more, and no braking. */
+    /** Ends thrust and braking. */
     public void stopThrust() {
         wish.zero();
         braking = false;
@@ -133,7 +133,7 @@ public final class RidePilot {
         return unitsPerSecond;
     }
 
-    /** Begins or goes on with a ride, or pauses it; what is recorded then is kept in the scene. */
+    /** Begins or continues a ride, or pauses it; a recording is then kept in the scene. */
     public void setRiding(boolean riding) {
         if (riding == isRiding()) {
             return;
@@ -199,7 +199,9 @@ public final class RidePilot {
         return now.ride().isEmpty() && replayed != null && moment() != null ? replayed : now;
     }
 
-    /** Shows the ride that begins with the present studio, or that was shown last if its end is on the screen. */
+    /**
+     * Shows the ride that begins with the present studio, or the one that was shown last if its end is on the screen.
+     */
     public void replay() {
         setRiding(false);
         Studio beginning = beginning();
@@ -236,7 +238,7 @@ public final class RidePilot {
         });
     }
 
-    /** Another look or another light is part of the ride, another place is not; false then. */
+    /** Takes changes by others: another view or other lights are part of the ride, another place is not; false then. */
     private boolean follow(Studio studio) {
         if (studio == moment.studio()) {
             return true;

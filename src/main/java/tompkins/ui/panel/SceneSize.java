@@ -13,15 +13,15 @@ import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Range;
 
 /**
- * How large a scene is, so that sliders have sensible ends. Remembers it while the scene stays, for it may have many
- * objects.
+ * How large a scene is, so that sliders have sensible ends. Remembers it as long as the scene does not change, because
+ * it may have many objects.
  */
 final class SceneSize {
 
     private List<SceneObject> scene;
     private double coordinate;
 
-    /** The largest coordinate that an object of the scene or the focus mentions; at least 1. */
+    /** The largest coordinate in an object of the scene or in the focus; at least 1. */
     double of(Studio studio) {
         double focus = FocusDistance.of(studio.camera());
         if (scene != studio.scene()) {
@@ -51,7 +51,7 @@ final class SceneSize {
     }
 
     /**
-     * A slider for times: a little more than light needs through the scene, and far enough for the time that is set.
+     * A slider for times: a little more than light needs to cross the scene, and far enough for the time that is set.
      */
     Range times(Studio studio) {
         double time = Math.abs(studio.camera().shutter().openingTime());
@@ -60,7 +60,8 @@ final class SceneSize {
     }
 
     /**
-     * A slider for spans of time: fine at 0, to a little more than light needs through the scene and to the given one.
+     * A slider for spans of time: fine near 0, up to a little more than light needs to cross the scene, and at least to
+     * the given one.
      */
     Range spans(Studio studio, double span) {
         return new Range(0, Numbers.niceCeiling(Math.max(1.2 * of(studio), span)), 2);

@@ -52,7 +52,7 @@ public final class ShutterPanel {
     private final JPanel timeRow = Rows.panel();
     private final ShutterTimingPanel timing;
 
-    /** What each model has of its own, as high as the highest, so that nothing below it moves. */
+    /** The own numbers of each model, in the height of the highest, so that nothing below them moves. */
     private final CardPanel parameters = new CardPanel();
 
     private final Map<Class<?>, RecordForm> forms = new HashMap<>();
@@ -99,7 +99,7 @@ public final class ShutterPanel {
         return panel;
     }
 
-    /** What else there is to say of the shutter: where it is, how long it stays open, and how it rolls. */
+    /** Further numbers of the shutter: where it is, how long it stays open, and how it rolls. */
     public JComponent details() {
         return details;
     }
@@ -119,7 +119,7 @@ public final class ShutterPanel {
         }
     }
 
-    /** A shutter without an opening time has forgotten that of the one before it, which therefore speaks for it. */
+    /** Replaces the shutter. One without an opening time takes that of the last shutter that had one. */
     private void replaceBy(Class<?> chosen) {
         boolean forgotten = !shutter().hasOpeningTime() && shutter() == replacement;
         Shutter before = forgotten ? replaced : shutter();
@@ -132,7 +132,7 @@ public final class ShutterPanel {
     private void update() {
         Shutter shutter = shutter();
         if (shutter.getClass() != shownModel) {
-            // what was typed for the model before goes with it
+            // what was typed for the previous model is removed with it
             EntryField.in(details).forEach(EntryField::revert);
             shownModel = shutter.getClass();
             updating.during(() -> models.setSelectedItem(shownModel));

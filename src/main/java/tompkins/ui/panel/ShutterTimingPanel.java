@@ -24,7 +24,7 @@ import tompkins.ui.widget.Wording;
 
 /**
  * For how long the shutter stays open, and how it rolls across the picture. Shown for shutters with an opening time;
- * for another one it only says what the camera has of both, for they act there, too.
+ * for others it only says what the camera has of both, because they act there, too.
  */
 final class ShutterTimingPanel {
 

@@ -38,7 +38,7 @@ final class StoryPane extends JTextPane {
         addFocusListener(new FocusAdapter() {
             @Override
             public void focusGained(FocusEvent event) {
-                // the caret of a text that nobody edits does not show by itself where the keys are
+                // the caret of a text that is not edited does not show by itself where the keys are
                 getCaret().setVisible(true);
             }
         });
@@ -106,7 +106,7 @@ final class StoryPane extends JTextPane {
         return line;
     }
 
-    /** The values stand in a column of their own, also where one needs a second line. */
+    /** The values are in a column of their own, even if one needs a second line. */
     private static AttributeSet factLine(Font font, float indent) {
         float labels = (float) (LABELS * font.getSize());
         SimpleAttributeSet line = new SimpleAttributeSet();

@@ -25,7 +25,7 @@ final class TimingIcon implements Icon {
         this.drawing = drawing;
     }
 
-    /** A line of time, and on it the part in which the shutter is open. */
+    /** A time line with the part in which the shutter is open. */
     static TimingIcon exposure() {
         return new TimingIcon(g -> {
             double middle = HEIGHT / 2.0;

@@ -29,7 +29,7 @@ import tompkins.ui.widget.Texts;
 import tompkins.ui.widget.ValueSlider;
 import tompkins.ui.widget.VectorFields;
 
-/** How fast the camera moves, and where to. */
+/** How fast the camera moves, and in which direction. */
 public final class VelocityPanel {
 
     /** The speeds of the slider, as rapidities: from rest to gamma 202. */
@@ -108,7 +108,7 @@ public final class VelocityPanel {
 
     private void rest() {
         take(Velocity.of(SpeedScale.BETA, 0, velocity().givenDirection()));
-        // a speed that was refused, for it was at rest already
+        // a speed that was refused: the camera was at rest already
         speed.revert();
     }
 
@@ -132,7 +132,7 @@ public final class VelocityPanel {
         model.adjust(FrontWindow.withVelocity(model.studio(), rounded(exact)), gesture);
     }
 
-    /** A speed with no more digits than the hand can give it, on the scale that is shown. */
+    /** A speed with no more digits than a hand can choose, on the scale that is shown. */
     private Velocity rounded(Velocity velocity) {
         double value = scale == SpeedScale.BETA
                 ? 1 - NumberText.rounded(velocity.oneMinusSpeed(), velocity.speed() < 0.9 ? 3 : 2)

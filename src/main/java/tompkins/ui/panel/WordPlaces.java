@@ -20,7 +20,7 @@ final class WordPlaces {
         this.lines = lines;
     }
 
-    /** Takes the first of some places in whose way nothing is, if there is one. */
+    /** Takes the first of some places that is free, if there is one. */
     Optional<Rectangle2D> takeFree(List<Rectangle2D> places) {
         Optional<Rectangle2D> free =
                 places.stream().filter(place -> inTheWay(place) == 0).findFirst();
@@ -28,7 +28,7 @@ final class WordPlaces {
         return free;
     }
 
-    /** As above; if there is none, the first with the least in its way. */
+    /** As above; if none is free, takes the first of those with the least in the way. */
     Rectangle2D take(List<Rectangle2D> places) {
         Rectangle2D best =
                 places.stream().min(Comparator.comparingLong(this::inTheWay)).orElseThrow();

@@ -13,7 +13,7 @@ final class CanvasMouse extends MouseAdapter {
 
     private static final int GRIP = 6;
 
-    /** How far a press may move and be a click: a hand shakes. */
+    /** How far a press may move and still be a click, because hands shake. */
     private static final int LARGEST_CLICK = 5;
 
     private final PictureCanvas canvas;
@@ -21,7 +21,7 @@ final class CanvasMouse extends MouseAdapter {
     private boolean draggingDivider;
     private boolean dragged;
 
-    /** By how much the wheel was turned since the last step: a touchpad takes many small turns for one. */
+    /** By how much the wheel was turned since the last step; a touchpad makes many small turns for one step. */
     private double turned;
 
     CanvasMouse(PictureCanvas canvas) {
@@ -35,12 +35,12 @@ final class CanvasMouse extends MouseAdapter {
         return Math.abs(point.x - canvas.dividerX()) <= GRIP;
     }
 
-    /** Whether a drag that begins at a point is not one of the divider, and no click is waited for. */
+    /** Whether a drag that begins at a point is not one of the divider, while no click is expected. */
     boolean isFreeAt(Point point) {
         return !canvas.isPicking() && !isNearDivider(point);
     }
 
-    /** Whether the mouse has moved so far since its button was pressed that this is no click. */
+    /** Whether the mouse has moved too far since its button was pressed for a click. */
     boolean isDragging() {
         return dragged;
     }
@@ -85,7 +85,7 @@ final class CanvasMouse extends MouseAdapter {
         canvas.tellPointed();
     }
 
-    /** With Alt, the wheel enlarges; turned away from the hand, as elsewhere. */
+    /** With Alt, the wheel enlarges the picture when it is turned away from the hand, as elsewhere. */
     @Override
     public void mouseWheelMoved(MouseWheelEvent event) {
         if (event.isAltDown()) {

@@ -13,7 +13,7 @@ public final class CanvasZoom {
 
     private final PictureCanvas canvas;
 
-    /** Null while the picture fits into its room. */
+    /** The present zoom; null while the picture fits into its room. */
     private Zoom now;
 
     CanvasZoom(PictureCanvas canvas) {
@@ -53,7 +53,7 @@ public final class CanvasZoom {
         }
     }
 
-    /** How many pixels of the screen those of the photograph are wide where it fits into its room. */
+    /** The width of a pixel of the photograph in pixels of the screen when it fits into its room. */
     private double fittingScale(Picture picture) {
         Dimension room = canvas.arrangement().room().getSize();
         return (double) Fit.size(picture.ownWidth(), picture.ownHeight(), room.width, room.height).width
@@ -82,7 +82,7 @@ public final class CanvasZoom {
         }
     }
 
-    /** Moves the enlarged picture, if need be, until a place of the photograph is seen. */
+    /** Moves the enlarged picture, if necessary, until a place of the photograph is visible. */
     void show(Point2D place) {
         if (now != null) {
             PictureArrangement before = canvas.arrangement();

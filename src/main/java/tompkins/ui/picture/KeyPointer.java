@@ -10,8 +10,8 @@ import tompkins.ui.widget.FocusFollower;
 import tompkins.ui.widget.Keys;
 
 /**
- * What the mouse can do on a picture, with the keys: the arrows move a ring, pixel by pixel or with Shift by ten, and
- * Enter clicks in it. With Ctrl, the arrows to the left and right move the divider.
+ * Does with the keys what the mouse can do on a picture: the arrows move a ring, pixel by pixel or with Shift by ten,
+ * and Enter clicks in it. With Ctrl, the arrows to the left and right move the divider.
  */
 final class KeyPointer {
 
@@ -93,7 +93,7 @@ final class KeyPointer {
         }
     }
 
-    /** The mouse points now. */
+    /** Forgets the ring, because the mouse points now. */
     void forget() {
         if (pixel != null) {
             pixel = null;

@@ -10,7 +10,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 
-/** Marks on a picture, white within black, so that they are seen on any colour. */
+/** Marks on a picture, white within black, so that they are visible on any colour. */
 final class Mark {
 
     private static final double RADIUS = 7;
@@ -34,7 +34,7 @@ final class Mark {
         paint(g, lines);
     }
 
-    /** A ring around a place that the keys point at. */
+    /** A ring around the place at which the keys point. */
     static void paintRing(Graphics2D g, double x, double y) {
         paint(g, new Ellipse2D.Double(x - RADIUS, y - RADIUS, 2 * RADIUS, 2 * RADIUS));
     }

@@ -12,7 +12,7 @@ import java.util.function.Supplier;
 import javax.swing.UIManager;
 import org.joml.Vector2dc;
 
-/** The places between which is measured, with their numbers, and what was fitted to them. */
+/** The places between which the user measures, with their numbers, and what was fitted to them. */
 public final class MeasureMarks implements Overlay {
 
     private static final Color COLOUR = new Color(120, 255, 255);

@@ -12,11 +12,11 @@ import tompkins.measure.Measurements;
 import tompkins.measure.Profile;
 import tompkins.trace.RenderPlan;
 
-/** Measures between places of the photograph, on a thread of its own; a newer question ends the one before. */
+/** Measures between places of the photograph, on a thread of its own; a newer question ends the previous one. */
 public final class MeasureProbe implements AutoCloseable {
 
     /**
-     * What came of a question.
+     * The answer to a question.
      *
      * @param measured what was measured, in pixels of the photograph in its own size; null if that is impossible
      * @param problem why not; empty if it was measured
@@ -28,7 +28,7 @@ public final class MeasureProbe implements AutoCloseable {
     private final NewestFirst<Question> worker;
     private volatile Question newest;
 
-    /** A probe; {@code failures} is told by its thread of questions that could not be answered. */
+    /** A probe; its thread tells {@code failures} about questions that could not be answered. */
     public MeasureProbe(Consumer<Throwable> failures) {
         worker = new NewestFirst<>("tompkins-measure", this::answer, (question, error) -> failures.accept(error));
     }

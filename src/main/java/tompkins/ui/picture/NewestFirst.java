@@ -7,7 +7,8 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 
 /**
- * A thread that works on the newest thing that it is given; what it has not begun when a newer one comes is dropped.
+ * A thread that works on the newest thing that it is given; anything that it has not begun when a newer one comes is
+ * dropped.
  */
 final class NewestFirst<T> implements AutoCloseable {
 
@@ -19,8 +20,8 @@ final class NewestFirst<T> implements AutoCloseable {
     private final BiConsumer<T, Throwable> failed;
 
     /**
-     * A thread with a name that does the given work. It outlives work that throws, so that the next thing is done all
-     * the same; {@code failed} is told, by the thread, of the thing and of what went wrong.
+     * A thread with a name that does the given work. It survives work that throws, so that the next thing is done all
+     * the same; the thread tells {@code failed} the thing and what went wrong.
      */
     NewestFirst(String name, Consumer<T> work, BiConsumer<T, Throwable> failed) {
         this.work = work;
@@ -39,7 +40,7 @@ final class NewestFirst<T> implements AutoCloseable {
                 new ThreadPoolExecutor.DiscardOldestPolicy());
     }
 
-    /** Puts a thing in the place of the one that waits. */
+    /** Replaces the thing that waits. */
     void submit(T thing) {
         thread.execute(() -> work(thing));
     }

@@ -4,7 +4,7 @@ import java.time.Duration;
 
 /** How soon a picture has to be on the screen, and how good. */
 public enum Pace {
-    /** Pictures follow a hand: each shows at once, coarse if need be, and gets finer until the next one comes. */
+    /** Pictures follow a hand: each is shown at once, coarse if necessary, and gets finer until the next one comes. */
     HAND(Duration.ofMillis(30), Duration.ofMillis(30), Double.POSITIVE_INFINITY),
 
     /**
@@ -37,19 +37,19 @@ public enum Pace {
     /**
      * Whether to wait for a finer picture before anything is shown.
      *
-     * @param samples mean number of samples of a pixel that there are
+     * @param samples mean number of samples of a pixel so far
      * @param finerAfter nanoseconds from the change to when the next finer picture is expected
      */
     boolean waits(double samples, long finerAfter) {
         return samples < enough && finerAfter < patience;
     }
 
-    /** Whether a picture that was shown may give way to a newer one so many nanoseconds after it was begun. */
+    /** Whether a picture that was shown may be replaced by a newer one some nanoseconds after it was begun. */
     boolean givesWay(long age) {
         return age >= frame;
     }
 
-    /** For so many nanoseconds at least a picture that has nothing to show does not give way. */
+    /** The least time in nanoseconds before a picture that has nothing to show may be replaced. */
     long shortestChance() {
         return 2 * patience;
     }

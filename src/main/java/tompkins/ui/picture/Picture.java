@@ -13,7 +13,7 @@ import tompkins.trace.RenderPlan;
 
 /**
  * A picture on its way to the screen. It may be larger or smaller than its photograph, whose size is the studio's own:
- * places are told in pixels of the photograph.
+ * places are given in pixels of the photograph.
  *
  * @param studio the studio that is photographed
  * @param plan what it was made from, in the size of the picture
@@ -36,9 +36,9 @@ public record Picture(
         List<String> warnings,
         Flaw flaw) {
 
-    /** What spoils a whole picture, and can be put right at once. */
+    /** What spoils a whole picture and can be put right at once. */
     public enum Flaw {
-        /** Nothing that is known. */
+        /** No known flaw. */
         NONE,
         /** The motion makes more than half of it brighter than white. */
         BURNT,
@@ -110,7 +110,7 @@ public record Picture(
                 place.getX() * image.width() / ownWidth(), place.getY() * image.height() / ownHeight());
     }
 
-    /** The middle of a pixel of the picture, or of the nearest that it has, as a place of the photograph. */
+    /** The middle of the pixel of the picture that is nearest to a place, as a place of the photograph. */
     Point2D middle(int column, int row) {
         return new Point2D.Double(
                 (Math.min(column, image.width() - 1) + 0.5) * ownWidth() / image.width(),

@@ -7,7 +7,7 @@ import java.awt.geom.Point2D;
 import java.util.List;
 
 /**
- * Where on the canvas which picture is seen, in pixels of the screen.
+ * Where on the canvas each picture is, in pixels of the screen.
  *
  * @param shown the pictures
  * @param comparison how the two are shown
@@ -15,7 +15,7 @@ import java.util.List;
  * @param divider where the two are split, from 0 at the left edge of the picture to 1
  * @param zoom how the picture is enlarged; null if it fits into its room
  * @param canvas the size of the canvas
- * @param gap how far two pictures beside each other are apart
+ * @param gap the distance between two pictures beside each other
  */
 record PictureArrangement(
         ScreenPicture shown,
@@ -26,7 +26,7 @@ record PictureArrangement(
         Dimension canvas,
         int gap) {
 
-    /** Where the picture lies on the canvas; beyond its room where it is enlarged. */
+    /** Where the picture lies on the canvas; larger than its room if it is enlarged. */
     Rectangle bounds() {
         Picture picture = shown.now();
         Dimension room = room().getSize();
@@ -45,7 +45,9 @@ record PictureArrangement(
         return bounds;
     }
 
-    /** Where the picture, or the one beside it, lies that is seen at a point of the canvas; null if none is. */
+    /**
+     * Where the picture lies that is seen at a point of the canvas, which may be the other one; null if there is none.
+     */
     Rectangle boundsAt(Point point) {
         boolean overOther = isOverOther(point);
         Rectangle bounds = overOther ? otherBounds() : bounds();
@@ -67,7 +69,7 @@ record PictureArrangement(
      */
     record Pane(Picture picture, Rectangle bounds, Rectangle part) {}
 
-    /** The pictures that are seen, that of the studio first; no other than that where their difference is seen. */
+    /** The pictures that are seen, that of the studio first; if their difference is shown, that of the studio only. */
     List<Pane> panes() {
         Rectangle bounds = bounds();
         if (showsOtherAlone()) {

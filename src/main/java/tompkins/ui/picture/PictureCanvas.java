@@ -34,7 +34,7 @@ public final class PictureCanvas extends JPanel {
         void clicked(Point2D place, Picture seen);
     }
 
-    /** Between two pictures beside each other. */
+    /** The distance between two pictures beside each other. */
     private static final int GAP = 8;
 
     private final Consumer<Room> resized;
@@ -86,7 +86,7 @@ public final class PictureCanvas extends JPanel {
         mouse = listener;
     }
 
-    /** Shows pictures, at once: what else there is to do about a new picture comes after it. */
+    /** Shows pictures at once, before anything else is done about a new picture. */
     public void show(ScreenPicture pictures) {
         Picture before = pointedPicture();
         shown = pictures;
@@ -113,7 +113,7 @@ public final class PictureCanvas extends JPanel {
         mouse.over(pointedPlace(), pointedPicture());
     }
 
-    /** Tells what is there now, if anything points at the pictures. */
+    /** Tells what the keys or the mouse points at now, if they point at the pictures. */
     private void tellAgain() {
         if (keyPointer.place() != null || mouseAt != null) {
             tellPointed();
@@ -231,7 +231,7 @@ public final class PictureCanvas extends JPanel {
         return zoom;
     }
 
-    /** It is enlarged in another way. */
+    /** The zoom has changed. */
     void zoomed() {
         tellSize();
         tellAgain();
@@ -293,18 +293,21 @@ public final class PictureCanvas extends JPanel {
         clipped.dispose();
     }
 
-    /** Paints something over the pictures that is no part of them. */
+    /** Paints something over the pictures that is not part of them. */
     public void addOverlay(Overlay overlay) {
         overlays.add(overlay);
     }
 
-    /** Where the picture, or the one beside it, lies that is seen at a point of this component; null if none is. */
+    /**
+     * Where the picture lies that is seen at a point of this component, which may be the other one; null if there is
+     * none.
+     */
     Rectangle boundsAt(Point point) {
         Rectangle bounds = arrangement().boundsAt(inPixels(point));
         return bounds == null ? null : PicturePainter.inUnits(bounds, scale());
     }
 
-    /** Where the divider is on this component; a point far away if there is none, or a click is waited for. */
+    /** Where the divider is on this component; a point far away if there is none, or if a click is expected. */
     int dividerX() {
         return splits() && !picking ? (int) Math.round(arrangement().dividerX() / scale()) : Integer.MIN_VALUE / 2;
     }
@@ -319,7 +322,7 @@ public final class PictureCanvas extends JPanel {
         return mouseAt;
     }
 
-    /** The mouse points somewhere now, and the keys no more; nowhere if it is null. */
+    /** The mouse now points at a place, or nowhere if it is null; the keys no longer point. */
     void pointMouse(Point point) {
         if (point != null) {
             keyPointer.forget();
@@ -338,7 +341,8 @@ public final class PictureCanvas extends JPanel {
     }
 
     /**
-     * The picture that is seen at a point of this component, beyond the divider the other one; null if there is none.
+     * The picture that is seen at a point of this component, which is the other one beyond the divider; null if there
+     * is none.
      */
     public Picture shownAt(Point point) {
         return arrangement().shownAt(inPixels(point));

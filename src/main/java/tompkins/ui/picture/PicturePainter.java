@@ -14,9 +14,9 @@ import tompkins.studio.Studio;
 import tompkins.ui.widget.Texts;
 
 /**
- * Paints the pictures of an arrangement pixel by pixel of the screen, and what is written and marked on them.
+ * Paints the pictures of an arrangement in pixels of the screen, with the writing and the marks on them.
  *
- * @param seen where which picture is seen
+ * @param seen where each picture is
  * @param otherName what to call the other picture
  * @param captions what to write into a picture of a studio; null if nothing
  * @param font the font of what is written
@@ -27,7 +27,7 @@ record PicturePainter(
 
     private static final double ALMOST_NOTHING = 1e-9;
 
-    /** Paints on a canvas that is empty. */
+    /** Paints on an empty canvas. */
     void paint(Graphics2D g) {
         ScreenPicture shown = seen.shown();
         Rectangle bounds = seen.bounds();
@@ -86,7 +86,7 @@ record PicturePainter(
         Mark.paintDivider(g, (int) Math.round(x / scale), visible.y, visible.height);
     }
 
-    /** Paints an image, of which only what lies within a part of the canvas is seen. */
+    /** Paints an image, clipped to a part of the canvas. */
     private void paint(Graphics2D graphics, BufferedImage image, Rectangle bounds, Rectangle part) {
         Graphics2D g = (Graphics2D) graphics.create();
         toPixels(g);
@@ -100,7 +100,7 @@ record PicturePainter(
         g.dispose();
     }
 
-    /** From here on, a unit is a pixel of the screen: all but exactly is not enough for a picture to stay sharp. */
+    /** From here on, a unit is exactly a pixel of the screen; otherwise a picture would not stay sharp. */
     private void toPixels(Graphics2D g) {
         g.scale(1 / scale, 1 / scale);
         AffineTransform pixels = g.getTransform();
@@ -110,7 +110,7 @@ record PicturePainter(
         }
     }
 
-    /** What is seen of the picture, in units of the canvas, without the lines that are written where there are two. */
+    /** The visible part of the picture, in units of the canvas, without the lines that are written if there are two. */
     Rectangle free(Graphics2D g) {
         Rectangle free = inUnits(visible());
         if (seen.showsTwo()) {

@@ -66,7 +66,7 @@ public final class PixelProbe implements AutoCloseable {
 
     private final NewestFirst<Question> worker;
 
-    /** A probe; {@code failures} is told by its thread of questions that could not be answered. */
+    /** A probe; its thread tells {@code failures} about questions that could not be answered. */
     public PixelProbe(Consumer<Throwable> failures) {
         worker = new NewestFirst<>("tompkins-probe", PixelProbe::answer, (question, error) -> failures.accept(error));
     }

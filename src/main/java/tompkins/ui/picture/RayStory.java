@@ -7,7 +7,7 @@ import tompkins.trace.RayLife;
 import tompkins.ui.widget.Numbers;
 import tompkins.ui.widget.Texts;
 
-/** The life of a ray in words, followed backwards in time: what the command "trace" tells, for the window. */
+/** The life of a ray in words, followed backwards in time: what the command "trace" prints, for the window. */
 public final class RayStory {
 
     /**
@@ -84,8 +84,8 @@ public final class RayStory {
     }
 
     /**
-     * A hit in the frame in which it was found, or in that of the scene and that of the camera if it is the end of what
-     * was read; of what moves by itself in its own, too.
+     * A hit in the frame in which it was found; in that of the scene and that of the camera if the ray ends there; and
+     * for what moves by itself also in its own frame.
      */
     private static Step hit(RayLife.Encounter hit, PixelProbe.Reading read) {
         List<Fact> facts = new ArrayList<>();
@@ -105,7 +105,7 @@ public final class RayStory {
         return new Step(Texts.get("ray.hits", hit.object().description()), hit.branch(), facts);
     }
 
-    /** A hit in the frame in which its object rests; what clocks show is told only if they were set. */
+    /** A hit in the frame in which its object rests; what its clocks show is included only if they were set. */
     private static List<Fact> ownFrame(RayLife.Rest rest) {
         List<Fact> facts = new ArrayList<>();
         facts.add(fact("inOwn", Numbers.brief(rest.event().position())));

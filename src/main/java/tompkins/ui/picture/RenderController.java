@@ -16,18 +16,18 @@ import tompkins.trace.RenderPlan;
 
 /**
  * Makes the picture of the newest studio, away from the event thread. While a slider is dragged, or an animation runs,
- * each picture gets as far as its {@link Pace} allows, then the next one takes its place; when nothing changes any more
- * the picture is completed.
+ * each picture gets as far as its {@link Pace} allows, and is then replaced by the next one; when nothing changes any
+ * more the picture is completed.
  */
 public final class RenderController implements AutoCloseable {
 
     /**
-     * A picture that has nothing to show after this time gives way all the same. The next one gets twice the time, for
-     * something has to be seen.
+     * A picture that has nothing to show after this time is replaced all the same. The next one gets twice the time, so
+     * that something is seen at last.
      */
     private static final Duration LONGEST_WAIT = Duration.ofMillis(80);
 
-    /** How often to look whether a picture may give way. */
+    /** How often to check whether a picture may be replaced. */
     private static final Duration POLL = Duration.ofMillis(1);
 
     /** The sum of the parts of the work may miss 1 by its rounding. */
@@ -46,7 +46,10 @@ public final class RenderController implements AutoCloseable {
     private final Consumer<Throwable> failures;
     private final NewestFirst<Request> planner;
 
-    /** The picture that is to come; null when it is there, cannot be made, or was stopped, be it still in planning. */
+    /**
+     * The picture that is wanted; null when it is there, cannot be made, or was stopped, even if it is still being
+     * planned.
+     */
     private final AtomicReference<Request> wanted = new AtomicReference<>();
 
     private volatile boolean stopped;
@@ -55,7 +58,7 @@ public final class RenderController implements AutoCloseable {
     private final Object shownLock = new Object();
     private int lastShown;
 
-    // known to the planner's thread alone
+    // used by the planner's thread only
     private int runs;
     private RenderPlan lastPlan;
     private long longestWait = LONGEST_WAIT.toNanos();
@@ -72,7 +75,10 @@ public final class RenderController implements AutoCloseable {
         planner = new NewestFirst<>("tompkins-plan", this::render, this::fail);
     }
 
-    /** Asks for the picture of a studio, in some size, instead of all that were asked for before. Returns at once. */
+    /**
+     * Asks for the picture of a studio, in some size, instead of all pictures that were asked for before. Returns at
+     * once.
+     */
     public void show(Studio studio, Dimension size, Pace pace) {
         Request request = new Request(studio, size, pace, System.nanoTime());
         stopped = false;
@@ -96,13 +102,13 @@ public final class RenderController implements AutoCloseable {
         return stopped;
     }
 
-    /** Whether a picture is to come, or one that was stopped is still being worked on by the renderer. */
+    /** Whether a picture is wanted, or the renderer still works on one that was stopped. */
     public boolean isBusy() {
         Run running = run;
         return wanted.get() != null || running != null && !running.ended;
     }
 
-    /** The share of the picture to come that is done, from 0 to 1; 1 if none is to come. */
+    /** The share of the wanted picture that is done, from 0 to 1; 1 if none is wanted. */
     public double progress() {
         Request request = wanted.get();
         if (request == null) {
@@ -117,7 +123,7 @@ public final class RenderController implements AutoCloseable {
         if (wanted.get() != request) {
             return;
         }
-        // while the camera alone changes, the scene stays as it was prepared
+        // while only the camera changes, the prepared scene is used again
         RenderPlan plan = RenderPlan.of(request.inSize(), lastPlan);
         lastPlan = plan;
         if (wanted.get() != request) {
@@ -127,19 +133,19 @@ public final class RenderController implements AutoCloseable {
         next.job = renderer.startCoarse(plan, Quality.of(request.studio), next);
         run = next;
         if (wanted.get() == null) {
-            // whoever stopped it may have come too early to see the run
+            // it may have been stopped too early for the run to be seen
             next.job.cancel();
         }
     }
 
-    /** Tells why there is no picture, unless nobody waits for it any more. */
+    /** Tells why there is no picture, unless it is no longer wanted. */
     private void fail(Request request, Throwable error) {
         if (wanted.compareAndSet(request, null)) {
             failures.accept(error);
         }
     }
 
-    /** Ends the running picture as soon as it has been of use. */
+    /** Ends the running picture as soon as it has been shown for long enough. */
     private void giveWay() {
         Run running = run;
         if (running == null || running.job.isCancelled()) {
@@ -159,7 +165,7 @@ public final class RenderController implements AutoCloseable {
         renderer.close();
     }
 
-    /** One picture on its way. */
+    /** One picture that is being rendered. */
     private final class Run implements RenderListener {
 
         private final Request request;
@@ -183,7 +189,7 @@ public final class RenderController implements AutoCloseable {
         @Override
         public void passDone(RenderJob rendered) {
             long now = System.nanoTime();
-            // each of the coarse passes takes three times the samples of all before it
+            // each coarse pass takes three times as many samples as all passes before it
             long nextPass = now - request.time + 3 * (now - startTime);
             boolean finerSoon = !shown && request.pace.waits(samples(rendered), nextPass);
             boolean last = rendered.progress() > ALMOST_ONE;
@@ -202,7 +208,7 @@ public final class RenderController implements AutoCloseable {
             }
         }
 
-        /** There may be no memory for the last image, which is the largest. */
+        /** Delivers the last image, for which there may be no memory, because it is the largest. */
         private void deliverLast(RenderJob rendered, boolean wasWanted) {
             try {
                 deliver(rendered, true);
@@ -226,7 +232,7 @@ public final class RenderController implements AutoCloseable {
 
         private void deliver(RenderJob rendered, boolean complete) {
             Duration time = Duration.ofNanos(System.nanoTime() - request.time);
-            // the error takes a moment to work out: not while the picture follows a hand
+            // the error takes a moment to work out, so it is left out while the picture follows a hand
             boolean tellsError = complete || System.nanoTime() - startTime > LONGEST_WAIT.toNanos();
             RenderReport report = tellsError ? rendered.report() : null;
             Picture picture = new Picture(

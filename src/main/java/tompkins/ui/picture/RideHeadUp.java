@@ -12,7 +12,7 @@ public final class RideHeadUp implements Overlay {
 
     private final Supplier<String> line;
 
-    /** Shows the line that somebody writes; nothing if it is empty. */
+    /** Shows the line that a supplier writes; nothing if it is empty. */
     public RideHeadUp(Supplier<String> line) {
         this.line = line;
     }

@@ -11,8 +11,8 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 /**
- * The keys of a ride on a canvas: those that are held down give thrust. A display that repeats a key which is held lets
- * it go for a moment each time; only what stays let go counts.
+ * The keys of a ride on a canvas: those that are held down give thrust. Some displays repeat a key that is held by
+ * releasing it for a moment each time; only a key that stays released counts.
  */
 public final class RideKeys {
 
@@ -22,10 +22,10 @@ public final class RideKeys {
         /** Whether the keys are those of a ride now. */
         boolean isFlying();
 
-        /** Thrust from now on, to the right, up and forwards; none if it is zero. */
+        /** Thrusts from now on, to the right, up and forwards; not at all if it is zero. */
         void thrust(Vector3dc direction);
 
-        /** No thrust any more. */
+        /** Ends the thrust. */
         void stop();
 
         /** Brakes to rest. */
@@ -130,7 +130,7 @@ public final class RideKeys {
         }
     }
 
-    /** Nothing is held any more. */
+    /** Forgets all keys that are held. */
     private void letGo() {
         boolean thrusts = !held.isEmpty();
         held.values().forEach(Timer::stop);

@@ -4,14 +4,14 @@ import java.awt.Dimension;
 import tompkins.studio.RenderSettings;
 
 /**
- * The room that there is for each picture, in pixels of the screen, and whether its pixels are to be seen one by one.
+ * The room that there is for each picture, in pixels of the screen, and whether its pixels should be seen one by one.
  *
  * @param size the room
- * @param ownPixels whether the picture is to have the pixels of the photograph; else it fits into the room
+ * @param ownPixels whether the picture should have the pixels of the photograph; otherwise it fits into the room
  */
 public record Room(Dimension size, boolean ownPixels) {
 
-    /** The size that the picture of a photograph is to have, in its own pixels. */
+    /** The size that the picture of a photograph should have, in its own pixels. */
     public Dimension sizeOf(RenderSettings photograph) {
         return ownPixels
                 ? new Dimension(photograph.width(), photograph.height())

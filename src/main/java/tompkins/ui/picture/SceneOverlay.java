@@ -25,13 +25,13 @@ import tompkins.trace.RenderPlan;
 import tompkins.ui.widget.Texts;
 
 /**
- * What formulas say about a picture, drawn over it: outlines, axes, places, grids. It follows each picture. Where the
- * shutter opens at a time of its own for each place that takes a while: then it is worked out by a thread of its own,
- * and nothing is drawn until it is there.
+ * What formulas say about a picture, drawn over it: outlines, axes, places, grids. It follows each picture. If the
+ * shutter opens at another time for each place, that takes a while: it is then worked out by a thread of its own, and
+ * nothing is drawn until it is there.
  */
 public final class SceneOverlay implements Overlay, AutoCloseable {
 
-    /** Type in a picture that leaves the program is so large a part of its height. */
+    /** Size of the type in a picture that leaves the program, as a share of its height. */
     private static final double HEIGHT_SHARE = 1 / 36.0;
 
     private static final double SMALLEST_TYPE = 9;
@@ -47,17 +47,17 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
     private final Runnable repaint;
     private final NewestFirst<Question> worker;
 
-    /** The newest first: two pictures may be seen. */
+    /** The newest first; two, because two pictures may be shown. */
     private final List<Drawn> drawn = new CopyOnWriteArrayList<>();
 
     private Set<OverlayKind> shown = EnumSet.noneOf(OverlayKind.class);
     private Known known = new Known(List.of(), null);
 
     /**
-     * Draws nothing yet.
+     * An overlay that draws nothing yet.
      *
      * @param repaint called by the event thread when more can be drawn
-     * @param failures told, by another thread, of what could not be worked out
+     * @param failures told by another thread what could not be worked out
      */
     public SceneOverlay(Runnable repaint, Consumer<Throwable> failures) {
         this.repaint = repaint;
@@ -159,7 +159,7 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
         return new Drawn(plan, Set.copyOf(kinds), drawings, note(plan, shapes));
     }
 
-    /** In one line, where what is drawn may not agree with the picture; empty if it does. */
+    /** Says in one line where the drawing may not agree with the picture; empty if it agrees. */
     private static String note(RenderPlan plan, SceneShapes shapes) {
         List<String> notes = new ArrayList<>();
         if (plan.studio().camera().hasWideAperture()) {

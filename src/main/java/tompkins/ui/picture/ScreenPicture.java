@@ -13,7 +13,7 @@ import tompkins.image.BufferedImages;
  * @param now the picture, or null
  * @param nowImage the picture as levels, at most in the size in which it is shown
  * @param other what it is compared with, or null
- * @param otherImage the same of that; null if it has other proportions, too
+ * @param otherImage the same for the other; null also if it has other proportions
  * @param difference by how much the two differ, or null
  */
 public record ScreenPicture(
@@ -38,7 +38,7 @@ public record ScreenPicture(
     /** An image in another size. */
     static BufferedImage scaled(BufferedImage image, Dimension size) {
         BufferedImage scaled = image;
-        // a step beyond a half would leave out pixels
+        // a step to less than half would leave out pixels
         while (scaled.getWidth() >= 2 * size.width && scaled.getHeight() >= 2 * size.height) {
             scaled = drawn(scaled, new Dimension((scaled.getWidth() + 1) / 2, (scaled.getHeight() + 1) / 2));
         }

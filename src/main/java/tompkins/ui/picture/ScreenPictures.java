@@ -9,11 +9,11 @@ import javax.swing.SwingUtilities;
 
 /**
  * Turns pictures into images no larger than they are shown, on a thread of its own, and hands the newest to the event
- * thread. However fast pictures come, the event thread has one at a time to paint.
+ * thread. However fast pictures come, the event thread has only one at a time to paint.
  */
 public final class ScreenPictures implements AutoCloseable {
 
-    /** What is wanted: pictures, and the room in which they are shown, which is null as long as nobody knows it. */
+    /** What is wanted: pictures, and the room in which they are shown, which is null while it is unknown. */
     private record Wanted(Picture now, Picture other, Room room, boolean difference) {}
 
     private final AtomicReference<ScreenPicture> ready = new AtomicReference<>();
@@ -23,7 +23,7 @@ public final class ScreenPictures implements AutoCloseable {
     private Wanted doneFor;
     private ScreenPicture done = ScreenPicture.EMPTY;
 
-    /** Hands images to {@code screen} on the event thread; {@code failures} is told of trouble by its own thread. */
+    /** Hands images to {@code screen} on the event thread; its own thread tells {@code failures} about trouble. */
     public ScreenPictures(Consumer<ScreenPicture> screen, Consumer<Throwable> failures) {
         this.screen = screen;
         worker = new NewestFirst<>("tompkins-screen", this::prepare, (order, error) -> failures.accept(error));
@@ -76,7 +76,7 @@ public final class ScreenPictures implements AutoCloseable {
     private static BufferedImage image(Picture picture, Wanted order) {
         BufferedImage levels = ScreenPicture.levels(picture);
         Dimension fitted = size(picture, order);
-        // The display enlarges a picture itself, in a fifth of the time; two that are subtracted need the same size.
+        // The display enlarges a picture itself in a fifth of the time, but two that are subtracted need the same size.
         boolean enlarged = fitted.width >= levels.getWidth() && fitted.height >= levels.getHeight();
         return enlarged && !order.difference ? levels : ScreenPicture.scaled(levels, fitted);
     }

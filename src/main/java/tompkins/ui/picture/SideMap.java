@@ -29,7 +29,7 @@ import tompkins.trace.RenderPlan;
  */
 public final class SideMap implements Overlay {
 
-    /** More boxes than these are not told from each other. */
+    /** The most boxes: more could not be distinguished. */
     private static final int MOST_BOXES = 2000;
 
     /** Sizes in sizes of the type. */
@@ -157,7 +157,7 @@ public final class SideMap implements Overlay {
             }
         }
 
-        /** A line from the lens, in pixels as long as the direction is seen of a length. */
+        /** A line from the lens along a direction, as long on the map as its projection. */
         private void drawLine(Vector3dc direction, double length) {
             Point2D at = toMap.transform(new Point2D.Double(lens.z, lens.y), null);
             Path2D line = new Path2D.Double();

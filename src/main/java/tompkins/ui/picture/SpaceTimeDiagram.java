@@ -15,15 +15,15 @@ import tompkins.trace.RayLife;
 
 /**
  * What a space-time (Minkowski) diagram of a ray shows, in one of the frames: x is the place along the camera's
- * velocity, or if that rests along the velocity of the object that the ray ends at; y is the time. Both are counted
- * from the event at which the ray starts at the lens.
+ * velocity or, if the camera is at rest, along the velocity of the object at which the ray ends; y is the time. Both
+ * are measured from the event at which the ray starts at the lens.
  *
  * @param frame the frame whose axes are upright
  * @param path the events of the main branch of the ray, from the lens on, backwards in time
  * @param onwards how x and y change along the ray after its last event, to the background; null if it ends there
- * @param object how x and y change along the world line of the object at the last event; null if it ends at none
+ * @param object how x and y change along the world line of the object at the last event; null if there is none
  * @param light how x and y change along light that runs with the camera's velocity, and along light against it
- * @param otherTime how x and y change along the time axis of the other frame: the way of what rests in it
+ * @param otherTime how x and y change along the time axis of the other frame: the world line of what rests in it
  * @param otherSpace how x and y change along its axis of space: events that are simultaneous in it
  */
 public record SpaceTimeDiagram(
@@ -35,7 +35,7 @@ public record SpaceTimeDiagram(
         Point2D otherTime,
         Point2D otherSpace) {
 
-    /** Where the origins of both frames meet, whatever the transformation. */
+    /** The event at which the origins of both frames meet under every transformation. */
     private static final Event ZERO = new Event(0, 0, 0, 0);
 
     /** The diagram of a ray of a studio's picture. */
@@ -57,7 +57,7 @@ public record SpaceTimeDiagram(
         }
         List<Point2D> light = Stream.of(along, along.negate(new Vector3d()))
                 .map(way -> new Event(way.x(), way.y(), way.z(), 1))
-                // it has the speed 1 in the camera frame by any law
+                // it has the speed 1 in the camera frame under any law
                 .map(step -> place(ofScene ? sceneFromCamera.transform(step) : step, ZERO, along))
                 .toList();
         Event time = new Event(0, 0, 0, 1);
@@ -72,7 +72,7 @@ public record SpaceTimeDiagram(
                 place(fromOther.transform(space), ZERO, along));
     }
 
-    /** The direction of x: where the camera flies, or else what the ray ends at. */
+    /** The direction of x: that in which the camera flies, or else the object at which the ray ends. */
     private static Vector3dc along(RayLife.Encounter end, Studio studio) {
         boolean objectAlone = studio.velocity().isRest() && end != null && end.movesByItself();
         return Vectors.unit(
@@ -81,7 +81,7 @@ public record SpaceTimeDiagram(
                         : studio.velocity().givenDirection());
     }
 
-    /** How place and time in a frame change with the own time of what was hit. */
+    /** How place and time in a frame change with the proper time of what was hit. */
     private static Event worldLine(RayLife.Encounter hit, Studio studio, Frame frame) {
         Event time = new Event(0, 0, 0, 1);
         SpaceTimeTransformation sceneFromCamera = studio.sceneFromCamera();

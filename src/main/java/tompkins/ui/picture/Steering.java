@@ -12,8 +12,8 @@ import tompkins.camera.ThinLensCamera;
 import tompkins.math.Vectors;
 
 /**
- * Turns and moves the camera of a picture by hand: as a person on board turns the head and steps aside. All changes up
- * to {@link Hand#letGo} are one gesture.
+ * Turns and moves the camera of a picture by hand: as a person on board does by turning the head and stepping aside.
+ * All changes up to {@link Hand#letGo} are one gesture.
  */
 public final class Steering {
 
@@ -49,12 +49,12 @@ public final class Steering {
     /** Share of the field of view by which a key turns. */
     private static final double TURN = 0.05;
 
-    /** A point that is seen more obliquely than that is not moved with the mouse. */
+    /** A point that is seen more obliquely than this is not moved with the mouse. */
     private static final double OBLIQUE = 0.05;
 
     private final Hand hand;
 
-    /** How far away is what is under the hand; NaN while it is not known. */
+    /** The distance of what is under the hand; NaN while it is unknown. */
     private double distance = Double.NaN;
 
     private boolean asked;
@@ -65,7 +65,7 @@ public final class Steering {
     private PicturePlace waitingFrom;
     private double waitingNotches;
 
-    /** The gesture is over as soon as the distance has come. */
+    /** Whether the gesture ends as soon as the distance has come. */
     private boolean ending;
 
     Steering(Hand hand) {
@@ -142,14 +142,14 @@ public final class Steering {
         hand.hold(change.apply(hand.camera()));
     }
 
-    /** Does something as soon as it is known how far away what is at a place is. */
+    /** Does something as soon as the distance of what is at a place is known. */
     private void whenFar(PicturePlace place, Runnable action) {
         if (Double.isFinite(distance)) {
             action.run();
             return;
         }
         if (ending) {
-            // the answer of the gesture before never came
+            // the answer to the previous gesture never came
             forget();
         }
         waiting = action;

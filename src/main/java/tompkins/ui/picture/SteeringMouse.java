@@ -16,7 +16,7 @@ import tompkins.ui.widget.Keys;
 /** Steers the camera with the mouse and with the keys on a canvas. */
 public final class SteeringMouse extends MouseAdapter {
 
-    /** Turns of the wheel, or strokes of a key, that follow each other sooner belong to one gesture. */
+    /** Turns of the wheel, or strokes of a key, that follow each other within this time belong to one gesture. */
     private static final int PAUSE_MILLISECONDS = 500;
 
     private final PictureCanvas canvas;
@@ -73,7 +73,7 @@ public final class SteeringMouse extends MouseAdapter {
         });
     }
 
-    /** What goes on from now on belongs to a gesture; the one before is over if it came from somewhere else. */
+    /** Begins a gesture, or continues the present one if it has the same source. */
     private void begin(Object newSource) {
         if (source != null && !source.equals(newSource)) {
             steering.letGo();
@@ -97,7 +97,7 @@ public final class SteeringMouse extends MouseAdapter {
                 : new PicturePlace(place.getX(), place.getY(), width, height);
     }
 
-    /** The place of the picture at a point of the canvas, be it outside the picture. */
+    /** The place of the picture at a point of the canvas, which may lie outside the picture. */
     private PicturePlace place(Point point, Rectangle bounds) {
         Picture picture = canvas.shown().now();
         int width = picture.ownWidth();

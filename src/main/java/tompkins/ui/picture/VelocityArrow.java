@@ -18,9 +18,9 @@ import tompkins.studio.Studio;
 import tompkins.ui.widget.Texts;
 
 /**
- * Where the camera flies, and where it comes from: a ring with a point around the one, a ring with a cross around the
- * other, as for the head and the tail of an arrow. Where it flies to a place outside the picture, an arrow at its edge
- * points there.
+ * Where the camera flies, and where it comes from: a ring with a point for the one, a ring with a cross for the other,
+ * like the head and the tail of an arrow. If it flies to a place outside the picture, an arrow at the edge points
+ * there.
  */
 public final class VelocityArrow implements Overlay {
 
@@ -72,7 +72,7 @@ public final class VelocityArrow implements Overlay {
         return place != null && bounds.contains(place.x(), place.y());
     }
 
-    /** To the right and down in the picture, where a direction outside it points; straight back counts as up. */
+    /** To the right and down in the picture, the way to a direction outside it; straight back counts as up. */
     private static Vector2d sideways(Camera camera, Vector3dc direction) {
         Vector2d sideways = new Vector2d(direction.dot(camera.rightDirection()), -direction.dot(camera.upDirection()));
         return sideways.length() < 1e-9 ? new Vector2d(0, -1) : sideways.normalize();

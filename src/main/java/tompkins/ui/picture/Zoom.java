@@ -9,14 +9,17 @@ import java.awt.geom.Point2D;
  * A photograph that is shown in its own pixels, each as a square of the screen.
  *
  * @param side pixels of the screen in a row of such a square: a power of two
- * @param middle the place of the photograph that is wanted in the middle of the room
+ * @param middle the place of the photograph that should be in the middle of the room
  */
 record Zoom(int side, Point2D middle) {
 
     /** Large enough to count pixels on a projector. */
     private static final int LARGEST = 64;
 
-    /** The zoom that shows a photograph larger than so many pixels of the screen for each of its own; null if none. */
+    /**
+     * The smallest zoom that shows more than a number of pixels of the screen for each of the photograph; null if there
+     * is none.
+     */
     static Zoom beyond(double scale, Point2D middle) {
         int side = 1;
         while (side <= scale) {
@@ -25,7 +28,7 @@ record Zoom(int side, Point2D middle) {
         return side > LARGEST ? null : new Zoom(side, middle);
     }
 
-    /** The next smaller zoom, if it still shows more than so many pixels of the screen for each; else null. */
+    /** The next smaller zoom, if it still shows more than a number of pixels of the screen for each; otherwise null. */
     Zoom smaller(double scale) {
         return side / 2 > scale ? new Zoom(side / 2, middle) : null;
     }
@@ -39,7 +42,7 @@ record Zoom(int side, Point2D middle) {
                         place.getY() + (room.height / 2.0 - at.y) / side));
     }
 
-    /** Where a photograph lies in a room that it fills, or in whose middle it is if it is smaller. */
+    /** Where a photograph lies in a room: it fills it, or is in its middle if it is smaller. */
     Rectangle place(int width, int height, Dimension room) {
         return new Rectangle(
                 start(width * side, room.width, middle.getX()),

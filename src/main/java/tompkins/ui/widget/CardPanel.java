@@ -4,7 +4,7 @@ import java.awt.CardLayout;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 
-/** Parts of which one is shown, in the room of the largest: nothing moves when another one is shown. */
+/** Parts of which one is shown, in the room of the largest, so that nothing moves when another one is shown. */
 public final class CardPanel {
 
     private final CardLayout cards = new CardLayout();

@@ -17,8 +17,7 @@ public final class ChoiceRow {
     /**
      * A row for some values.
      *
-     * @param text what stands on the button of a value
-     * @param name what the button is called
+     * @param text the text on the button of a value @param name the name of the button
      * @param tip what its value means
      * @param chosen told of each choice
      */

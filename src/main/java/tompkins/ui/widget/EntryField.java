@@ -20,9 +20,8 @@ import tompkins.property.InvalidPropertyException;
 
 /**
  * A field for a value that is written as text. It is taken when Enter is pressed (with Ctrl where Enter begins another
- * line) or the focus leaves. A wrong value is marked with what is allowed. Wrong or unfinished, what was typed stays
- * until it is put right, taken back, or the value that the field shows changes elsewhere; what somebody is just typing
- * stays then, too.
+ * line) or the focus leaves. A wrong value is marked with what is allowed. A wrong or unfinished text stays until it is
+ * corrected or taken back, or until the value is changed elsewhere; a text that is just being typed stays even then.
  */
 public final class EntryField {
 
@@ -36,10 +35,10 @@ public final class EntryField {
     private final Consumer<String> commit;
     private String shown = "";
 
-    /** What the field makes of the text: of one line it holds no line ends. */
+    /** The text as the field shows it: a field of one line has no line ends. */
     private String displayed = "";
 
-    /** Whether the value has become another one since somebody began to type. */
+    /** Whether the value has changed elsewhere since the typing began. */
     private boolean overtaken;
 
     /**
@@ -72,7 +71,7 @@ public final class EntryField {
         Keys.bindFocused(field, Keys.CONTROL_ENTER, this::commit);
     }
 
-    /** Only where there is one line: that many are gone at one key is more than anybody means. */
+    /** Binds Escape in fields of one line only, because nobody wants one key to remove many lines. */
     private void bindRevert(JTextField line) {
         line.getInputMap().put(Keys.ESCAPE, "revert");
         line.getActionMap().put("revert", new AbstractAction() {
@@ -94,8 +93,8 @@ public final class EntryField {
     }
 
     /**
-     * The fields in a container, and in the windows that it owns; also those that are folded away, or in a window that
-     * is hidden.
+     * The fields in a container, and in the windows that it owns; also those that are folded away or in a hidden
+     * window.
      */
     public static Stream<EntryField> in(Container container) {
         Stream<Component> inside = Stream.of(container.getComponents());
@@ -112,8 +111,8 @@ public final class EntryField {
     }
 
     /**
-     * What is typed is taken before anything is pressed that takes the focus: the focus may leave the field only after
-     * the click, and what was typed would overrule the click.
+     * Takes what is typed before anything is pressed that takes the focus: the focus may leave the field only after the
+     * click, and what was typed would then overrule the click.
      */
     private static void takeBeforePress(Component pressed) {
         Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
@@ -153,7 +152,7 @@ public final class EntryField {
         }
     }
 
-    /** Whether the value of the field in which somebody is typing has become another one meanwhile. */
+    /** Whether the value of the field in which the user is typing has changed elsewhere meanwhile. */
     public static boolean isOvertaken() {
         return of(KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner())
                 .anyMatch(field -> field.overtaken);
@@ -170,7 +169,7 @@ public final class EntryField {
         commit();
     }
 
-    /** Whether something was typed that is not taken, because it was refused or is not finished. */
+    /** Whether something was typed but not taken, because it was refused or is not finished. */
     public boolean isPending() {
         return isWrong() || !field.getText().equals(displayed);
     }
@@ -188,7 +187,7 @@ public final class EntryField {
         }
         try {
             commit.accept(text);
-            // as it is shown, however it was typed
+            // in the form in which it is shown, however it was typed
             revert();
         } catch (InvalidPropertyException wrong) {
             field.putClientProperty(FlatClientProperties.OUTLINE, FlatClientProperties.OUTLINE_ERROR);
@@ -198,14 +197,14 @@ public final class EntryField {
         }
     }
 
-    /** Shows the value again that was there before something was typed. */
+    /** Shows the value that was there before something was typed. */
     public void revert() {
         if (!field.getText().equals(shown)) {
             boolean selected = field.getText().equals(field.getSelectedText());
             field.setText(shown);
             field.setCaretPosition(0);
             if (selected) {
-                // somebody is about to type another value
+                // the user is about to type another value
                 field.selectAll();
             }
         }

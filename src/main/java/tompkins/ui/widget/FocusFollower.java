@@ -12,7 +12,7 @@ import javax.swing.JComponent;
 import javax.swing.JViewport;
 import javax.swing.SwingUtilities;
 
-/** Scrolls to what the Tab key reaches, in a window and those that it owns. */
+/** Scrolls to what the Tab key reaches, in a window and in those that it owns. */
 public final class FocusFollower {
 
     private FocusFollower() {}
@@ -37,7 +37,7 @@ public final class FocusFollower {
         });
     }
 
-    /** Whether the Tab key brought the focus; what the mouse presses must not move away under it. */
+    /** Whether the Tab key brought the focus: what the mouse presses must not move away under it. */
     public static boolean isTraversal(FocusEvent event) {
         boolean forward = event.getCause() == FocusEvent.Cause.TRAVERSAL_FORWARD;
         return forward && !isLost(event.getOppositeComponent())
@@ -55,7 +55,7 @@ public final class FocusFollower {
     }
 
     private static void show(Component component) {
-        // a text field keeps such a wish to itself, and what a scroll pane shows is as large as all of it
+        // a text field does not pass on such a request, and the view of a scroll pane is as large as everything in it
         if (component.getParent() instanceof JComponent parent && !(parent instanceof JViewport)) {
             parent.scrollRectToVisible(component.getBounds());
         }

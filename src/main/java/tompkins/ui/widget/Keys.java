@@ -17,12 +17,12 @@ public final class Keys {
     /** Leaves or stops what is going on. */
     static final KeyStroke ESCAPE = KeyStroke.getKeyStroke("ESCAPE");
 
-    /** Takes what was typed where Enter begins another line. */
+    /** Takes what was typed into a field in which Enter begins another line. */
     static final KeyStroke CONTROL_ENTER = KeyStroke.getKeyStroke("ctrl ENTER");
 
     private Keys() {}
 
-    /** A key of a menu as it is on this system: on a Mac, Ctrl is Cmd. Without a display no key is pressed. */
+    /** A key of a menu on this system: on a Mac, Ctrl is Cmd. Without a display, it does not matter. */
     public static KeyStroke ofMenu(String key) {
         boolean command = !GraphicsEnvironment.isHeadless()
                 && Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx() == InputEvent.META_DOWN_MASK;
@@ -63,7 +63,7 @@ public final class Keys {
         bind(component, JComponent.WHEN_FOCUSED, key, action);
     }
 
-    /** Whether a letter comes with Ctrl, as + in Ctrl and +: then it is part of a key of the menus. */
+    /** Whether a letter was typed with Ctrl, such as + in Ctrl and +, and so belongs to a key of the menus. */
     private static boolean isMenuKey(KeyStroke key, ActionEvent event) {
         return key.getKeyEventType() == KeyEvent.KEY_TYPED
                 && (event.getModifiers() & (ActionEvent.CTRL_MASK | ActionEvent.META_MASK)) != 0;

@@ -66,13 +66,13 @@ public enum Look {
                     entry("Tompkins.sphereLight", 0xffffff),
                     entry("Tompkins.sphereDark", 0xdddddd)));
 
-    /** The key of the look that all windows have; of nothing while there is none, or one with larger type. */
+    /** The key of the look that all windows have; empty while there is none, or one with larger type. */
     private static final String INSTALLED = "Tompkins.look";
 
-    /** Only the documents have links; to give one colour to those of all windows takes 50 ms of each start. */
+    /** Only the documents have links; a colour for those of all windows would take 50 ms of each start. */
     private static final String NO_LINKS = "null";
 
-    /** What shows where there is something to use: at least 3 times as light or dark as what is behind it. */
+    /** Colours that show where there is something to use: at least 3 times as light or dark as their background. */
     private static final List<String> EDGES = List.of(
             "Component.borderColor",
             "Button.borderColor",
@@ -114,7 +114,7 @@ public enum Look {
             UIManager.put("defaultFont", font.deriveFont(font.getSize2D() * factor));
             setUp();
         }
-        // what is typed after Tab takes the place of the value
+        // what is typed after Tab replaces the value
         UIManager.put("TextComponent.selectAllOnFocusPolicy", "always");
         colours.forEach((name, rgb) -> UIManager.put(name, new Color(rgb)));
         UIManager.put("Tompkins.link", UIManager.getColor("Component.accentColor"));
@@ -149,7 +149,7 @@ public enum Look {
         return defaults;
     }
 
-    /** A length on the screen that grows with the type of the look: so many times the size of the type, in pixels. */
+    /** A length on the screen that grows with the type of the look: a multiple of the size of the type, in pixels. */
     public static int pixels(double sizes) {
         return (int) Math.round(sizes * UIManager.getFont("defaultFont").getSize2D());
     }

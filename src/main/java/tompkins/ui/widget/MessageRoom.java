@@ -10,8 +10,8 @@ import javax.swing.JPanel;
 import javax.swing.UIManager;
 
 /**
- * Room that is kept for notes, so that nothing moves when one of them has something to say: the first that has takes
- * the room of all.
+ * Room that is kept for notes, so that nothing moves when one of them has something to say: the first that has
+ * something takes the room of all.
  */
 public final class MessageRoom {
 
@@ -62,7 +62,7 @@ public final class MessageRoom {
         public void layoutContainer(Container parent) {
             Component first = speaking(parent).findFirst().orElse(null);
             for (Component note : parent.getComponents()) {
-                // those that wait are as wide, so that they know how high they are when their turn comes
+                // those that wait have the same width, so that their heights are known when their turn comes
                 note.setBounds(0, 0, parent.getWidth(), note == first ? parent.getHeight() : 0);
             }
         }

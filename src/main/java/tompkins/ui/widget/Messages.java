@@ -50,9 +50,7 @@ public final class Messages {
         pane.createDialog(parent, title).setVisible(true);
     }
 
-    /**
-     * Shows a message with other answers than that it was read: the number of the answer; closing it gives the last.
-     */
+    /** Shows a message with a choice of answers, and returns the number of the answer; closing it gives the last. */
     public static int tellAndAsk(Component parent, String title, String message, String... answers) {
         return ask(
                 parent, title, scroll(text(message)), JOptionPane.PLAIN_MESSAGE, answers, answers[answers.length - 1]);
@@ -90,14 +88,14 @@ public final class Messages {
                 == JOptionPane.OK_OPTION;
     }
 
-    /** What becomes of changes that were not saved. */
+    /** What should happen to changes that were not saved. */
     public enum Unsaved {
         SAVE,
         DISCARD,
         CANCEL
     }
 
-    /** Asks what becomes of changes; closing the question means to cancel. */
+    /** Asks what should happen to changes; closing the question means to cancel. */
     public static Unsaved askAboutChanges(Component parent, String title) {
         int chosen = choose(
                 parent,
@@ -109,7 +107,9 @@ public final class Messages {
         return Unsaved.values()[chosen];
     }
 
-    /** Asks which of some answers is meant: its number; Enter gives the first, closing the question the last one. */
+    /**
+     * Asks for one of some answers and returns its number; Enter gives the first, closing the question the last one.
+     */
     public static int choose(Component parent, String title, String question, String... answers) {
         return ask(parent, title, scroll(text(question)), JOptionPane.WARNING_MESSAGE, answers, answers[0]);
     }
@@ -121,7 +121,7 @@ public final class Messages {
         return chosen == JOptionPane.CLOSED_OPTION ? answers.length - 1 : chosen;
     }
 
-    /** Whether memory ran out, however that was passed on. */
+    /** Whether memory ran out, in whatever exception that is wrapped. */
     public static boolean isOfMemory(Throwable failure) {
         return failure instanceof OutOfMemoryError || failure.getCause() instanceof OutOfMemoryError;
     }

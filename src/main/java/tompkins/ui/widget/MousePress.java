@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 
-/** Whether a button of the mouse is down anywhere in the windows, and what has to wait until it is not. */
+/** Knows whether a button of the mouse is down anywhere in the windows, and lets actions wait until it is released. */
 final class MousePress {
 
     private static final int BUTTONS =
@@ -27,12 +27,12 @@ final class MousePress {
         Toolkit.getDefaultToolkit().addAWTEventListener(this::note, AWTEvent.MOUSE_EVENT_MASK);
     }
 
-    /** Tells of every press, before the component under the mouse and the focus learn of it. */
+    /** Tells of every press, before the component under the mouse and the focus are told. */
     static void watch(Consumer<Component> watcher) {
         MOUSE.watchers.add(watcher);
     }
 
-    /** Does something now, or when the press that goes on is over and what was pressed has had its click. */
+    /** Does something now, or after the present press is over and its click has been handled. */
     static void afterwards(Runnable step) {
         if (MOUSE.down) {
             MOUSE.waiting.add(step);
@@ -43,7 +43,7 @@ final class MousePress {
 
     private void note(AWTEvent event) {
         if (event instanceof MouseEvent mouse) {
-            // that of any event, for some releases are told to nobody
+            // the state in any event, because some releases are not reported
             down = (mouse.getModifiersEx() & BUTTONS) != 0;
             if (event.getID() == MouseEvent.MOUSE_PRESSED) {
                 watchers.forEach(watcher -> watcher.accept(mouse.getComponent()));

@@ -9,7 +9,7 @@ import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JList;
 
-/** Says what a component is called and what it means: to the mouse, to screen readers and to tests. */
+/** Gives components names and explanations, for the mouse, for screen readers and for tests. */
 public final class Naming {
 
     private Naming() {}
@@ -24,7 +24,7 @@ public final class Naming {
     }
 
     /**
-     * Gives a component the text of a key as its name, and that of the key with {@code Tip} behind it as its tooltip.
+     * Gives a component the text of a key as its name, and that of the key with {@code Tip} appended as its tooltip.
      */
     public static void name(JComponent component, String key) {
         name(component, Texts.get(key), Texts.get(key + "Tip"));

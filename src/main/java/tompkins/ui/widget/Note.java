@@ -16,7 +16,7 @@ public final class Note {
             super.updateUI();
             setFont(UIManager.getFont("small.font"));
             setBorder(null);
-            // a text that nobody edits has no use for a caret that follows it
+            // a text that is not edited needs no caret that follows it
             ((DefaultCaret) getCaret()).setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
             setOpaque(false);
             setDisabledTextColor(colour());
@@ -26,7 +26,7 @@ public final class Note {
 
     private boolean error;
 
-    /** What it is to say when the mouse is not pressed any more; null if nothing. */
+    /** What it will say when the mouse is released; null if nothing. */
     private Runnable awaited;
 
     /** A note with a text; a note without text takes no room. */
@@ -80,7 +80,7 @@ public final class Note {
     private void afterPress(Runnable change) {
         awaited = change;
         MousePress.afterwards(() -> {
-            // unless it has been told something else since
+            // unless it was given something else to say since
             if (awaited == change) {
                 change.run();
             }
@@ -99,7 +99,7 @@ public final class Note {
         area.setForeground(colour());
     }
 
-    /** Does what may be refused, and says why if it is; whether it was done. */
+    /** Does something that may be refused, says why if it is, and returns whether it was done. */
     public boolean attempt(Runnable change) {
         try {
             change.run();

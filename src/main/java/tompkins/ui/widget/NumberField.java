@@ -19,7 +19,7 @@ public final class NumberField {
     /** What was typed last; null before. */
     private Number typed;
 
-    /** A field as {@link EntryField}, for the property of the given name. */
+    /** A field like {@link EntryField}, for the property of the given name. */
     public NumberField(
             NumberKind kind, String property, String name, String tip, Note note, Consumer<? super Number> commit) {
         this.kind = kind;
@@ -42,14 +42,14 @@ public final class NumberField {
                 try {
                     field.setText(kind.stepped(present(), steps));
                 } catch (InvalidPropertyException noNumber) {
-                    // which is said when it is to be taken
+                    // the message comes when the text is taken
                 }
                 entry.commit();
             }
         });
     }
 
-    /** The number as it is read in the field, whether it has been taken or not. */
+    /** The number in the field, whether it has been taken or not. */
     private Number present() {
         boolean isWord = !entry.isPending() && !Double.isFinite(value.doubleValue());
         return isWord ? value : kind.parse(property, field.getText());
@@ -60,7 +60,7 @@ public final class NumberField {
         return field;
     }
 
-    /** Shows a number; the digits that do not fit stay in the model. */
+    /** Shows a number; digits that do not fit stay in the model. */
     public void show(Number number) {
         value = number;
         entry.show(kind.text(number, number.equals(typed)));

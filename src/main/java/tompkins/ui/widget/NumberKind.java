@@ -52,13 +52,13 @@ public enum NumberKind {
     /**
      * The number that a text writes.
      *
-     * @throws InvalidPropertyException if it writes none of this kind
+     * @throws InvalidPropertyException if it is not a number of this kind
      */
     abstract Number parse(String property, String text);
 
     /**
-     * What a field shows of a number. Of one that was typed, or is short enough to be, as many digits as there is room
-     * for; of others the first. Whole numbers have all their digits.
+     * What a field shows of a number: as many digits as there is room for if it was typed or is short enough to have
+     * been, otherwise only the first digits. Whole numbers have all their digits.
      */
     String text(Number number, boolean typed) {
         return Long.toString(number.longValue());
@@ -66,7 +66,7 @@ public enum NumberKind {
 
     /** The number after some steps, up or down; a step between whole numbers is 1. */
     String stepped(Number number, int steps) {
-        // beyond the range, where it is refused as if it were typed
+        // beyond the range, so that it is refused as if it had been typed
         return BigInteger.valueOf(number.longValue())
                 .add(BigInteger.valueOf(steps))
                 .toString();

@@ -18,7 +18,7 @@ public final class Numbers {
     /**
      * The number that a text writes.
      *
-     * @throws InvalidPropertyException if it writes none
+     * @throws InvalidPropertyException if it is not a number
      */
     static double parse(String property, String text) {
         try {
@@ -29,9 +29,9 @@ public final class Numbers {
     }
 
     /**
-     * The whole number that a text writes, as 640 or 1e6.
+     * The whole number that a text writes, such as 640 or 1e6.
      *
-     * @throws InvalidPropertyException if it writes none from the minimum to the maximum, both included
+     * @throws InvalidPropertyException if it is not a whole number from the minimum to the maximum, both included
      */
     static long parseWhole(String property, String text, long minimum, long maximum) {
         String allowed = "a whole number";
@@ -50,20 +50,20 @@ public final class Numbers {
         return number.longValueExact();
     }
 
-    /** What to say of a text that writes no number; many languages write a comma where programs want a point. */
+    /** What to say about a text that is not a number; many languages write a comma where programs want a point. */
     static InvalidPropertyException noNumber(String property, String allowed, String text) {
         boolean comma = text.matches(".*\\d\\s*,\\s*\\d.*");
         return new InvalidPropertyException(
                 property, comma ? allowed + ", with a point, not a comma" : allowed, "\"" + text.strip() + "\"");
     }
 
-    /** All digits of a number, but no more than it needs. */
+    /** As many digits of a number as it needs, and no more. */
     public static String text(double value) {
         // nobody types a negative zero
         return NumberText.of(value + 0.0);
     }
 
-    /** As many digits of a number as find room among so many characters. */
+    /** As many digits of a number as fit into some characters. */
     public static String fitting(double value, int characters) {
         String text = text(value);
         for (int digits = characters; digits > 1 && text.length() > characters; digits--) {
@@ -96,7 +96,7 @@ public final class Numbers {
                 + brief(event.time()) + ")";
     }
 
-    /** The least of 1, 2, 5, 10, 20, ... that is not below a positive number. */
+    /** The smallest of ..., 1, 2, 5, 10, 20, ... that is not below a positive number. */
     public static double niceCeiling(double value) {
         double power = Math.pow(10, Math.floor(Math.log10(value)));
         for (double step : new double[] {1, 2, 5}) {
@@ -107,7 +107,7 @@ public final class Numbers {
         return NumberText.rounded(10 * power, 1);
     }
 
-    /** A place without the last digits, which are rounding where they were worked out. */
+    /** A place without its last digits, which are only rounding if it was worked out. */
     public static Vector3d rounded(Vector3dc place) {
         return new Vector3d(
                 NumberText.rounded(place.x(), PLACE_DIGITS),

@@ -7,11 +7,11 @@ import javax.swing.UIManager;
 import javax.swing.plaf.ComponentUI;
 
 /**
- * Makes all of Swing show text as it stands. Swing takes what begins like HTML for HTML, and loads the pictures that it
- * names; but names and titles come from files, and files from anybody.
+ * Makes all of Swing show text literally. Swing takes text that begins like HTML for HTML, and loads the pictures that
+ * it names; but names and titles come from files, and files may come from anybody.
  *
- * <p>Every component asks for its delegate of the look and feel when it is made, before it has a text. This class takes
- * the place of all delegates: it makes the component show plain text, and hands it the delegate that it wanted.
+ * <p>Every component asks for its delegate of the look and feel when it is made, before it has a text. This class
+ * replaces all delegates: it makes the component show plain text, and hands it the delegate that it wanted.
  */
 public final class PlainTextUI extends ComponentUI {
 
@@ -19,7 +19,7 @@ public final class PlainTextUI extends ComponentUI {
 
     private PlainTextUI() {}
 
-    /** Takes the place of all delegates of the look and feel, whichever that is then or later. */
+    /** Replaces all delegates of the look and feel, of the present one and of later ones. */
     static void install() {
         UIDefaults look = UIManager.getLookAndFeelDefaults();
         List<String> delegates = look.keySet().stream()

@@ -15,7 +15,7 @@ public final class ProseArea extends WrappingArea {
         super(ROWS);
     }
 
-    /** The keys of undo do not go back behind what stands there now. */
+    /** Lets the keys of undo go back no further than the present text. */
     void forgetTyped() {
         words.forget();
     }

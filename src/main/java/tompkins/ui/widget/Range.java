@@ -16,7 +16,7 @@ public record Range(double minimum, double maximum, double power) {
         return new Range(minimum, maximum, 1);
     }
 
-    /** The value at a place of the slider, with no more digits than the hand can give it; exact at both ends. */
+    /** The value at a place of the slider, with no more digits than a hand can choose; exact at both ends. */
     double value(double place) {
         if (place <= 0) {
             return minimum;

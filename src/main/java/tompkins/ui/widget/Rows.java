@@ -3,7 +3,7 @@ package tompkins.ui.widget;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 
-/** The grids of the panels; those that stand under each other share one. */
+/** The grids of the panels; panels one below the other share the same grid. */
 public final class Rows {
 
     private Rows() {}

@@ -31,8 +31,8 @@ public final class Screens {
     }
 
     /**
-     * A size, or that of the screen of a window where that is smaller: large type, or a size of yesterday's screen, may
-     * not fit.
+     * A size, or that of the screen of a window if that is smaller: large type, or a size remembered from another
+     * screen, may not fit.
      */
     public static Dimension atMost(Component window, int width, int height) {
         Rectangle screen = room(window);
@@ -62,7 +62,10 @@ public final class Screens {
         return owned != null && (owned.getOwner() == window || isOwner(window, owned.getOwner()));
     }
 
-    /** Moves a window to the right of another as far as the screen goes, where it covers least of its picture. */
+    /**
+     * Moves a window to the right of another as far as the screen allows, so that it covers as little of its picture as
+     * possible.
+     */
     public static void moveBeside(Window window, Window owner) {
         window.setLocation(owner.getX() + owner.getWidth(), owner.getY());
         keepOnScreen(window);

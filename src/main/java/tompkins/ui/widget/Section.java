@@ -37,7 +37,7 @@ public final class Section {
         heading.addItemListener(event -> {
             content.setVisible(heading.isSelected());
             panel.revalidate();
-            // once it has its height
+            // after it has got its height
             SwingUtilities.invokeLater(this::comeIntoView);
         });
         content.setVisible(open);
@@ -50,13 +50,13 @@ public final class Section {
         return panel;
     }
 
-    /** All of it, or from its heading on if there is no room for all. */
+    /** Scrolls until all of it is visible, or from its heading on if there is not enough room. */
     private void comeIntoView() {
         panel.scrollRectToVisible(new Rectangle(panel.getSize()));
         heading.scrollRectToVisible(new Rectangle(heading.getSize()));
     }
 
-    /** Points down if open, to the right if folded. */
+    /** A triangle that points down if open, to the right if folded. */
     private static final class Arrow implements Icon {
 
         @Override

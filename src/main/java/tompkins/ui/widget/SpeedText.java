@@ -32,7 +32,8 @@ public final class SpeedText {
             Map.entry("oneminusbeta", SpeedScale.ONE_MINUS_BETA));
 
     /**
-     * So much of a speed is seen in its field, and so much of the speeds of an animation is steady enough to be read.
+     * The number of characters of a speed that fit into its field, and that are steady enough to be read in an
+     * animation.
      */
     private static final int CHARACTERS = 9;
 
@@ -40,7 +41,7 @@ public final class SpeedText {
 
     /**
      * The speed of a velocity on a scale, as short as a field: {@code 0.97}, {@code 1-1e-9}, {@code 1+5e-7}. As it was
-     * given, if it was given on that scale; of other numbers, which nobody typed, the first digits.
+     * given, if it was given on that scale; otherwise the first digits.
      */
     public static String of(Velocity velocity, SpeedScale scale) {
         if (scale == SpeedScale.BETA && isNearlyLight(velocity)) {
@@ -54,7 +55,7 @@ public final class SpeedText {
     }
 
     /**
-     * A velocity in units of c: its components, or near the speed of light, of which they tell nothing, speed times
+     * A velocity in units of c: its components or, near the speed of light, where these show no difference, speed times
      * direction.
      */
     public static String vector(Velocity velocity) {
@@ -71,7 +72,7 @@ public final class SpeedText {
      * The velocity of the speed that a text writes.
      *
      * @param scale the scale of a number without a name
-     * @throws InvalidPropertyException if the text is no speed, or the speed is out of range
+     * @throws InvalidPropertyException if the text is not a speed, or the speed is out of range
      */
     public static Velocity parse(String text, SpeedScale scale, Vector3dc direction) {
         String plain = text.strip()
@@ -103,7 +104,7 @@ public final class SpeedText {
         return Velocity.of(scale, number(digits, text), direction);
     }
 
-    /** By the rapidity: gamma would lose digits. */
+    /** Uses the rapidity, because gamma would lose digits. */
     private static Velocity ofGammaMinusOne(double value, Vector3dc direction) {
         if (!(value >= 0)) {
             // which refuses it

@@ -10,7 +10,7 @@ import javax.swing.text.JTextComponent;
 import javax.swing.text.TextAction;
 
 /**
- * Keeps keys from text that a layout has squeezed to nothing. Swing looks for the line of the caret there, finds none,
+ * Keeps keys from text that a layout has squeezed to nothing: Swing looks there for the line of the caret, finds none,
  * and fails.
  */
 public final class SqueezedText implements KeyEventDispatcher {
@@ -19,7 +19,7 @@ public final class SqueezedText implements KeyEventDispatcher {
 
     private SqueezedText() {}
 
-    /** Guards all text of the program. Called by the event thread, as often as one likes. */
+    /** Guards all text of the program. Called by the event thread; may be called several times. */
     static void guard() {
         KeyboardFocusManager manager = KeyboardFocusManager.getCurrentKeyboardFocusManager();
         manager.removeKeyEventDispatcher(INSTANCE);

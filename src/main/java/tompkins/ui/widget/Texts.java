@@ -20,7 +20,7 @@ public final class Texts {
 
     /** The text for a key, with values in its places {0}, {1}, ... */
     public static String get(String key, Object... values) {
-        // as texts: a number would be given signs between its thousands
+        // as texts, because numbers would get separators between thousands
         Object[] texts = Arrays.stream(values).map(String::valueOf).toArray();
         return new MessageFormat(get(key), Locale.ROOT).format(texts);
     }

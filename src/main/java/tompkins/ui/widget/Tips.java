@@ -11,7 +11,7 @@ public final class Tips {
 
     private Tips() {}
 
-    /** A tooltip, in lines that are not too long: between words, and within what is longer than a line. */
+    /** A tooltip in lines that are not too long, broken between words, and within words that are longer than a line. */
     public static String wrapped(String text) {
         return text.lines().flatMap(line -> lines(line).stream()).collect(Collectors.joining("\n"));
     }

@@ -10,12 +10,12 @@ import javax.swing.event.DocumentEvent;
 import javax.swing.text.JTextComponent;
 
 /**
- * What is typed into a text, word by word: the keys of undo and redo take back the last word and take it again. When
- * there is none they are free for what they do elsewhere.
+ * Remembers what is typed into a text, word by word: the keys of undo and redo take back the last word and bring it
+ * back. If there is no word, they do what they do elsewhere.
  */
 final class TypedWords {
 
-    /** After such a pause, what is typed is a word of its own. */
+    /** What is typed after such a pause is a word of its own. */
     private static final long PAUSE_NANOSECONDS = 1_000_000_000;
 
     private final JTextComponent text;
@@ -26,7 +26,9 @@ final class TypedWords {
     private DocumentEvent.EventType lastKind;
     private long lastTime;
 
-    /** The key or click of the last change: what is typed over a selection removes that first. */
+    /**
+     * The key or click of the last change; typing over a selection makes two changes, of which the first removes it.
+     */
     private AWTEvent lastInput;
 
     /** The words of a text. */
@@ -54,7 +56,7 @@ final class TypedWords {
         });
     }
 
-    /** Shows a text, with the caret behind what is not as it was. */
+    /** Shows a text, with the caret after what has changed. */
     private void show(String now) {
         int end = 0;
         while (end < Math.min(now.length(), last.length())
@@ -87,7 +89,7 @@ final class TypedWords {
         lastInput = input;
     }
 
-    /** What stands there now is taken, or was not typed. */
+    /** Forgets all words: the present text was taken, or was not typed. */
     void forget() {
         past.clear();
         future.clear();

@@ -1,11 +1,11 @@
 package tompkins.ui.widget;
 
-/** Tells changes by the user from those by the program: controls tell of both alike. */
+/** Distinguishes changes by the user from those by the program, because controls report both alike. */
 public final class Updating {
 
     private boolean active;
 
-    /** The program changes controls. */
+    /** Lets the program change controls. */
     public void during(Runnable change) {
         boolean before = active;
         active = true;

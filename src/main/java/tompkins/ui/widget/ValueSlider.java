@@ -15,7 +15,7 @@ public final class ValueSlider {
     private final Updating updating = new Updating();
     private Range range;
 
-    /** Where the knob was when it was shown or told last: a slider tells of a hand that only touches it, too. */
+    /** Where the knob was when it was last shown or reported: a slider also reports a hand that only touches it. */
     private int position;
 
     /**
@@ -52,7 +52,7 @@ public final class ValueSlider {
         return (int) Math.round(range.place(value) * STEPS);
     }
 
-    /** Other values at the ends; not while the hand moves the slider. */
+    /** Sets other values at the ends, but not while a hand moves the slider. */
     public void setRange(Range other) {
         if (!slider.getValueIsAdjusting()) {
             range = other;

@@ -16,7 +16,7 @@ import tompkins.property.NumberText;
 /** Fields for the two or three components of a vector, or of a colour. */
 public final class VectorFields {
 
-    /** What the components of a vector are called. */
+    /** The names of the components of a vector. */
     public static final List<String> AXES = List.of("x", "y", "z");
 
     private static final int DIRECTION_DIGITS = 4;
@@ -31,7 +31,7 @@ public final class VectorFields {
      *
      * @param property its name, for messages
      * @param kind which numbers the fields take
-     * @param names what the components are called, one for each field; components without a field are 0
+     * @param names the names of the components, one for each field; components without a field are 0
      * @param commit takes the vector, or throws
      */
     public VectorFields(
@@ -50,7 +50,7 @@ public final class VectorFields {
         }
     }
 
-    /** Fields for the direction of a motion; as those for a property. */
+    /** Fields for the direction of a motion, like those for a property. */
     public static VectorFields ofDirection(Note note, Consumer<Vector3dc> commit) {
         return new VectorFields("direction", NumberKind.DOUBLE, AXES, Texts.get("direction.tip"), note, commit);
     }
@@ -78,8 +78,8 @@ public final class VectorFields {
     }
 
     /**
-     * Shows a direction as a unit vector, so that nobody takes it for a velocity; but as it was typed if it was typed
-     * here, so that a second number does not change the first.
+     * Shows a direction as a unit vector, so that nobody takes it for a velocity; if it was typed here it is shown as
+     * it was typed, so that a second number does not change the first.
      */
     public void showDirection(Vector3dc direction) {
         show(direction.equals(typed) ? direction : roundedUnit(direction));

@@ -8,7 +8,7 @@ import tompkins.property.Meaning;
 import tompkins.sceneobject.Hidden;
 import tompkins.sceneobject.SceneObject;
 
-/** What the window calls types and properties: their names in words, and their meanings as tooltips. */
+/** The words of the window for types and properties: their names, and their meanings as tooltips. */
 public final class Wording {
 
     private Wording() {}
@@ -29,7 +29,7 @@ public final class Wording {
         return Texts.getOr("value." + value.name(), capital(words));
     }
 
-    /** What an element of a list is called. */
+    /** The name of an element of a list. */
     public static String nameOf(Object element) {
         if (element instanceof Hidden hidden) {
             return Texts.get("tree.hidden", hidden.description());

@@ -5,7 +5,7 @@ import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import javax.swing.text.JTextComponent;
 
-/** What texts that are wrapped have in common: each is as high as its width makes it, and Tab leaves it. */
+/** What wrapped texts have in common: the height follows from the width, and Tab leaves the text. */
 public final class WrappedText {
 
     private WrappedText() {}

@@ -2,7 +2,7 @@ package tompkins.ui.widget;
 
 import javax.swing.JTextArea;
 
-/** Text that is wrapped between words and as high as it then needs to be; Tab leaves it like any other field. */
+/** Text that is wrapped between words and has the height that this needs; Tab leaves it like any other field. */
 @SuppressWarnings("serial") // never written to a stream
 class WrappingArea extends JTextArea {
 

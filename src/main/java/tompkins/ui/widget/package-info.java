@@ -1,2 +1,2 @@
-/** What the parts of the window are made of: fields that refuse wrong entries, rows, notes, texts, looks. */
+/** The building blocks of the window: fields that refuse wrong entries, rows, notes, texts, looks. */
 package tompkins.ui.widget;

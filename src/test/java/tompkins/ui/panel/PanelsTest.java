@@ -608,7 +608,7 @@ class PanelsTest {
     @Test
     void whatIsMeasuredIsChosen() {
         Container panel = (Container) LawPanel.ofView(model).component();
-        JRadioButton measured = Components.find(panel, JRadioButton.class, "Measured: not a photograph");
+        JRadioButton measured = Components.find(panel, JRadioButton.class, "Measured: not a photo");
         assertThat(measured.isSelected()).isFalse();
         Studio before = model.studio();
         measured.doClick();
@@ -653,7 +653,7 @@ class PanelsTest {
         assertThat(compared.studio(now)).isEqualTo(now.withTransformation(TransformationLaw.GALILEAN));
         compareWith(panel, ComparePanel.Other.MEASURED);
         assertThat(compared.studio(now)).isEqualTo(now.withView(View.MEASURED));
-        assertThat(compared.name()).contains("not a photograph");
+        assertThat(compared.name()).contains("not a photo");
         compareWith(panel, ComparePanel.Other.SEEN);
         assertThat(compared.studio(now.withView(View.MEASURED))).isEqualTo(now);
         compareWith(panel, ComparePanel.Other.UNCHANGED_COLOURS);
