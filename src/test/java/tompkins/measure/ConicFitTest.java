@@ -164,6 +164,48 @@ class ConicFitTest {
         assertThat(ConicFit.of(points, 1).uncertainty(Conic::semiMajorAxis)).isGreaterThan(5 * exact);
     }
 
+    /** Of points that are far off, no ellipse beside the fit has a smaller sum of squared distances, to first order. */
+    @Test
+    void noConicBesideItIsBetter() {
+        Random random = new Random(11);
+        List<Vector2d> points = ellipse(14, 5, 3);
+        points.forEach(point -> point.add(0.6 * random.nextGaussian(), 0.6 * random.nextGaussian()));
+        ConicFit fit = ConicFit.of(points, 0.6);
+        Conic conic = fit.conic();
+        Vector2d centre = conic.centre();
+        double[] best = {
+            conic.semiMajorAxis(),
+            conic.semiMinorAxis(),
+            centre.x,
+            centre.y,
+            Math.atan2(conic.towardsVertex().y(), conic.towardsVertex().x())
+        };
+
+        assertThat(fit.kind()).isEqualTo(ConicFit.Kind.ELLIPSE);
+        assertThat(fit.residual()).isCloseTo(Math.sqrt(squares(points, best) / points.size()), within(1e-9));
+        for (int i = 0; i < best.length; i++) {
+            for (double step : new double[] {-1e-4, 1e-4}) {
+                double[] beside = best.clone();
+                beside[i] += step;
+                assertThat(squares(points, beside)).isGreaterThan(squares(points, best));
+            }
+        }
+    }
+
+    /** Sum of squares of x²/a² + y²/b² - 1, each divided by its gradient, for half axes, centre and turn. */
+    private static double squares(List<Vector2d> points, double... ellipse) {
+        double sum = 0;
+        for (Vector2d point : points) {
+            double toX = point.x - ellipse[2];
+            double toY = point.y - ellipse[3];
+            double x = (toX * Math.cos(ellipse[4]) + toY * Math.sin(ellipse[4])) / ellipse[0];
+            double y = (toY * Math.cos(ellipse[4]) - toX * Math.sin(ellipse[4])) / ellipse[1];
+            double distance = (x * x + y * y - 1) / (2 * Math.hypot(x / ellipse[0], y / ellipse[1]));
+            sum += distance * distance;
+        }
+        return sum;
+    }
+
     private static void assertNoise(List<Vector2d> exact, ToDoubleFunction<Conic> number, double truth) {
         double noise = 0.02;
         Random random = new Random(7);

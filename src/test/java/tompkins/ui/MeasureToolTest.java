@@ -16,6 +16,8 @@ import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JTextArea;
+import org.jfree.chart.ChartPanel;
+import org.jfree.data.xy.XYDataset;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -137,6 +139,13 @@ class MeasureToolTest {
                 (String) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.stringFlavor);
         assertThat(copied).startsWith("pixel_x [pixels],pixel_y [pixels],");
         assertThat(copied.lines().count()).isGreaterThan(200);
+        XYDataset curves =
+                driver.find(ChartPanel.class, "Profile").getChart().getXYPlot().getDataset();
+        assertThat(curves.getSeriesCount()).as("red, green, blue").isEqualTo(3);
+        assertThat(curves.getItemCount(0))
+                .as("all but the headings")
+                .isEqualTo((int) copied.lines().count() - 1);
+        assertThat(curves.getXValue(0, curves.getItemCount(0) - 1)).isCloseTo(320, within(3.0));
     }
 
     private String otherResults() {
