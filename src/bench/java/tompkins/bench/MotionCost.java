@@ -23,7 +23,8 @@ import tompkins.trace.RenderPlan;
 
 /**
  * What it costs that objects move: a thousand dice at rest, with one velocity, and with ten. Where a lamp lights them,
- * it rests in the scene: for dice at rest what it sees is prepared, for those that move its shadows are searched for.
+ * it rests in the scene: what it sees of dice at rest is prepared once, and of those that move for each piece of its
+ * way past them.
  */
 final class MotionCost {
 

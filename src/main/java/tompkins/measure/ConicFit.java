@@ -93,7 +93,8 @@ public record ConicFit(Conic conic, double residual, List<Neighbours> neighbours
     /**
      * Fits a conic to points.
      *
-     * @param pointUncertainty by how much each coordinate of a point is uncertain
+     * @param pointUncertainty by how much each coordinate of a point is uncertain; where points scatter by more, that
+     *     counts
      * @throws ArithmeticException if they are fewer than {@link #FEWEST}, or do not tell a conic
      */
     public static ConicFit of(List<? extends Vector2dc> points, double pointUncertainty) {
@@ -115,10 +116,12 @@ public record ConicFit(Conic conic, double residual, List<Neighbours> neighbours
                 .map(point -> point.sub(middle, new Vector2d()).div(unit))
                 .toList();
         Distances best = improved(near, new Distances(near, start(near)));
-        List<Neighbours> neighbours = best.neighbours(pointUncertainty / scale, scale, middle);
+        double residual = best.values.getNorm() / Math.sqrt(points.size());
+        List<Neighbours> neighbours =
+                best.neighbours(Math.max(pointUncertainty / scale, best.scatter()), scale, middle);
         Conic conic = conic(best.numbers).scaled(scale, middle);
         requireConic(conic.semiLatusRectum() > 0 && conic.focus().isFinite());
-        return new ConicFit(conic, scale * best.values.getNorm() / Math.sqrt(points.size()), neighbours);
+        return new ConicFit(conic, scale * residual, neighbours);
     }
 
     private static Conic conic(RealVector of) {
@@ -217,6 +220,12 @@ public record ConicFit(Conic conic, double residual, List<Neighbours> neighbours
                                 .combineToSelf(1, -value * x / (gradient * gradient * gradient), byX)
                                 .combineToSelf(1, -value * y / (gradient * gradient * gradient), byY));
             }
+        }
+
+        /** By how much points are off, as far as more of them tell it than a conic needs. */
+        double scatter() {
+            int more = values.getDimension() - FEWEST;
+            return more == 0 ? 0 : values.getNorm() / Math.sqrt(more);
         }
 
         List<Neighbours> neighbours(double pointUncertainty, double scale, Vector2dc origin) {

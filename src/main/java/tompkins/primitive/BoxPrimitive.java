@@ -24,7 +24,7 @@ public final class BoxPrimitive extends Primitive {
     private final Vector3d[] axes;
     private final double[] half;
 
-    // of each face
+    // of each face; null if the surface asks for no coordinates
     private final FaceCoordinates[] faces;
 
     /** The box of an object between two opposite corners, before it is placed. */
@@ -42,7 +42,7 @@ public final class BoxPrimitive extends Primitive {
         half = new double[] {
             size.x / 2 * placement.scale(), size.y / 2 * placement.scale(), size.z / 2 * placement.scale()
         };
-        faces = faces(size, placement);
+        faces = surface.usesCoordinates() ? faces(size, placement) : null;
     }
 
     private static FaceCoordinates[] faces(Vector3dc size, Placement placement) {
@@ -119,7 +119,7 @@ public final class BoxPrimitive extends Primitive {
                 side * normal.z,
                 this,
                 face,
-                hasCoordinates(memory) ? faces[face].at(x, y, z) : null);
+                faces == null ? null : faces[face].at(x, y, z));
     }
 
     /** Its eight corners: bit k of the number of a corner is 1 at the upper end of axis k. */

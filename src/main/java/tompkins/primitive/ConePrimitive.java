@@ -19,6 +19,7 @@ public final class ConePrimitive extends Primitive {
     private final double baseRadius;
     private final double slope;
 
+    /** Null if the surface asks for no coordinates. */
     private final RoundCoordinates round;
 
     /**
@@ -42,7 +43,9 @@ public final class ConePrimitive extends Primitive {
         slope = this.baseRadius / height;
         requireSquare(height);
         requireSquare(1 + slope);
-        round = RoundCoordinates.around(describedTip.sub(baseCentre, new Vector3d()), placement);
+        round = surface.usesCoordinates()
+                ? RoundCoordinates.around(describedTip.sub(baseCentre, new Vector3d()), placement)
+                : null;
     }
 
     /**
@@ -129,9 +132,9 @@ public final class ConePrimitive extends Primitive {
                 normal.z,
                 this,
                 0,
-                hasCoordinates(memory)
-                        ? round.at(radial, Math.max(radius, baseRadius * SMALLEST), 1 - along / height, height)
-                        : null);
+                round == null
+                        ? null
+                        : round.at(radial, Math.max(radius, baseRadius * SMALLEST), 1 - along / height, height));
     }
 
     @Override

@@ -31,6 +31,7 @@ public final class CylinderPrimitive extends Primitive {
     private final double radius;
     private final boolean caps;
 
+    // null if the surface asks for no coordinates
     private final RoundCoordinates round;
     private final FaceCoordinates startFace;
     private final FaceCoordinates endFace;
@@ -64,10 +65,12 @@ public final class CylinderPrimitive extends Primitive {
         requireSquare(length);
         requireSquare(length + this.radius);
         this.caps = caps;
-        round = RoundCoordinates.around(toEnd, placement);
+        boolean usesCoordinates = surface.usesCoordinates();
+        round = usesCoordinates ? RoundCoordinates.around(toEnd, placement) : null;
         double width = 2 * radius;
-        endFace = FaceCoordinates.across(Vectors.unit(toEnd), width, width, placement);
-        startFace = FaceCoordinates.across(Vectors.unit(toEnd).negate(), width, width, placement);
+        endFace = usesCoordinates ? FaceCoordinates.across(Vectors.unit(toEnd), width, width, placement) : null;
+        startFace =
+                usesCoordinates ? FaceCoordinates.across(Vectors.unit(toEnd).negate(), width, width, placement) : null;
     }
 
     /** The centre of its start, after the placement. */
@@ -258,18 +261,18 @@ public final class CylinderPrimitive extends Primitive {
                 normal.z,
                 this,
                 MANTLE,
-                hasCoordinates(memory) ? round.at(normal, radius, along, length) : null);
+                round == null ? null : round.at(normal, radius, along, length));
     }
 
     private Hit capHit(Ray ray, double distance, int part, Hit memory) {
         double scale = (part == START_CAP ? -1 : 1) / length;
         FaceCoordinates face = part == START_CAP ? startFace : endFace;
-        SurfaceCoordinates coordinates = hasCoordinates(memory)
-                ? face.at(
+        SurfaceCoordinates coordinates = face == null
+                ? null
+                : face.at(
                         ray.x + distance * ray.dx - startX,
                         ray.y + distance * ray.dy - startY,
-                        ray.z + distance * ray.dz - startZ)
-                : null;
+                        ray.z + distance * ray.dz - startZ);
         return memory.set(ray, distance, axisX * scale, axisY * scale, axisZ * scale, this, part, coordinates);
     }
 

@@ -151,7 +151,7 @@ public final class FlatPrimitive extends Primitive {
     @Override
     public Hit hit(Ray ray, double distance, Hit memory) {
         SurfaceCoordinates coordinates = null;
-        if (hasCoordinates(memory)) {
+        if (surface().usesCoordinates()) {
             double offsetX = ray.x - cornerX + distance * ray.dx;
             double offsetY = ray.y - cornerY + distance * ray.dy;
             double offsetZ = ray.z - cornerZ + distance * ray.dz;

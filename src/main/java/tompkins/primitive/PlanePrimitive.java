@@ -100,7 +100,7 @@ public final class PlanePrimitive extends Primitive {
     @Override
     public Hit hit(Ray ray, double distance, Hit memory) {
         SurfaceCoordinates coordinates = null;
-        if (hasCoordinates(memory)) {
+        if (surface().usesCoordinates()) {
             Vector3d offset = new Vector3d(
                     ray.x + distance * ray.dx - pointX,
                     ray.y + distance * ray.dy - pointY,

@@ -33,7 +33,6 @@ public abstract class Primitive implements Boundary, Cloneable {
     private final Described object;
     private final Surface surface;
     private final Shadow shadow;
-    private final boolean surfaceUsesCoordinates;
     private int order;
     private double slack;
     private RestFrame restFrame = RestFrame.OUTERMOST;
@@ -43,7 +42,6 @@ public abstract class Primitive implements Boundary, Cloneable {
         this.object = object;
         this.surface = surface;
         this.shadow = surface.shadow();
-        surfaceUsesCoordinates = surface.usesCoordinates();
     }
 
     /**
@@ -157,11 +155,6 @@ public abstract class Primitive implements Boundary, Cloneable {
 
     /** The same, in memory that is used again. */
     public abstract Hit hit(Ray ray, double distance, Hit memory);
-
-    /** Whether a hit in some memory is to have coordinates. */
-    final boolean hasCoordinates(Hit memory) {
-        return surfaceUsesCoordinates || memory.wantsCoordinates;
-    }
 
     /** A box that holds the primitive, or null if none does. */
     public abstract Bounds bounds();

@@ -16,6 +16,7 @@ public final class SpherePrimitive extends Primitive {
     private final double z;
     private final double radius;
 
+    /** Null if the surface asks for no coordinates. */
     private final RoundCoordinates round;
 
     /** A sphere of an object, before it is placed. */
@@ -27,7 +28,7 @@ public final class SpherePrimitive extends Primitive {
         y = centre.y;
         z = centre.z;
         this.radius = radius * placement.scale();
-        round = RoundCoordinates.around(new Vector3d(0, 1, 0), placement);
+        round = surface.usesCoordinates() ? RoundCoordinates.around(new Vector3d(0, 1, 0), placement) : null;
     }
 
     /** The centre, after the placement. */
@@ -96,7 +97,7 @@ public final class SpherePrimitive extends Primitive {
             ny = normal.y;
             nz = normal.z;
         }
-        SurfaceCoordinates coordinates = hasCoordinates(memory) ? coordinates(new Vector3d(nx, ny, nz)) : null;
+        SurfaceCoordinates coordinates = round == null ? null : coordinates(new Vector3d(nx, ny, nz));
         return memory.set(
                 ray, distance, x + radius * nx, y + radius * ny, z + radius * nz, nx, ny, nz, this, 0, coordinates);
     }

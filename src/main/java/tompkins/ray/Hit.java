@@ -30,24 +30,14 @@ public final class Hit {
     /** Which part of the boundary: objects number their mantles, caps and faces. */
     public int part;
 
-    /** Coordinates on the surface, or null where nobody asks for them. */
+    /** Coordinates on the surface, or null where the surface does not ask for them. */
     public SurfaceCoordinates coordinates;
 
-    /** Whether somebody asks for coordinates, also where the surface does not. */
-    public final boolean wantsCoordinates;
+    private Hit() {}
 
-    private Hit(boolean wantsCoordinates) {
-        this.wantsCoordinates = wantsCoordinates;
-    }
-
-    /** Memory for a hit, to be set again and again; it has coordinates where the surface asks for them. */
+    /** Memory for a hit, to be set again and again. */
     public static Hit blank() {
-        return new Hit(false);
-    }
-
-    /** Memory for a hit that always has coordinates. */
-    public static Hit blankWithCoordinates() {
-        return new Hit(true);
+        return new Hit();
     }
 
     /**

@@ -179,8 +179,11 @@ public final class Ray {
         return new Ray().set(this);
     }
 
-    /** Makes this equal to another ray. */
+    /** Makes this equal to another ray, which may be this one. */
     public Ray set(Ray other) {
+        if (other == this) {
+            return this;
+        }
         x = other.x;
         y = other.y;
         z = other.z;
@@ -230,6 +233,19 @@ public final class Ray {
         spread = 0;
         throughput = 1;
         depth = 0;
+        return this;
+    }
+
+    /**
+     * Turns this, which has just begun as a shadow ray, into light in vacuum of another unit direction in its frame.
+     */
+    public Ray aim(double toX, double toY, double toZ) {
+        dx = toX;
+        dy = toY;
+        dz = toZ;
+        slowness = 1;
+        frequency = 1;
+        stretch = 1;
         return this;
     }
 

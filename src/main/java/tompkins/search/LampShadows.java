@@ -1,6 +1,5 @@
 package tompkins.search;
 
-import java.util.List;
 import org.joml.Vector3dc;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
@@ -9,9 +8,9 @@ import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 
 /**
- * The primitives as a lamp sees them: a grid of directions, each with the primitives that lie there, the nearest first.
- * A shadow ray tests only those in its direction that are nearer to the lamp than its start (the light buffer of Haines
- * and Greenberg 1986). Built once for a scene and a lamp that stands outside it.
+ * The primitives as a lamp sees them: a grid of directions, each with the primitives that stand there, the nearest
+ * first. A shadow ray tests only those in its direction that are nearer to the lamp than its start (the light buffer of Haines and Greenberg 1986). Built once for a scene and
+ * a lamp that stands outside it, or for a piece of the way of a lamp that passes; then a cell holds everything that is seen there from any place of that piece.
  */
 public final class LampShadows {
 
@@ -30,16 +29,17 @@ public final class LampShadows {
      * long that the tree is faster, or there are none.
      */
     public static LampShadows of(Vector3dc position, ObjectTree objects) {
-        List<Primitive> bounded = objects.bounded();
-        if (bounded.isEmpty()) {
+        return of(position, position, objects);
+    }
+
+    /** As above, for a lamp on its straight way from one place to another; null also if the way is too long. */
+    static LampShadows of(Vector3dc from, Vector3dc to, ObjectTree objects) {
+        Bounds all = objects.bounds();
+        if (all == null) {
             return null;
         }
-        Bounds all = bounded.get(0).bounds();
-        for (Primitive primitive : bounded) {
-            all = all.with(primitive.bounds());
-        }
-        LightBufferProjection view = LightBufferProjection.of(position, all);
-        LightBuffer cells = view == null ? null : LightBuffer.of(position, view, bounded);
+        LightBufferProjection view = LightBufferProjection.of(from, to, all);
+        LightBuffer cells = view == null ? null : LightBuffer.of(view, objects.bounded());
         return cells == null ? null : new LampShadows(view, objects.unbounded().toArray(Primitive[]::new), cells);
     }
 
@@ -54,13 +54,24 @@ public final class LampShadows {
      * @param counts takes note of the work
      */
     public boolean shadows(Hit from, double dx, double dy, double dz, double limit, Ray memory, RayCounts counts) {
-        Ray ray = memory.setShadow(from, dx, dy, dz);
+        return shadows(from, memory.setShadow(from, dx, dy, dz), 0, limit, counts);
+    }
+
+    /**
+     * Whether something throws a shadow on a hit.
+     *
+     * @param ray the ray from the hit to the lamp
+     * @param share the part of its way that the lamp has covered, from 0 to 1
+     * @param limit distance of the lamp
+     * @param counts takes note of the work
+     */
+    public boolean shadows(Hit from, Ray ray, double share, double limit, RayCounts counts) {
         for (Primitive primitive : everywhere) {
             if (shadows(primitive, from, ray, limit, counts)) {
                 return true;
             }
         }
-        int part = view.part(dx, dy, dz);
+        int part = view.part(ray.dx, ray.dy, ray.dz, share);
         if (part == LightBufferProjection.OUTSIDE) {
             return false;
         }

@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
-import org.joml.Vector3dc;
 import tompkins.primitive.Primitive;
 
 /** What lies in the cells of a lamp's view, the nearest first. All cells lie one after the other in arrays. */
@@ -46,10 +45,10 @@ final class LightBuffer {
     }
 
     /** The cells of a view, or null if the primitives are seen in too many of them, or too many in one. */
-    static LightBuffer of(Vector3dc lamp, LightBufferProjection view, List<Primitive> primitives) {
+    static LightBuffer of(LightBufferProjection view, List<Primitive> primitives) {
         long most = Math.max((long) MOST_IN_MEAN * CELLS, (long) MOST_CELLS_OF_MANY * primitives.size());
         ProjectedBounds[] sights = primitives.parallelStream()
-                .map(primitive -> ProjectedBounds.of(primitive, lamp, view))
+                .map(primitive -> ProjectedBounds.of(primitive, view))
                 .toArray(ProjectedBounds[]::new);
         // what crosses a rectangle is seen in each of its columns or in each of its rows
         long least = Arrays.stream(sights)
@@ -109,7 +108,7 @@ final class LightBuffer {
         return starts[cell];
     }
 
-    /** Place behind the last entry of a cell. */
+    /** Place after the last entry of a cell. */
     int end(int cell) {
         return starts[cell + 1];
     }

@@ -1,5 +1,6 @@
 package tompkins.search;
 
+import java.util.function.Function;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.math.Vectors;
@@ -7,15 +8,13 @@ import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
 
 /**
- * What a lamp that stands outside a scene sees of it: a square of cells, each a range of slopes to the right and up.
+ * What a lamp outside a scene sees of it, at rest or on a piece of its way: a square of cells, each a range of slopes
+ * to the right and up.
  */
 final class LightBufferProjection {
 
-    /** Widening of cells and of the view against rounding of slopes, which are 4 at most. */
-    private static final double MARGIN = 1e-7;
-
-    /** Least cosine between the middle of the view and its edge. */
-    private static final double LEAST_COSINE = 0.3;
+    /** Widening of cells. */
+    private static final double MARGIN = LampPlace.MARGIN;
 
     /** Least sine of an angle that counts as more than 0. */
     private static final double LEAST_SINE = 1e-3;
@@ -88,25 +87,10 @@ final class LightBufferProjection {
      */
     record Strip(double perU, double perV, double least, double most) {}
 
-    /** The numbers between two limits. */
-    private record Range(double least, double most) {
+    /** Where the lamp begins and ends its way; one place if it rests. */
+    private final LampPlace[] places;
 
-        Range and(Range other) {
-            return new Range(Math.max(least, other.least), Math.min(most, other.most));
-        }
-
-        Range times(double factor) {
-            return factor > 0 ? new Range(least * factor, most * factor) : new Range(most * factor, least * factor);
-        }
-
-        Range minus(Range other) {
-            return new Range(least - other.most, most - other.least);
-        }
-    }
-
-    private final double x;
-    private final double y;
-    private final double z;
+    private final double length;
     private final Vector3dc right;
     private final Vector3dc up;
     private final Vector3dc forward;
@@ -116,6 +100,11 @@ final class LightBufferProjection {
     private final double cellV;
     private final double partsPerU;
     private final double partsPerV;
+
+    // what the whole way does to slopes
+    private final double shiftU;
+    private final double shiftV;
+    private final double approach;
 
     // the axes as plain numbers, because every shadow ray asks for them
     private final double rightX;
@@ -128,10 +117,8 @@ final class LightBufferProjection {
     private final double forwardY;
     private final double forwardZ;
 
-    private LightBufferProjection(Vector3dc lamp, Vector3dc forward, Bounds all) {
-        x = lamp.x();
-        y = lamp.y();
-        z = lamp.z();
+    private LightBufferProjection(LampPlace[] places, Vector3dc forward, Bounds all) {
+        this.places = places;
         this.forward = forward;
         right = Vectors.firstAxis(forward);
         up = forward.cross(right, new Vector3d());
@@ -144,67 +131,62 @@ final class LightBufferProjection {
         forwardX = forward.x();
         forwardY = forward.y();
         forwardZ = forward.z();
-        Range slopesU = slopes(all, right);
-        Range slopesV = slopes(all, up);
-        leastU = slopesU.least;
-        leastV = slopesV.least;
-        cellU = (slopesU.most - slopesU.least) / SIDE;
-        cellV = (slopesV.most - slopesV.least) / SIDE;
+        Range slopesU = slopes(place -> place.slopes(all, right));
+        Range slopesV = slopes(place -> place.slopes(all, up));
+        leastU = slopesU.least();
+        leastV = slopesV.least();
+        cellU = (slopesU.most() - slopesU.least()) / SIDE;
+        cellV = (slopesV.most() - slopesV.least()) / SIDE;
         partsPerU = PARTS / cellU;
         partsPerV = PARTS / cellV;
+        LampPlace last = places[places.length - 1];
+        length = last.place().distance(places[0].place());
+        shiftU = last.offset().dot(right);
+        shiftV = last.offset().dot(up);
+        approach = last.offset().dot(forward);
     }
 
     /**
-     * The view of a lamp.
+     * The view of a lamp that goes straight on from one place to another, which may be the same.
      *
      * @param all a box around what it sees
-     * @return null if the box reaches beside or behind the lamp
+     * @return null if the box reaches beside or behind the lamp, or is nearer than the length of the way
      */
-    static LightBufferProjection of(Vector3dc lamp, Bounds all) {
-        Vector3d toCentre = all.centre().sub(lamp);
+    static LightBufferProjection of(Vector3dc from, Vector3dc to, Bounds all) {
+        Vector3d toCentre = all.centre().sub(from);
         if (!(toCentre.length() > 0)) {
             return null;
         }
         Vector3d forward = Vectors.unit(toCentre);
-        for (int corner = 0; corner < 8; corner++) {
-            Vector3d to = new Vector3d(
-                            (corner & 1) == 0 ? all.minX() : all.maxX(),
-                            (corner & 2) == 0 ? all.minY() : all.maxY(),
-                            (corner & 4) == 0 ? all.minZ() : all.maxZ())
-                    .sub(lamp);
-            if (!(to.dot(forward) > LEAST_COSINE * to.length())) {
+        LampPlace first = LampPlace.first(from, forward);
+        LampPlace[] places = from.equals(to)
+                ? new LampPlace[] {first}
+                : new LampPlace[] {first, first.next(to, toCentre.dot(forward))};
+        for (LampPlace place : places) {
+            if (!place.faces(all, from.distance(to))) {
                 return null;
             }
         }
-        return new LightBufferProjection(lamp, forward, all);
+        return new LightBufferProjection(places, forward, all);
     }
 
-    /** The slopes under which a box is seen, in a direction across the view. */
-    private Range slopes(Bounds box, Vector3dc across) {
-        Range ahead = extent(box, forward);
-        Range sideways = extent(box, across);
-        return new Range(
-                sideways.least / (sideways.least < 0 ? ahead.least : ahead.most) - MARGIN,
-                sideways.most / (sideways.most > 0 ? ahead.least : ahead.most) + MARGIN);
+    /** The range of slopes under which something is seen from all places. */
+    private Range slopes(Function<LampPlace, Range> from) {
+        Range all = from.apply(places[0]);
+        for (int i = 1; i < places.length; i++) {
+            all = all.with(from.apply(places[i]));
+        }
+        return all;
     }
 
-    /** From where to where a box reaches in a direction, seen from the lamp. */
-    private Range extent(Bounds box, Vector3dc direction) {
-        double centre = box.centre().sub(x, y, z).dot(direction);
-        double half = 0.5
-                * ((box.maxX() - box.minX()) * Math.abs(direction.x())
-                        + (box.maxY() - box.minY()) * Math.abs(direction.y())
-                        + (box.maxZ() - box.minZ()) * Math.abs(direction.z()));
-        return new Range(centre - half, centre + half);
-    }
-
-    /** The slopes under which a primitive is seen: those of its box, narrowed where the primitive is narrower. */
-    private Range slopes(Primitive primitive, Bounds box, Vector3dc across) {
-        Range range = slopes(box, across);
-        double far = extent(box, forward).most;
-        return new Range(
-                range.least + gap(primitive, across, range.least, 1) / far - MARGIN,
-                range.most - gap(primitive, across, range.most, -1) / far + MARGIN);
+    /** A lower bound of the distance of a box from the lamp, wherever on its way it is; 0 or more. */
+    float leastDistance(Bounds box) {
+        double least = Double.POSITIVE_INFINITY;
+        for (LampPlace place : places) {
+            double rounding = Primitive.SLACK * (box.farthest() + place.place().length());
+            least = Math.min(least, box.distance(place.place()) - rounding);
+        }
+        return Math.max(0, Math.nextDown((float) (least - length / 2)));
     }
 
     /**
@@ -213,15 +195,17 @@ final class LightBufferProjection {
      * @param box its bounds, widened
      */
     Rectangle rectangle(Primitive primitive, Bounds box) {
-        return rectangle(slopes(primitive, box, right), slopes(primitive, box, up));
+        return rectangle(
+                slopes(place -> place.slopes(primitive, box, right)),
+                slopes(place -> place.slopes(primitive, box, up)));
     }
 
     private Rectangle rectangle(Range u, Range v) {
         return new Rectangle(
-                limited((u.least - leastU) * partsPerU),
-                limited((u.most - leastU) * partsPerU),
-                limited((v.least - leastV) * partsPerV),
-                limited((v.most - leastV) * partsPerV));
+                limited((u.least() - leastU) * partsPerU),
+                limited((u.most() - leastU) * partsPerU),
+                limited((v.least() - leastV) * partsPerV),
+                limited((v.most() - leastV) * partsPerV));
     }
 
     /** The nearest place of a part that lies in the view. */
@@ -239,7 +223,7 @@ final class LightBufferProjection {
         if (axis == null) {
             return null;
         }
-        Vector3d centre = box.centre().sub(x, y, z);
+        Vector3d centre = box.centre().sub(places[0].place());
         // how its slopes change along it
         Vector3d change = axis.fma(-axis.dot(forward) / centre.dot(forward), centre, new Vector3d());
         double perU = -change.dot(up);
@@ -250,8 +234,9 @@ final class LightBufferProjection {
         }
         perU /= length;
         perV /= length;
-        Range range = slopes(primitive, box, right.mul(perU, new Vector3d()).fma(perV, up));
-        return new Strip(perU, perV, range.least, range.most);
+        Vector3d across = right.mul(perU, new Vector3d()).fma(perV, up);
+        Range range = slopes(place -> place.slopes(primitive, box, across));
+        return new Strip(perU, perV, range.least(), range.most());
     }
 
     /** The rectangle around that part of a strip that lies in some rows of a column of cells; it may be empty. */
@@ -270,21 +255,20 @@ final class LightBufferProjection {
 
     /** Whether a primitive may be seen in a square of cells. */
     boolean isSeen(Primitive primitive, int column, int row, int size) {
-        return !(gap(primitive, right, leastU + (column + size) * cellU + MARGIN, 1) > 0
-                || gap(primitive, right, leastU + column * cellU - MARGIN, -1) > 0
-                || gap(primitive, up, leastV + (row + size) * cellV + MARGIN, 1) > 0
-                || gap(primitive, up, leastV + row * cellV - MARGIN, -1) > 0);
+        return !(isBeyond(primitive, right, leastU + (column + size) * cellU + MARGIN, 1)
+                || isBeyond(primitive, right, leastU + column * cellU - MARGIN, -1)
+                || isBeyond(primitive, up, leastV + (row + size) * cellV + MARGIN, 1)
+                || isBeyond(primitive, up, leastV + row * cellV - MARGIN, -1));
     }
 
-    /**
-     * How far across the view all of a primitive stands from the plane of a slope, above it (sign 1) or below it (sign
-     * -1); 0 if not all does.
-     */
-    private double gap(Primitive primitive, Vector3dc across, double slope, int sign) {
-        double nx = sign * (across.x() - slope * forward.x());
-        double ny = sign * (across.y() - slope * forward.y());
-        double nz = sign * (across.z() - slope * forward.z());
-        return Math.max(0, primitive.conservativeMinimumAlong(nx, ny, nz) - (nx * x + ny * y + nz * z));
+    /** Whether all of a primitive is seen above a slope (sign 1) or below it (sign -1), from all places. */
+    private boolean isBeyond(Primitive primitive, Vector3dc across, double slope, int sign) {
+        for (LampPlace place : places) {
+            if (!(place.gap(primitive, across, slope, sign) > 0)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /**
@@ -294,15 +278,16 @@ final class LightBufferProjection {
      * @param dx unit vector from a place to the lamp
      * @param dy its second component
      * @param dz its third component
+     * @param share the part of its way that the lamp has covered, from 0 to 1
      */
-    int part(double dx, double dy, double dz) {
+    int part(double dx, double dy, double dz, double share) {
         double ahead = -(dx * forwardX + dy * forwardY + dz * forwardZ);
         if (!(ahead > 0)) {
             return OUTSIDE;
         }
-        double scale = 1 / ahead;
-        double u = -(dx * rightX + dy * rightY + dz * rightZ) * scale - leastU;
-        double v = -(dx * upX + dy * upY + dz * upZ) * scale - leastV;
+        double scale = (1 - share * approach) / ahead;
+        double u = share * shiftU - (dx * rightX + dy * rightY + dz * rightZ) * scale - leastU;
+        double v = share * shiftV - (dx * upX + dy * upY + dz * upZ) * scale - leastV;
         double column = u * partsPerU;
         double row = v * partsPerV;
         return column >= 0 && row >= 0 && column < ALL_PARTS && row < ALL_PARTS

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
 import tompkins.ray.Ray;
 import tompkins.sceneobject.PrimitiveCollector;
@@ -72,6 +73,11 @@ public final class ObjectTree {
     /** Whether most bounded primitives are much longer than wide, like rods. */
     boolean isMostlyLong() {
         return mostlyLong;
+    }
+
+    /** A box around the bounded primitives, or null if there are none. */
+    Bounds bounds() {
+        return bounded.stream().map(Primitive::bounds).reduce(Bounds::with).orElse(null);
     }
 
     /** The primitives with bounds. */

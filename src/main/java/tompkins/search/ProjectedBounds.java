@@ -1,6 +1,5 @@
 package tompkins.search;
 
-import org.joml.Vector3dc;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
 
@@ -17,12 +16,10 @@ record ProjectedBounds(
         LightBufferProjection.Rectangle rectangle,
         LightBufferProjection.Strip strip) {
 
-    /** A primitive as a lamp with the given view sees it. */
-    static ProjectedBounds of(Primitive primitive, Vector3dc lamp, LightBufferProjection view) {
+    /** How a primitive is seen in a view. */
+    static ProjectedBounds of(Primitive primitive, LightBufferProjection view) {
         Bounds box = primitive.bounds().widened();
-        double rounding = Primitive.SLACK * (box.farthest() + lamp.length());
-        float leastDistance = Math.nextDown((float) (box.distance(lamp) - rounding));
         return new ProjectedBounds(
-                primitive, Math.max(0, leastDistance), view.rectangle(primitive, box), view.strip(primitive, box));
+                primitive, view.leastDistance(box), view.rectangle(primitive, box), view.strip(primitive, box));
     }
 }

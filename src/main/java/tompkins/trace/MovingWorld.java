@@ -57,11 +57,12 @@ final class MovingWorld {
     /**
      * The colour that light has for the camera.
      *
-     * @param ray the ray along which it is seen, in the frame in which it was sent out
+     * @param frequency that of the ray along which it is seen: in the frame in which it was sent out, divided by that
+     *     in the camera frame
      * @param lampFactor frequency in that frame divided by that in the frame of the lamp that it comes from
      */
-    Colour seen(Colour light, Ray ray, double lampFactor) {
-        return shift.seen(light, lampFactor, 1 / ray.frequency);
+    Colour seen(Colour light, double frequency, double lampFactor) {
+        return shift.seen(light, lampFactor, 1 / frequency);
     }
 
     /** The ray of a frame in the scene frame. */

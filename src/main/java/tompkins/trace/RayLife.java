@@ -91,8 +91,8 @@ public record RayLife(
      * @param dopplerFactor frequency in the camera frame divided by that in this frame; no number if there is none
      * @param normal unit normal of the surface, out of the object or to the side named as front, along the axes of this
      *     frame
-     * @param u first coordinate on the surface, as the object runs it
-     * @param v second coordinate
+     * @param u first coordinate on the surface, as the object runs it; no number where the surface has no use for it
+     * @param v second coordinate; no number where the surface has no use for it
      */
     public record Rest(
             FrameMotion motion,
@@ -203,8 +203,8 @@ public record RayLife(
                             hit.clockReading(),
                             ratio(ray),
                             new Vector3d(hit.normalX, hit.normalY, hit.normalZ),
-                            hit.coordinates.u(),
-                            hit.coordinates.v())));
+                            hit.coordinates == null ? Double.NaN : hit.coordinates.u(),
+                            hit.coordinates == null ? Double.NaN : hit.coordinates.v())));
         }
 
         private static Event start(Ray ray) {

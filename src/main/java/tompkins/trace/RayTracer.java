@@ -21,8 +21,8 @@ import tompkins.surface.Surface;
 import tompkins.surface.Tracer;
 
 /**
- * Follows rays among the objects of one frame, or among all that moves in it, too: the nearest hit decides, and what
- * leaves the objects goes beyond. One for each thread.
+ * Follows rays among the objects of one frame, and among everything that moves
+ * in it: the nearest hit decides, and what leaves the objects goes beyond them. One for each thread.
  */
 final class RayTracer implements Tracer, Lighting {
 
@@ -39,10 +39,10 @@ final class RayTracer implements Tracer, Lighting {
     private final RayCounts counts;
     private final PathObserver observer;
     private final NearestHit nearest;
-    private final Hit hitMemory;
+    private final Hit hitMemory = Hit.blank();
     private final Ray startMemory = Ray.blank();
 
-    /** The number of the frame whose hit is answered now; 0 is that of this tracer. */
+    /** The number of the frame of the present hit; 0 is that of this tracer. */
     private int frame;
 
     /** The event of that hit, in the frame in which its ray has begun, if something moves. */
@@ -50,7 +50,7 @@ final class RayTracer implements Tracer, Lighting {
 
     private int eventFrame;
 
-    /** What becomes of the light of that hit on its way to the camera, where light is shifted as it leaves a hit. */
+    /** The factor of the light of that hit on its way to the camera, if light is shifted as it leaves a hit. */
     private Colour way = Colour.WHITE;
 
     /**
@@ -81,7 +81,6 @@ final class RayTracer implements Tracer, Lighting {
         this.counts = counts;
         this.nearest = nearest;
         this.observer = observer;
-        hitMemory = newHit();
     }
 
     /** Begins a packet: forgets what was seen before, so that the work for a packet depends on nothing else. */
@@ -133,12 +132,7 @@ final class RayTracer implements Tracer, Lighting {
         }
         counts.rays++;
         frame = startFrame;
-        return withBeyond(follow(start, search(start), newHit()));
-    }
-
-    /** Memory for a hit; whoever watches wants to know where on the surface it is. */
-    private Hit newHit() {
-        return observer == null ? Hit.blank() : Hit.blankWithCoordinates();
+        return withBeyond(follow(start, search(start), Hit.blank()));
     }
 
     private boolean search(Ray ray) {
@@ -181,8 +175,11 @@ final class RayTracer implements Tracer, Lighting {
         counts.rays++;
         frame = 0;
         way = Colour.WHITE;
-        Ray start = rays.copy(index, startMemory);
-        return withBeyond(follow(start, movingWorld.search().nearest(index, start), hitMemory));
+        if (!movingWorld.search().nearest(index)) {
+            Colour far = beyond.colour(rays, index);
+            return shifts() ? movingWorld.seen(far, rays.frequency[index], 1) : far;
+        }
+        return withBeyond(follow(movingWorld.search().ray(), true, hitMemory));
     }
 
     /** The light that comes back along a ray of a packet, which is searched for alone. */
@@ -207,18 +204,18 @@ final class RayTracer implements Tracer, Lighting {
             return path.light();
         }
         Colour far = path.factor().times(beyond.colour(left));
-        return path.light().plus(shifts() ? movingWorld.seen(far, left, 1) : far);
+        return path.light().plus(shifts() ? movingWorld.seen(far, left.frequency, 1) : far);
     }
 
     /**
-     * Follows a ray whose nearest hit has just been searched. The memory is for its hits, of which each is over before
-     * the next.
+     * Follows a ray whose nearest hit has just been searched. The memory is for its hits, each
+     * of which is dealt with before the next.
      */
     private Followed follow(Ray start, boolean startHits, Hit memory) {
         Ray ray = start;
         boolean hits = startHits;
         Colour light = Colour.BLACK;
-        // the light of a branch is weakened by whoever has asked for it, unless it is shifted where it begins
+        // the surface that asked for a branch weakens its light, unless that is shifted where it begins
         Colour share = shifts() ? way : Colour.WHITE;
         if (hits && place == Frame.SCENE) {
             counts.sceneHits++;
@@ -303,7 +300,7 @@ final class RayTracer implements Tracer, Lighting {
 
     @Override
     public Colour seen(Colour light, Ray ray, double dopplerFactor) {
-        return movingWorld.seen(light.times(way), ray, dopplerFactor);
+        return movingWorld.seen(light.times(way), ray.frequency, dopplerFactor);
     }
 
     @Override

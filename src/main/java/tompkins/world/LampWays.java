@@ -9,6 +9,7 @@ import tompkins.ray.Hit;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 import tompkins.search.LampShadows;
+import tompkins.search.LampTrack;
 import tompkins.search.NearestHit;
 import tompkins.search.ObjectTree;
 import tompkins.spacetime.TransformationLaw;
@@ -75,16 +76,15 @@ public final class LampWays {
             sight.set(at.x() - hit.x, at.y() - hit.y, at.z() - hit.z);
             return true;
         }
-        routes.transform(eventFrame, lampFrame, eventRay.setShadow(event, 0, 0, 1), eventRay);
-        double x = at.x() - eventRay.x;
-        double y = at.y() - eventRay.y;
-        double z = at.z() - eventRay.z;
+        routes.transform(eventFrame, lampFrame, way.setShadow(event, 0, 0, 1), way);
+        double x = at.x() - way.x;
+        double y = at.y() - way.y;
+        double z = at.z() - way.z;
         double length = Math.sqrt(x * x + y * y + z * z);
         if (length == 0) {
             return false;
         }
-        place.setPlace(eventRay.x, eventRay.y, eventRay.z, eventRay.time);
-        routes.transform(lampFrame, frame, way.setShadow(place, x / length, y / length, z / length), way);
+        routes.transform(lampFrame, frame, way.aim(x / length, y / length, z / length), way);
         double stretched = length * way.stretch;
         sight.set(way.dx * stretched, way.dy * stretched, way.dz * stretched, way.stretch, 1);
         return true;
@@ -164,9 +164,17 @@ public final class LampWays {
     }
 
     private boolean isDark(int source, int frame, Hit start, Ray ray, double length) {
-        LampShadows seen = lampFrames[source] == frame ? world.lampShadows(source) : null;
+        LampShadows seen = null;
+        double place = 0;
+        LampTrack track = world.lampTrack(source, frame);
+        if (lampFrames[source] == frame) {
+            seen = world.lampShadows(source);
+        } else if (track != null) {
+            place = track.at(ray, length);
+            seen = place == LampTrack.NOWHERE ? null : track.seenFrom(place);
+        }
         if (seen != null) {
-            return seen.shadows(start, ray.dx, ray.dy, ray.dz, length, eventRay, counts);
+            return seen.shadows(start, ray, place - Math.floor(place), length, counts);
         }
         Primitive last = lastShadows[frame];
         if (last != null && last.shadows(ray, length)) {

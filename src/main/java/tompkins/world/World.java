@@ -3,6 +3,7 @@ package tompkins.world;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.joml.Matrix3d;
@@ -19,7 +20,9 @@ import tompkins.sceneobject.ImagePoints;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
 import tompkins.search.LampShadows;
+import tompkins.search.LampTrack;
 import tompkins.search.ObjectTree;
+import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
@@ -37,8 +40,8 @@ public final class World {
     private static final int MOST_BUFFERS = 16;
 
     /**
-     * The most primitives that all lamps with buffers see together: a million take 30 MB and half a second for each
-     * lamp.
+     * The most primitives that all lamps with buffers see together: a million take 30 MB
+     * and half a second for each lamp. Lamps that pass may see the same number again.
      */
     private static final int MOST_SEEN = 2_000_000;
 
@@ -54,6 +57,9 @@ public final class World {
     private final List<LightSource> lights = new ArrayList<>();
     private final List<FrameObjects> lightFrames = new ArrayList<>();
     private final List<LampShadows> lampShadows = new ArrayList<>();
+
+    /** For each light and frame the way of the light past what rests there, or null if that is not prepared. */
+    private final LampTrack[][] lampTracks;
 
     /**
      * Prepares the scene of a studio.
@@ -97,6 +103,10 @@ public final class World {
                         .toList())
                 .toList();
         prepareShadows(plain);
+        lampTracks = new LampTrack[lights.size()][frames.size()];
+        if (!plain && frames.size() > 1) {
+            prepareTracks(routes(crossing));
+        }
     }
 
     private void add(LightSource source, PrimitiveCollector collector, Placement placement) {
@@ -138,6 +148,28 @@ public final class World {
         } catch (ArithmeticException beyondNumbers) {
             throw PrimitiveCollector.refusal("scene", "larger");
         }
+    }
+
+    private void prepareTracks(FrameRoutes routes) {
+        AtomicLong left = new AtomicLong(MOST_SEEN);
+        for (int i = 0; i < Math.min(MOST_BUFFERS, lights.size()); i++) {
+            Vector3dc lamp = lights.get(i).position();
+            int own = frameOfLight(i);
+            for (int frame = 0; frame < frames.size() && lamp != null; frame++) {
+                if (frame != own) {
+                    lampTracks[i][frame] = LampTrack.of(
+                            place(routes, own, frame, lamp, 0),
+                            place(routes, own, frame, lamp, 1),
+                            objects.get(frame),
+                            left);
+                }
+            }
+        }
+    }
+
+    private static Vector3dc place(FrameRoutes routes, int from, int to, Vector3dc place, double time) {
+        return routes.transform(from, to, new Event(place.x(), place.y(), place.z(), time))
+                .position();
     }
 
     /** Whether the same would be prepared for a studio, whatever its camera is. */
@@ -243,6 +275,11 @@ public final class World {
     /** What a light source sees of what rests with it, or null if that is not prepared. */
     public LampShadows lampShadows(int source) {
         return lampShadows.get(source);
+    }
+
+    /** The way of a light source past what rests in another frame than its own, or null if that is not prepared. */
+    LampTrack lampTrack(int source, int frame) {
+        return lampTracks[source][frame];
     }
 
     /** The ways between the frames. */

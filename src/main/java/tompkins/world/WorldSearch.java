@@ -11,8 +11,8 @@ import tompkins.search.PacketSearch;
 import tompkins.search.TreeParts;
 
 /**
- * The search for the nearest hit in several frames. A ray is taken into each of them; its distances there are told in
- * the units of the direction that it had at the camera, which are the same in all frames. One for each thread.
+ * The search for the nearest hit in several frames. A ray is taken into each of them; its distances there are given in units of
+ * the direction that it had at the camera, which are the same in all frames. One for each thread.
  */
 public final class WorldSearch {
 
@@ -22,6 +22,7 @@ public final class WorldSearch {
     private final NearestHit nearest;
     private final Ray[] mapped;
     private final FramePacket[] packets;
+    private final Ray packetStart = Ray.blank();
     private RayPacket sceneRays;
 
     // of the search that was made last
@@ -52,6 +53,10 @@ public final class WorldSearch {
         final RayPacket rays = new RayPacket(RayPacket.MOST);
         final PacketSearch search = new PacketSearch();
         final EntryNodes entries = new EntryNodes();
+
+        /** The ray that is searched for now. */
+        final Ray ray = Ray.blank();
+
         /** Where each ray must search; null if what they meet was found for all together. */
         TreeParts parts;
 
@@ -59,10 +64,10 @@ public final class WorldSearch {
     }
 
     /**
-     * Searches the nearest primitive that a ray hits, in all frames.
+     * Searches for the nearest primitive that a ray hits, in all frames.
      *
      * @param from the frame of the ray
-     * @return whether there is one; it stands in the memory of the thread, {@link #ray()} and {@link #frame()}
+     * @return whether there is one; it is in the memory of the thread, {@link #ray()} and {@link #frame()}
      */
     public boolean nearest(Ray start, int from) {
         begin(start, from);
@@ -77,6 +82,11 @@ public final class WorldSearch {
                 trees[i].nearest(inFrame, limit(inFrame), nearest);
                 compare(inFrame, i);
             }
+        }
+        ray = frame == from ? start : mapped[frame];
+        if (found != null && frame != from) {
+            // the ray must stay as it is while others are searched for
+            mapped[frame] = Ray.blank();
         }
         return end();
     }
@@ -97,15 +107,19 @@ public final class WorldSearch {
     }
 
     /** As {@link #nearest(Ray, int)}, for a ray of that packet; asked in the order of the places. */
-    public boolean nearest(int place, Ray start) {
-        begin(start, 0);
+    public boolean nearest(int place) {
+        begin(packetStart, 0);
         for (int i : filled) {
-            search(packets[i], i, place, start);
+            search(packets[i], i, place);
+        }
+        if (found != null) {
+            sceneRays.copy(place, packetStart);
+            ray = packets[frame].ray;
         }
         return end();
     }
 
-    private void search(FramePacket packet, int index, int place, Ray start) {
+    private void search(FramePacket packet, int index, int place) {
         boolean isFound = packet.parts == null;
         if (!isFound && place % EntryNodes.RAYS == 0) {
             packet.hasEntries = packet.entries.find(
@@ -118,7 +132,7 @@ public final class WorldSearch {
         if (isFound && !packet.search.mayMeet(place) || Double.isNaN(packet.rays.dx[place])) {
             return;
         }
-        Ray inFrame = index == 0 ? start : packet.rays.copy(place, mapped[index]);
+        Ray inFrame = packet.rays.copy(place, packet.ray);
         double limit = limit(inFrame);
         if (isFound) {
             packet.search.nearest(inFrame, place, limit, nearest);
@@ -137,14 +151,13 @@ public final class WorldSearch {
         distance = Primitive.NO_HIT;
         share = Primitive.NO_HIT;
         frame = newFrom;
-        ray = newStart;
     }
 
     private double limit(Ray inFrame) {
         return found == null ? Primitive.NO_HIT : share * inFrame.stretch;
     }
 
-    /** Takes what was found last, if it is nearer than all before; of equally near ones the one listed first. */
+    /** Takes what was found last if it is nearer than everything before; of equally near primitives it takes the one listed first. */
     private void compare(Ray inFrame, int index) {
         Primitive candidate = nearest.primitive();
         if (candidate == null) {
@@ -156,17 +169,12 @@ public final class WorldSearch {
             distance = nearest.distance();
             share = candidateShare;
             frame = index;
-            ray = inFrame;
         }
     }
 
     private boolean end() {
         nearest.resume(found, distance);
         nearest.forgetLeaf();
-        if (found != null && ray == mapped[frame]) {
-            // whoever follows the ray keeps it while others are searched for
-            mapped[frame] = Ray.blank();
-        }
         return found != null;
     }
 
@@ -175,12 +183,12 @@ public final class WorldSearch {
         return frame;
     }
 
-    /** The ray that was searched for last, in that frame. */
+    /** The ray of that hit, in that frame. */
     public Ray ray() {
         return ray;
     }
 
-    /** The frame in which the search that was made last has begun. */
+    /** The frame in which the last search began. */
     public int startFrame() {
         return from;
     }

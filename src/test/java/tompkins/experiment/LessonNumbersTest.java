@@ -48,7 +48,8 @@ class LessonNumbersTest {
                         "11-slices",
                         0.8 * gamma(0.8) * (1 - 1.0 / 5),
                         0.8 * gamma(0.8) * (1 - 1.0 / 20),
-                        0.8 * gamma(0.8)),
+                        0.8 * gamma(0.8),
+                        widthOfBallInSlices(0.999, 25)),
                 lesson("12-shutter", blurAtTheLens(), 0));
     }
 
@@ -108,6 +109,15 @@ class LessonNumbersTest {
 
     private static Studio studio(String name) throws IOException {
         return BundledScenes.studio("lesson-" + name + ".json");
+    }
+
+    /**
+     * Of a ball of diameter 1 that is contracted to ellipses, each seen where it was when light from its depth started:
+     * the outermost of them lies at (1 - 1/n)/2 of the depth, and reaches farther by its own half axis.
+     */
+    private static double widthOfBallInSlices(double speed, int slices) {
+        double depth = 1 - 1.0 / slices;
+        return speed * depth + sqrt(1 - depth * depth) / gamma(speed);
     }
 
     private static double gamma(double speed) {

@@ -151,6 +151,19 @@ class ConicFitTest {
         assertNoise(branch(16, 2, 3, 1), Conic::asymptoteSlope, 1.5);
     }
 
+    /** Points that are farther off than they should be make the numbers as uncertain as that. */
+    @Test
+    void scatterCountsWherePointsAreOff() {
+        List<Vector2d> points = ellipse(16, 5, 3);
+        for (int i = 0; i < points.size(); i++) {
+            points.get(i).add(0, i % 2 == 0 ? 0.1 : -0.1);
+        }
+
+        double exact = ConicFit.of(points, 1e-6).uncertainty(Conic::semiMajorAxis);
+        assertThat(exact).isBetween(0.02, 0.1);
+        assertThat(ConicFit.of(points, 1).uncertainty(Conic::semiMajorAxis)).isGreaterThan(5 * exact);
+    }
+
     private static void assertNoise(List<Vector2d> exact, ToDoubleFunction<Conic> number, double truth) {
         double noise = 0.02;
         Random random = new Random(7);

@@ -17,9 +17,10 @@ import tompkins.sceneobject.Sphere;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.surface.LuminousSurface;
+import tompkins.surface.Tiling;
 import tompkins.trace.RenderPlan;
 
-/** Normals and coordinates of hits, in the frame in which an object rests, also where its surface has no pattern. */
+/** Normals and coordinates of hits, in the frame in which an object rests. */
 class RayTableTest {
 
     private static final Vector3d CENTRE = new Vector3d(0.2, 0.3, 0.1);
@@ -100,13 +101,24 @@ class RayTableTest {
 
     @Test
     void surfacesTellWhereTheyAreHit() {
-        SceneObject ball = new Sphere("ball", CENTRE, RADIUS, LuminousSurface.DEFAULT);
-        SceneObject box = new Box("box", new Vector3d(-1, -1, -1), new Vector3d(1, 1, 1), LuminousSurface.DEFAULT);
+        SceneObject ball = new Sphere("ball", CENTRE, RADIUS, Tiling.DEFAULT);
+        SceneObject box = new Box("box", new Vector3d(-1, -1, -1), new Vector3d(1, 1, 1), Tiling.DEFAULT);
         check(List.of(
                 new Moving("", Velocity.of(-0.6, 0.1, 0), PLACE, 0, List.of(ball)),
                 new Placed("", box, 1, new Vector3d(0, 0, 1), 90, new Vector3d(2, 0, 7)),
-                new Plane("floor", new Vector3d(3, -2, 4), new Vector3d(0, 1, 0), LuminousSurface.DEFAULT)));
+                new Plane("floor", new Vector3d(3, -2, 4), new Vector3d(0, 1, 0), Tiling.DEFAULT)));
 
         assertThat(seen).containsExactly("ball", "box", "floor");
+    }
+
+    /** In one colour a surface has no use for coordinates; its normal looks back along the view all the same. */
+    @Test
+    void surfacesInOneColourHaveNormalsAlone() {
+        SceneObject ball = new Sphere("ball", new Vector3d(0, 0, 10), 1, LuminousSurface.DEFAULT);
+        Sighting middle = Sighting.of(RenderPlan.of(Studio.DEFAULT.withScene(List.of(ball))), 320, 240);
+
+        assertThat(vector(middle, "normal").distance(0, 0, -1)).isLessThan(1e-12);
+        assertThat(number(middle, "surface_u")).isNaN();
+        assertThat(number(middle, "surface_v")).isNaN();
     }
 }

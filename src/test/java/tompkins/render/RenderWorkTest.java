@@ -29,6 +29,7 @@ import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
 import tompkins.sceneobject.Triangle;
+import tompkins.shutter.AperturePlaneShutter;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Lighting;
 import tompkins.studio.PaperStudios;
@@ -109,6 +110,24 @@ class RenderWorkTest {
         return Stream.of(List.of(CylinderLattice.DEFAULT), spheres(), hills());
     }
 
+    /**
+     * What a lamp at rest sees of a thousand balls that pass is prepared, piece by piece: no tree is searched for it.
+     */
+    @Test
+    void shadowsOfWhatPassesALampNeedNoNodes() throws InterruptedException {
+        Studio paper = small(PaperStudios.fig1a());
+        Velocity velocity = Velocity.of(0.5, 0, 0);
+        Studio passing = Lighting.of(
+                paper.withScene(List.of(new Moving("", velocity, new Vector3d(), 0, balls(1000, 0.05))))
+                        .withCamera(paper.camera().withShutter(new AperturePlaneShutter(10))),
+                List.of(lamp()));
+        RenderReport report = report(passing);
+
+        assertThat(report.shadowRays()).isGreaterThan(5_000);
+        assertThat(report.nodes()).isZero();
+        assertThat(report.tests()).isLessThanOrEqualTo(13_569);
+    }
+
     private static LightSource lamp() {
         return new PointLight(new Vector3d(5, 10, -5), Colour.grey(0.7), Colour.BLACK, 1);
     }
@@ -145,12 +164,16 @@ class RenderWorkTest {
 
     /** A field of so many spheres that a block of rays meets more than a few, and so many that a lamp does. */
     private static List<SceneObject> spheres() {
-        Random random = new Random(30_000);
-        return IntStream.range(0, 30_000)
+        return balls(30_000, 0.02);
+    }
+
+    private static List<SceneObject> balls(int count, double radius) {
+        Random random = new Random(count);
+        return IntStream.range(0, count)
                 .<SceneObject>mapToObj(i -> new Sphere(
                         "sphere",
                         new Vector3d(random.nextDouble(-2, 2), random.nextDouble(-1.5, 1.5), random.nextDouble(8, 12)),
-                        0.02,
+                        radius,
                         ColouredSurface.DEFAULT))
                 .toList();
     }

@@ -58,12 +58,12 @@ class LampShadowsTest {
         assertThat(counts.tests).isLessThan(3L * rays);
     }
 
-    private static Vector3d place(Random random) {
+    static Vector3d place(Random random) {
         return new Vector3d(random.nextDouble(-2, 2), random.nextDouble(-1.5, 1.5), random.nextDouble(8, 12));
     }
 
     /** Balls, boxes, triangles and rods that throw shadows on about half of the places. */
-    private static List<SceneObject> mixed(int count, Random random) {
+    static List<SceneObject> mixed(int count, Random random) {
         List<SceneObject> objects = new ArrayList<>();
         double size = 2 / Math.sqrt(count);
         for (int i = 0; i < count; i++) {
@@ -93,7 +93,7 @@ class LampShadowsTest {
         return objects;
     }
 
-    private static List<Primitive> primitives(List<SceneObject> objects) {
+    static List<Primitive> primitives(List<SceneObject> objects) {
         return PrimitiveCollector.primitivesOf(new Group("all", objects));
     }
 

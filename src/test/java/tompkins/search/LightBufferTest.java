@@ -34,11 +34,11 @@ class LightBufferTest {
         for (Primitive primitive : QuickRejectionTest.primitives().toList()) {
             Vector3d lamp = aims.vector(60);
             LightBufferProjection view =
-                    primitive.bounds() == null ? null : LightBufferProjection.of(lamp, primitive.bounds());
+                    primitive.bounds() == null ? null : LightBufferProjection.of(lamp, lamp, primitive.bounds());
             if (view == null) {
                 continue;
             }
-            LightBuffer cells = LightBuffer.of(lamp, view, List.of(primitive));
+            LightBuffer cells = LightBuffer.of(view, List.of(primitive));
             for (int i = 0; i < RAYS; i++) {
                 Ray ray = towards(lamp, place(primitive));
                 double distance = primitive.distance(ray, Primitive.NO_HIT);
@@ -103,13 +103,13 @@ class LightBufferTest {
 
     /** In a scene that is seen under slopes of up to 0.43. */
     private static boolean isSeen(Primitive primitive, double x, double y, double distance) {
-        LightBufferProjection view = LightBufferProjection.of(LAMP, new Bounds(-3, -3, -3, 3, 3, 3));
+        LightBufferProjection view = LightBufferProjection.of(LAMP, LAMP, new Bounds(-3, -3, -3, 3, 3, 3));
         Ray ray = towards(LAMP, new Vector3d(10 * x, 10 * y, 0));
-        return isSeen(view, LightBuffer.of(LAMP, view, List.of(primitive)), ray, distance);
+        return isSeen(view, LightBuffer.of(view, List.of(primitive)), ray, distance);
     }
 
     private static boolean isSeen(LightBufferProjection view, LightBuffer cells, Ray fromLamp, double distance) {
-        int part = view.part(-fromLamp.dx, -fromLamp.dy, -fromLamp.dz);
+        int part = view.part(-fromLamp.dx, -fromLamp.dy, -fromLamp.dz, 0);
         int cell = LightBufferProjection.cell(part);
         return IntStream.range(cells.first(cell), cells.end(cell))
                 .mapToLong(cells::entry)
@@ -153,10 +153,10 @@ class LightBufferTest {
                 .mapToObj(i -> only(new Sphere(
                         "ball", new Vector3d(0, 0, random.nextDouble(-3, 3)), 0.001, ColouredSurface.DEFAULT)))
                 .toList();
-        LightBufferProjection view = LightBufferProjection.of(LAMP, new Bounds(-3, -3, -3, 3, 3, 3));
+        LightBufferProjection view = LightBufferProjection.of(LAMP, LAMP, new Bounds(-3, -3, -3, 3, 3, 3));
 
-        assertThat(LightBuffer.of(LAMP, view, crowd)).isNull();
-        assertThat(LightBuffer.of(LAMP, view, crowd.subList(0, 900))).isNotNull();
+        assertThat(LightBuffer.of(view, crowd)).isNull();
+        assertThat(LightBuffer.of(view, crowd.subList(0, 900))).isNotNull();
     }
 
     private static Primitive only(SceneObject object) {

@@ -7,10 +7,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import javax.swing.BorderFactory;
+import javax.swing.ButtonGroup;
 import javax.swing.JButton;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JToggleButton;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
@@ -47,7 +48,7 @@ public final class LessonPanel {
     private final StudioModel model;
     private final JPanel panel = new Strip();
 
-    private final Map<Step, JLabel> steps = new EnumMap<>(Step.class);
+    private final Map<Step, JToggleButton> steps = new EnumMap<>(Step.class);
     private final JButton again = new JButton(Texts.get("lesson.again"));
     private final JButton next = new JButton();
     private final Note problem = new Note("");
@@ -57,6 +58,10 @@ public final class LessonPanel {
 
     private LessonStudio lesson;
     private Step step = Step.PREDICT;
+
+    /** The last page that was seen: from there one can go back, and forward again. */
+    private Step farthest = Step.PREDICT;
+
     private CardPanel cards;
     private LessonQuestionPage question;
     private LessonLookPage look;
@@ -67,8 +72,14 @@ public final class LessonPanel {
     public LessonPanel(StudioModel model) {
         this.model = model;
         panel.setVisible(false);
+        ButtonGroup group = new ButtonGroup();
         for (Step each : Step.values()) {
-            steps.put(each, new JLabel(Texts.get("lesson.step." + each)));
+            JToggleButton button = new JToggleButton(Texts.get("lesson.step." + each));
+            Naming.name(button, "lesson.step." + each);
+            button.putClientProperty(FlatClientProperties.BUTTON_TYPE, FlatClientProperties.BUTTON_TYPE_TOOLBAR_BUTTON);
+            button.addActionListener(event -> goTo(each));
+            group.add(button);
+            steps.put(each, button);
         }
         Naming.name(again, "lesson.again");
         again.addActionListener(event -> startAgain());
@@ -106,6 +117,7 @@ public final class LessonPanel {
             try {
                 lesson = LessonStudio.of(model.studio()).orElseThrow();
                 addPages(lesson.lesson());
+                farthest = Step.PREDICT;
                 show(Step.PREDICT);
             } catch (InvalidPropertyException wrong) {
                 problem.setError(Texts.get("lesson.unusable", wrong.getMessage()));
@@ -126,10 +138,10 @@ public final class LessonPanel {
         cards.add(LessonLookPage.class, look.component());
         cards.add(LessonReasonPage.class, reason.component());
         cards.add(LessonNumbersPage.class, numbers.component());
-        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 9 0"));
+        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 2 0"));
         row.setOpaque(false);
-        for (JLabel label : steps.values()) {
-            row.add(label, "wmin 0");
+        for (JToggleButton button : steps.values()) {
+            row.add(button, "wmin 0");
         }
         row.add(again, "pushx, alignx right");
         row.add(next);
@@ -140,9 +152,14 @@ public final class LessonPanel {
     private void show(Step other) {
         step = other;
         cards.show(step.page);
-        steps.forEach((each, label) -> {
-            label.setEnabled(each == step);
-            label.putClientProperty(FlatClientProperties.STYLE, each == step ? "font: bold" : "");
+        if (step.compareTo(farthest) > 0) {
+            farthest = step;
+            question.close();
+        }
+        steps.forEach((each, button) -> {
+            button.setSelected(each == step);
+            button.setEnabled(each.compareTo(farthest) <= 0);
+            button.putClientProperty(FlatClientProperties.STYLE, each == step ? "font: bold" : "");
         });
         updateNext();
     }

@@ -2,9 +2,12 @@ package tompkins.ui.panel;
 
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import javax.swing.ButtonGroup;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JRadioButton;
 import tompkins.lesson.Lesson;
@@ -21,6 +24,7 @@ final class LessonQuestionPage {
     private final JPanel panel = Rows.column();
     private final JRadioButton sure = new JRadioButton(Texts.get("lesson.sure"));
     private final JRadioButton unsure = new JRadioButton(Texts.get("lesson.unsure"));
+    private final List<JRadioButton> buttons = new ArrayList<>();
     private final Runnable answered;
     private Prediction chosen;
 
@@ -33,11 +37,13 @@ final class LessonQuestionPage {
         lesson.predictions().forEach(prediction -> add(prediction, group, answers));
         panel.add(answers, "wmin 0");
         ButtonGroup sureness = new ButtonGroup();
-        JPanel row = Rows.of("flowx, gap 12 0", "[pref!][pref!][grow]");
+        JPanel row = Rows.of("flowx, gap 12 0", "[pref!][pref!][pref!][grow]");
+        row.add(new JLabel(Texts.get("lesson.howSure")));
         for (JRadioButton button : new JRadioButton[] {sure, unsure}) {
             sureness.add(button);
             ChoiceRow.whenChosen(button, answered);
             row.add(button);
+            buttons.add(button);
         }
         Naming.name(sure, "lesson.sure");
         Naming.name(unsure, "lesson.unsure");
@@ -52,12 +58,15 @@ final class LessonQuestionPage {
             answered.run();
         });
         group.add(button);
+        buttons.add(button);
         JComponent text = new Paragraph(prediction.text()).component();
         text.addMouseListener(new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent event) {
-                button.requestFocusInWindow();
-                button.setSelected(true);
+                if (button.isEnabled()) {
+                    button.requestFocusInWindow();
+                    button.setSelected(true);
+                }
             }
         });
         answers.add(button);
@@ -67,6 +76,11 @@ final class LessonQuestionPage {
     /** The page itself. */
     JComponent component() {
         return panel;
+    }
+
+    /** Takes no other answer any more: the picture has been seen. */
+    void close() {
+        buttons.forEach(button -> button.setEnabled(false));
     }
 
     /** The answer, as soon as it is complete. */

@@ -1,7 +1,7 @@
 package tompkins.ui.panel;
 
 import com.formdev.flatlaf.FlatClientProperties;
-import java.util.List;
+import java.awt.BorderLayout;
 import java.util.Objects;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -13,9 +13,6 @@ import net.miginfocom.swing.MigLayout;
 import tompkins.io.CsvText;
 import tompkins.measure.MeasureKind;
 import tompkins.measure.Measured;
-import tompkins.measure.Quantity;
-import tompkins.measure.SizeRatios;
-import tompkins.property.NumberText;
 import tompkins.ui.picture.MeasureProbe;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
@@ -40,16 +37,18 @@ public final class MeasurePanel {
         void close();
     }
 
-    private static final int DIGITS = 5;
-    private static final String GAP = "   ";
-
     private final JPanel panel = new JPanel(
             new MigLayout("novisualpadding, insets 6 10 6 10, fillx, hidemode 3, gap 6 4", "[][][][grow][][]"));
     private final JComboBox<MeasureKind> kinds = new JComboBox<>(MeasureKind.values());
     private final JComboBox<ProfileChart.Content> contents = new JComboBox<>(ProfileChart.Content.values());
-    private final ProfileChart chart = new ProfileChart();
-    /** With room for all numbers of a circle: the picture must not move under a click that adds a point. */
-    private final Note results = Note.ofLines(2);
+
+    /** Holds the chart, which is made for the first profile: the library behind it takes a while to come. */
+    private final JPanel chartPlace = new JPanel(new BorderLayout());
+
+    private ProfileChart chart;
+
+    /** With room for all numbers: the picture must not move under a click that adds a point. */
+    private final Note results = Note.ofLines(3);
 
     private final JButton copy;
     /** What was measured in the other picture, and how sizes compare; it has its room where two are seen. */
@@ -65,8 +64,8 @@ public final class MeasurePanel {
         kinds.addActionListener(event -> commands.choose(kind()));
         Naming.name(contents, "measure.chart");
         Naming.items(contents, content -> Texts.get("measure.chart." + content.name()));
-        contents.addActionListener(event -> chart.setContent((ProfileChart.Content) contents.getSelectedItem()));
-        Naming.name(chart, "measure.profile");
+        contents.addActionListener(event -> chart().setContent((ProfileChart.Content) contents.getSelectedItem()));
+        chartPlace.setOpaque(false);
         copy = button("measure.copy", () -> commands.copy(text()));
         JButton close = button("measure.close", commands::close);
         close.setText("\u00d7");
@@ -76,7 +75,7 @@ public final class MeasurePanel {
         panel.add(contents);
         panel.add(copy, "skip 1");
         panel.add(close, "wrap");
-        panel.add(chart, "span, growx, wmin 0, wrap");
+        panel.add(chartPlace, "span, growx, wmin 0, wrap");
         panel.add(results.component(), "span, growx, wmin 0, wrap");
         panel.add(otherResults.component(), "span, growx, wmin 0");
         panel.setVisible(false);
@@ -113,51 +112,46 @@ public final class MeasurePanel {
         measured = answer == null ? null : answer.measured();
         otherMeasured = otherAnswer == null ? null : otherAnswer.measured();
         boolean isProfile = measured != null && measured.profile() != null;
-        chart.setVisible(isProfile);
+        chartPlace.setVisible(isProfile);
         contents.setVisible(isProfile);
-        chart.show(isProfile ? measured.profile() : null);
-        copy.setEnabled(measured != null || otherMeasured != null);
-        show(results, answer, "");
-        show(otherResults, otherAnswer, otherName == null ? "" : Texts.get("measure.inOther", otherName));
-        if (measured != null && otherMeasured != null) {
-            List<Quantity> ratios = SizeRatios.of(measured, otherMeasured);
-            if (!ratios.isEmpty()) {
-                otherResults.setText(otherResults.text() + "\n" + Texts.get("measure.ratio") + joined(ratios));
-            }
+        if (isProfile || chart != null) {
+            chart().show(isProfile ? measured.profile() : null);
         }
-        otherResults.component().setVisible(otherName != null);
+        copy.setEnabled(measured != null || otherMeasured != null);
+        if (answer == null) {
+            results.setText(Texts.get("measure.ask." + kind().name()));
+        } else if (measured == null) {
+            results.setError(Texts.get("measure.problem", answer.problem()));
+        } else {
+            results.setText(MeasureWords.of(measured));
+        }
+        showOther(otherAnswer, otherName);
         panel.revalidate();
     }
 
-    private void show(Note note, MeasureProbe.Answer answer, String heading) {
+    private void showOther(MeasureProbe.Answer answer, String name) {
         if (answer == null) {
-            note.setText(heading + Texts.get("measure.ask." + kind().name()));
-        } else if (answer.measured() == null) {
-            note.setError(heading + Texts.get("measure.problem", answer.problem()));
+            otherResults.setText(name == null ? "" : Texts.get("measure.askOther", name));
+        } else if (otherMeasured == null) {
+            otherResults.setError(Texts.get("measure.inOther", name, Texts.get("measure.problem", answer.problem())));
         } else {
-            note.setText(heading + words(answer.measured()));
+            otherResults.setText(Texts.get(
+                    "measure.inOther",
+                    name,
+                    measured == null
+                            ? MeasureWords.of(otherMeasured)
+                            : MeasureWords.compared(otherMeasured, measured)));
         }
+        otherResults.component().setVisible(name != null);
     }
 
-    private static String words(Measured measured) {
-        if (measured.quantities().isEmpty()) {
-            return Texts.get("measure.noEdge");
+    private ProfileChart chart() {
+        if (chart == null) {
+            chart = new ProfileChart();
+            Naming.name(chart, "measure.profile");
+            chartPlace.add(chart);
         }
-        String shape = measured.shape() == null ? "" : Texts.get("measure.shape." + measured.shape()) + GAP;
-        return shape + joined(measured.quantities());
-    }
-
-    private static String joined(List<Quantity> quantities) {
-        return quantities.stream().map(MeasurePanel::words).collect(Collectors.joining(GAP));
-    }
-
-    private static String words(Quantity quantity) {
-        String value = Double.isFinite(quantity.value()) ? NumberText.of(quantity.rounded(DIGITS)) : "\u2013";
-        String uncertainty = Double.isFinite(quantity.uncertainty())
-                ? " \u00b1 " + NumberText.of(NumberText.rounded(quantity.uncertainty(), 2))
-                : "";
-        String unit = quantity.unit().isEmpty() ? "" : " " + quantity.unit();
-        return Texts.get("measure." + quantity.key()) + "\u00a0" + value + uncertainty + unit;
+        return chart;
     }
 
     /** A table of a profile, or a table of the numbers; with an empty line between those of two pictures. */

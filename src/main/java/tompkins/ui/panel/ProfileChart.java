@@ -4,24 +4,25 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Font;
-import java.awt.FontMetrics;
-import java.awt.Graphics;
-import java.awt.Graphics2D;
-import java.awt.Rectangle;
-import java.awt.RenderingHints;
-import java.awt.geom.Path2D;
 import java.util.List;
-import java.util.stream.DoubleStream;
-import javax.swing.JPanel;
+import java.util.Locale;
 import javax.swing.UIManager;
+import org.jfree.chart.ChartPanel;
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.renderer.xy.XYLineAndShapeRenderer;
+import org.jfree.chart.ui.RectangleInsets;
+import org.jfree.data.xy.XYSeries;
+import org.jfree.data.xy.XYSeriesCollection;
 import tompkins.measure.Profile;
 import tompkins.measure.RayTable;
 import tompkins.measure.Sighting;
-import tompkins.ui.widget.Numbers;
+import tompkins.ui.widget.Texts;
 
 /** A small chart of columns of a profile: places to the right, numbers up, with a gap where there is none. */
 @SuppressWarnings("serial") // never written to a stream
-final class ProfileChart extends JPanel {
+final class ProfileChart extends ChartPanel {
 
     /** What can be charted. */
     enum Content {
@@ -39,25 +40,37 @@ final class ProfileChart extends JPanel {
         }
     }
 
-    private static final List<String> SWATCHES = List.of("#d94040", "#2f9e44", "#3b6fe0");
-    private static final int MARGIN = 4;
-    private static final int HEIGHT_IN_TYPES = 8;
+    private static final List<Color> COLOURS = List.of(new Color(0xd94040), new Color(0x2f9e44), new Color(0x3b6fe0));
+    private static final int HEIGHT_IN_TYPES = 11;
+
+    /** Room above the highest number, as a part of all. */
+    private static final double ABOVE = 0.06;
 
     private transient Profile profile;
     private Content content = Content.COLOUR;
 
+    /** An empty chart. */
     ProfileChart() {
+        super(null);
+        // its own menu saves without asking whether to overwrite, and a drag would zoom away from the curves
+        setPopupMenu(null);
+        setMouseZoomable(false);
+        // or it would be drawn in another size, and stretched
+        setMinimumDrawWidth(1);
+        setMinimumDrawHeight(1);
+        setMaximumDrawWidth(Integer.MAX_VALUE);
+        setMaximumDrawHeight(Integer.MAX_VALUE);
         setOpaque(false);
     }
 
     void show(Profile newProfile) {
         profile = newProfile;
-        repaint();
+        draw();
     }
 
     void setContent(Content newContent) {
         content = newContent;
-        repaint();
+        draw();
     }
 
     @Override
@@ -66,63 +79,70 @@ final class ProfileChart extends JPanel {
                 100, HEIGHT_IN_TYPES * UIManager.getFont("Label.font").getSize());
     }
 
-    private double[] values(String column) {
-        return profile.values(sighting -> number(sighting, column));
-    }
-
-    private static double number(Sighting sighting, String column) {
-        return RayTable.column(column).value().apply(sighting) instanceof Double number ? number : Double.NaN;
-    }
-
+    /** Follows the look. */
     @Override
-    protected void paintComponent(Graphics graphics) {
-        if (profile == null) {
-            return;
+    public void updateUI() {
+        super.updateUI();
+        if (profile != null) {
+            draw();
         }
-        Graphics2D g = (Graphics2D) graphics.create();
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    }
+
+    private void draw() {
+        setChart(profile == null ? null : drawing());
+    }
+
+    private JFreeChart drawing() {
+        XYSeriesCollection curves = new XYSeriesCollection();
+        XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(true, false);
+        renderer.setDefaultStroke(new BasicStroke(1.6f));
+        renderer.setAutoPopulateSeriesStroke(false);
+        for (String column : content.columns) {
+            int number = curves.getSeriesCount();
+            curves.addSeries(curve(column));
+            renderer.setSeriesPaint(
+                    number,
+                    content.columns.size() > 1 ? COLOURS.get(number) : UIManager.getColor("Component.accentColor"));
+        }
+        NumberAxis up = axis(null);
+        up.setAutoRangeIncludesZero(false);
+        up.setUpperMargin(ABOVE);
+        XYPlot plot = new XYPlot(curves, axis(Texts.get("measure.alongLine")), up, renderer);
+        plot.setBackgroundPaint(UIManager.getColor("TextField.background"));
+        plot.setDomainGridlinePaint(UIManager.getColor("Component.borderColor"));
+        plot.setRangeGridlinePaint(UIManager.getColor("Component.borderColor"));
+        plot.setOutlinePaint(UIManager.getColor("Component.borderColor"));
+        plot.setInsets(new RectangleInsets(4, 0, 0, 4));
+        JFreeChart drawing = new JFreeChart(null, null, plot, false);
+        drawing.setBackgroundPaint(null);
+        drawing.setPadding(RectangleInsets.ZERO_INSETS);
+        return drawing;
+    }
+
+    private static NumberAxis axis(String label) {
+        NumberAxis axis = new NumberAxis(label);
+        axis.setStandardTickUnits(NumberAxis.createStandardTickUnits(Locale.ROOT));
         Font font = UIManager.getFont("small.font");
-        FontMetrics metrics = g.getFontMetrics(font);
-        List<double[]> all = content.columns.stream().map(this::values).toList();
-        double least = numbers(all).min().orElse(0);
-        double largest = numbers(all).max().orElse(0);
-        String bottom = Numbers.brief(least, 4);
-        String top = Numbers.brief(largest, 4);
-        int left = 2 * MARGIN + Math.max(metrics.stringWidth(bottom), metrics.stringWidth(top));
-        Rectangle place = new Rectangle(left, MARGIN, getWidth() - left - MARGIN, getHeight() - 2 * MARGIN);
-        g.setFont(font);
-        g.setColor(UIManager.getColor("Label.foreground"));
-        g.drawString(top, MARGIN, place.y + metrics.getAscent());
-        g.drawString(bottom, MARGIN, place.y + place.height - metrics.getDescent());
-        g.setColor(UIManager.getColor("Component.borderColor"));
-        g.drawRect(place.x, place.y, place.width, place.height);
-        g.setStroke(new BasicStroke(1.6f));
-        for (int i = 0; i < all.size(); i++) {
-            g.setColor(all.size() > 1 ? Color.decode(SWATCHES.get(i)) : UIManager.getColor("Component.accentColor"));
-            g.draw(curve(all.get(i), least, largest, place));
-        }
-        g.dispose();
+        Color ink = UIManager.getColor("Label.foreground");
+        axis.setLabelFont(font);
+        axis.setTickLabelFont(font);
+        axis.setLabelPaint(ink);
+        axis.setTickLabelPaint(ink);
+        axis.setAxisLinePaint(ink);
+        axis.setLowerMargin(0);
+        axis.setUpperMargin(0);
+        axis.setLabelInsets(RectangleInsets.ZERO_INSETS);
+        return axis;
     }
 
-    private static DoubleStream numbers(List<double[]> all) {
-        return all.stream().flatMapToDouble(DoubleStream::of).filter(Double::isFinite);
-    }
-
-    private static Path2D curve(double[] values, double least, double largest, Rectangle place) {
-        Path2D curve = new Path2D.Double();
-        double range = largest > least ? largest - least : 1;
-        boolean drawing = false;
-        for (int i = 0; i < values.length; i++) {
-            double x = place.x + place.width * (double) i / (values.length - 1);
-            double y = place.y + place.height * (1 - (values[i] - least) / range);
-            if (!Double.isFinite(values[i])) {
-                drawing = false;
-            } else if (drawing) {
-                curve.lineTo(x, y);
-            } else {
-                curve.moveTo(x, y);
-                drawing = true;
-            }
+    /** Numbers over the distance from the first place in pixels. */
+    private XYSeries curve(String column) {
+        XYSeries curve = new XYSeries(column, false);
+        Sighting first = profile.places().get(0);
+        for (Sighting place : profile.places()) {
+            Object value = RayTable.column(column).value().apply(place);
+            boolean isNumber = value instanceof Double number && Double.isFinite(number);
+            curve.add(Math.hypot(place.x() - first.x(), place.y() - first.y()), isNumber ? (Double) value : Double.NaN);
         }
         return curve;
     }

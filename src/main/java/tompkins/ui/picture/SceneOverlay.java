@@ -1,17 +1,12 @@
 package tompkins.ui.picture;
 
-import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
-import java.awt.geom.Ellipse2D;
-import java.awt.geom.Path2D;
-import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
@@ -19,8 +14,6 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
-import org.joml.Vector2dc;
-import tompkins.image.PictureLabel;
 import tompkins.measure.OverlayDrawing;
 import tompkins.measure.OverlayKind;
 import tompkins.measure.Overlays;
@@ -28,7 +21,6 @@ import tompkins.measure.Projection;
 import tompkins.measure.SceneShapes;
 import tompkins.sceneobject.FrameObjects;
 import tompkins.studio.Studio;
-import tompkins.trace.Frame;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.widget.Texts;
 
@@ -39,32 +31,10 @@ import tompkins.ui.widget.Texts;
  */
 public final class SceneOverlay implements Overlay, AutoCloseable {
 
-    private static final double DOT = 2.5;
-    private static final double RING = 6;
-
     /** Size of the type in a picture that leaves the program, as a share of its height. */
     private static final double HEIGHT_SHARE = 1 / 36.0;
 
     private static final double SMALLEST_TYPE = 9;
-
-    private static final Map<OverlayKind, Color> COLOURS = Map.of(
-            OverlayKind.OUTLINES, new Color(255, 215, 90),
-            OverlayKind.LINES, new Color(130, 230, 150),
-            OverlayKind.AT_REST, new Color(255, 255, 255),
-            OverlayKind.MEASURED, new Color(255, 150, 150),
-            OverlayKind.DOPPLER, new Color(120, 255, 190),
-            OverlayKind.PLACES, new Color(255, 160, 120),
-            OverlayKind.SCENE_GRID, new Color(150, 205, 255),
-            OverlayKind.CAMERA_GRID, new Color(225, 225, 225),
-            OverlayKind.HORIZON, new Color(255, 140, 230),
-            OverlayKind.LABELS, Color.WHITE);
-
-    private static final List<OverlayKind> WRITTEN_FIRST = List.of(
-            OverlayKind.LABELS,
-            OverlayKind.DOPPLER,
-            OverlayKind.HORIZON,
-            OverlayKind.CAMERA_GRID,
-            OverlayKind.SCENE_GRID);
 
     /** What is drawn over the picture of a plan. */
     private record Drawn(RenderPlan plan, Set<OverlayKind> kinds, List<OverlayDrawing> drawings, String note) {}
@@ -117,7 +87,7 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
         }
         Drawn now = drawn(picture.plan());
         if (now != null) {
-            new Pen(g, bounds, now.plan, UIManager.getFont("small.font")).paint(now, visible);
+            new OverlayPen(g, bounds, now.plan, UIManager.getFont("small.font")).paint(now.drawings, now.note, visible);
         }
     }
 
@@ -130,8 +100,9 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
         Rectangle whole = new Rectangle(image.getWidth(), image.getHeight());
         float size = (float) Math.max(SMALLEST_TYPE, HEIGHT_SHARE * whole.height);
         Graphics2D g = image.createGraphics();
-        new Pen(g, whole, plan, new Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont(size))
-                .paint(draw(plan, kinds, SceneShapes.of(plan.sceneFrames())), whole);
+        Drawn made = draw(plan, kinds, SceneShapes.of(plan.sceneFrames()));
+        new OverlayPen(g, whole, plan, new Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont(size))
+                .paint(made.drawings, made.note, whole);
         g.dispose();
     }
 
@@ -218,96 +189,5 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
     public void close() {
         worker.close();
         drawn.clear();
-    }
-
-    /** Draws in one picture. */
-    private static final class Pen {
-
-        private final Graphics2D g;
-        private final Rectangle bounds;
-        private final double scaleX;
-        private final double scaleY;
-        private final Font font;
-        private final List<Rectangle2D> written = new ArrayList<>();
-
-        Pen(Graphics2D g, Rectangle bounds, RenderPlan plan, Font font) {
-            this.g = g;
-            this.bounds = bounds;
-            this.font = font;
-            scaleX = (double) bounds.width / plan.width();
-            scaleY = (double) bounds.height / plan.height();
-        }
-
-        void paint(Drawn drawn, Rectangle visible) {
-            for (OverlayDrawing drawing : drawn.drawings) {
-                Mark.paintLines(g, lines(drawing), COLOURS.get(drawing.kind()), isFine(drawing.kind()));
-                marks(drawing);
-            }
-            // names first, because later writing gives way
-            WRITTEN_FIRST.forEach(kind -> drawn.drawings.stream()
-                    .filter(drawing -> drawing.kind() == kind)
-                    .forEach(this::write));
-            if (!drawn.note.isEmpty()) {
-                PictureLabel.paint(g, font, drawn.note, visible, PictureLabel.Corner.TOP_RIGHT);
-            }
-        }
-
-        private static boolean isFine(OverlayKind kind) {
-            return switch (kind) {
-                case SCENE_GRID, CAMERA_GRID, AT_REST, MEASURED -> true;
-                default -> false;
-            };
-        }
-
-        private double x(Vector2dc place) {
-            return bounds.x + place.x() * scaleX;
-        }
-
-        private double y(Vector2dc place) {
-            return bounds.y + place.y() * scaleY;
-        }
-
-        private Path2D lines(OverlayDrawing drawing) {
-            Path2D path = new Path2D.Double();
-            for (List<Vector2dc> line : drawing.lines()) {
-                path.moveTo(x(line.get(0)), y(line.get(0)));
-                for (Vector2dc place : line.subList(1, line.size())) {
-                    path.lineTo(x(place), y(place));
-                }
-            }
-            return path;
-        }
-
-        private void marks(OverlayDrawing drawing) {
-            Color colour = COLOURS.get(drawing.kind());
-            Path2D marks = new Path2D.Double();
-            drawing.rings().forEach(place -> marks.append(circle(place, RING), false));
-            drawing.dots().forEach(place -> marks.append(circle(place, DOT), false));
-            Mark.paintLines(g, marks, colour, false);
-            g.setColor(colour);
-            drawing.dots().forEach(place -> g.fill(circle(place, DOT)));
-        }
-
-        private Ellipse2D circle(Vector2dc place, double radius) {
-            return new Ellipse2D.Double(x(place) - radius, y(place) - radius, 2 * radius, 2 * radius);
-        }
-
-        /** Writes a text if there is room, and never over another text. */
-        private void write(OverlayDrawing drawing) {
-            for (OverlayDrawing.Label label : drawing.labels()) {
-                String text = label.frame() == null
-                        ? label.text()
-                        : Texts.get(
-                                label.frame() == Frame.SCENE ? "overlay.inScene" : "overlay.inCamera", label.text());
-                double width = g.getFontMetrics(font).stringWidth(text);
-                double left = Math.min(x(label.place()) + 5, bounds.getMaxX() - width - 4);
-                double bottom = Math.max(y(label.place()) - 4, bounds.y + font.getSize2D() + 2);
-                Rectangle2D room = new Rectangle2D.Double(left, bottom - font.getSize2D(), width, font.getSize2D() + 2);
-                if (written.stream().noneMatch(room::intersects)) {
-                    written.add(room);
-                    Mark.paintText(g, font, text, left, bottom, COLOURS.get(drawing.kind()));
-                }
-            }
-        }
     }
 }

@@ -13,6 +13,7 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JRadioButton;
 import javax.swing.JSlider;
+import javax.swing.JToggleButton;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -124,6 +125,37 @@ class LessonPanelTest {
         assertThat(model.studio()).isEqualTo(model.opened());
         go("Something.", "lesson.unsure");
         assertThat(Components.labels(strip())).contains(Texts.get("lesson.right"));
+    }
+
+    private JToggleButton step(String step) {
+        return Components.find(strip(), JToggleButton.class, Texts.get("lesson.step." + step));
+    }
+
+    /** To pages that were seen, but not to others, and not to another answer. */
+    @Test
+    void oneGoesBackAndForwardAgain() {
+        assertThat(step("LOOK").isEnabled()).isFalse();
+        go("Nothing.", "lesson.sure");
+        assertThat(step("MEASURE").isEnabled()).isFalse();
+
+        step("LOOK").doClick();
+
+        assertThat(step("LOOK").isSelected()).isTrue();
+        assertThat(next("REASON").isVisible()).isTrue();
+        Components.enter(strip(), "Speed", "0.2");
+        step("PREDICT").doClick();
+        assertThat(Components.find(strip(), JRadioButton.class, "Something.").isEnabled())
+                .isFalse();
+        step("REASON").doClick();
+        assertThat(model.studio().velocity().speed()).isEqualTo(0.9);
+        assertThat(Components.labels(strip())).contains(Texts.get("lesson.wrongSure"));
+
+        Components.find(strip(), JButton.class, Texts.get("lesson.again")).doClick();
+
+        assertThat(step("PREDICT").isSelected()).isTrue();
+        assertThat(step("LOOK").isEnabled()).isFalse();
+        assertThat(Components.find(strip(), JRadioButton.class, "Something.").isEnabled())
+                .isTrue();
     }
 
     private void go(String prediction, String sureness) {

@@ -1,0 +1,180 @@
+package tompkins.search;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.IntStream;
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.primitive.Bounds;
+import tompkins.ray.Hit;
+import tompkins.ray.Ray;
+import tompkins.ray.RayCounts;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.surface.ColouredSurface;
+
+/** What a lamp sees of primitives that it passes throws the shadows that the tree finds. */
+class LampTrackTest {
+
+    private static final int RAYS = 20_000;
+
+    private final AtomicLong left = new AtomicLong(Long.MAX_VALUE);
+
+    /** A lamp that goes across the view, one that goes along it from behind, and those that pass askew or far away. */
+    @ParameterizedTest
+    @CsvSource({
+        " 200,  3,  5, -7,  1,    0,    0",
+        "5000,  3,  5, -7,  0.3, -0.1, -0.5",
+        "5000,  1, -1,  0,  0,    0,    1",
+        "5000, -4,  5,  2,  0.2,  0.1,  0.6",
+        "5000,  0, 40, 10,  0,    1,    1",
+        "5000,  0,  2, 10,  1,    0.01, 0"
+    })
+    void shadowsAreThoseOfTheTree(
+            int count, double x, double y, double z, double alongX, double alongY, double alongZ) {
+        Random random = new Random(count);
+        ObjectTree tree = new ObjectTree(LampShadowsTest.primitives(LampShadowsTest.mixed(count, random)));
+        Vector3d from = new Vector3d(x, y, z);
+        Vector3d along = new Vector3d(alongX, alongY, alongZ);
+        LampTrack track = LampTrack.of(from, from.add(along, new Vector3d()), tree, left);
+        RayCounts counts = new RayCounts();
+        NearestHit scratch = new NearestHit(new RayCounts());
+        int asked = 0;
+        int shadows = 0;
+        for (int i = 0; i < RAYS; i++) {
+            Vector3d lamp = from.fma(random.nextDouble(-20, 20), along, new Vector3d());
+            Ray ray = towards(LampShadowsTest.place(random), lamp);
+            double distance = lamp.distance(ray.x, ray.y, ray.z);
+            double place = track.at(ray, distance);
+            LampShadows seen = place == LampTrack.NOWHERE ? null : track.seenFrom(place);
+            if (seen == null) {
+                continue;
+            }
+            asked++;
+            boolean dark = tree.shadow(ray, distance, scratch) != null;
+
+            assertThat(seen.shadows(start(ray), ray, place - Math.floor(place), distance, counts))
+                    .isEqualTo(dark);
+            shadows += dark ? 1 : 0;
+        }
+        assertThat(asked).isGreaterThan(RAYS / 10);
+        assertThat(shadows).isBetween(asked / 20, asked * 19 / 20);
+        assertThat(counts.tests).isLessThan(6L * asked);
+    }
+
+    /** A row of balls around (0, 0, 10): a lamp on the x axis is nearest to it in the middle of 64 pieces of 10/8. */
+    @Test
+    void piecesAreAnEighthOfTheLeastDistance() {
+        LampTrack track = track(new Vector3d(7, 0, 0), new Vector3d(8, 0, 0), 30);
+
+        assertThat(at(track, 0, 0, 0)).isEqualTo(32, within(1e-12));
+        assertThat(at(track, 1.25, 0, 0)).isEqualTo(33, within(1e-12));
+        assertThat(at(track, -39.9, 0, 0)).isEqualTo(0.08, within(1e-12));
+        assertThat(at(track, 39.9, 0, 0)).isEqualTo(63.92, within(1e-12));
+        assertThat(at(track, -40.1, 0, 0)).isEqualTo(LampTrack.NOWHERE);
+        assertThat(at(track, 40.1, 0, 0)).isEqualTo(LampTrack.NOWHERE);
+    }
+
+    @Test
+    void whatRoundingMovesAwayIsNotOnTheTrack() {
+        LampTrack track = track(new Vector3d(7, 0, 0), new Vector3d(8, 0, 0), 30);
+
+        assertThat(at(track, 1, 1e-10, 0)).isNotEqualTo(LampTrack.NOWHERE);
+        assertThat(at(track, 1, 1e-8, 0)).isEqualTo(LampTrack.NOWHERE);
+        assertThat(track.at(towards(new Vector3d(0, 0, 1e7), new Vector3d()), 1e7))
+                .isEqualTo(LampTrack.NOWHERE);
+        assertThat(at(track, Double.NaN, 0, 0)).isEqualTo(LampTrack.NOWHERE);
+    }
+
+    @Test
+    void trackIsMadeOnlyWhereItPays() {
+        Vector3d from = new Vector3d(7, 0, 0);
+        Vector3d to = new Vector3d(8, 0, 0);
+
+        assertThat(track(from, to, 19)).as("no tree").isNull();
+        assertThat(track(from, to, 20_001)).as("too many").isNull();
+        assertThat(track(from, from, 30)).as("at rest").isNull();
+        assertThat(track(new Vector3d(0, 0, 2e7), new Vector3d(1, 0, 2e7), 30))
+                .as("far away")
+                .isNotNull();
+        ObjectTree far = balls(30, new Vector3d(0, 0, 2e7));
+        assertThat(LampTrack.of(from, to, far, left)).as("objects far away").isNotNull();
+        assertThat(LampTrack.of(new Vector3d(7, 0, 2e7), new Vector3d(8, 0, 2e7), far, left))
+                .as("both far away")
+                .isNull();
+    }
+
+    /** A piece counts as 4000 primitives more than it holds. */
+    @Test
+    void onlySoManyPiecesAreMade() {
+        left.set(3 * 4_030);
+        LampTrack track = track(new Vector3d(7, 0, 0), new Vector3d(8, 0, 0), 30);
+
+        assertThat(track.seenFrom(32.5)).isNotNull();
+        assertThat(track.seenFrom(30.1)).isNotNull();
+        assertThat(track.seenFrom(32.1)).isSameAs(track.seenFrom(32.9));
+        assertThat(track.seenFrom(35)).isNotNull();
+        assertThat(track.seenFrom(36)).isNull();
+        assertThat(track.seenFrom(32.5)).as("made before").isNotNull();
+    }
+
+    /** What lies in the plane of the middle keeps its slopes; half as far it has twice the parallax. */
+    @Test
+    void slopesInThePlaneStayAsTheLampPasses() {
+        LampPlace first = LampPlace.first(new Vector3d(), new Vector3d(0, 0, 1));
+        LampPlace aside = first.next(new Vector3d(1, 0, 0), 10);
+        LampPlace nearer = first.next(new Vector3d(0, 0, 2), 10);
+
+        assertThat(slope(first, 3, 10)).isEqualTo(0.3, within(1e-6));
+        assertThat(slope(aside, 3, 10)).isEqualTo(0.3, within(1e-6));
+        assertThat(slope(nearer, 3, 10)).isEqualTo(0.3, within(1e-6));
+        // the line from (1, 0) to (3, 5) is at 5 in the plane, that from (0, 2) at 8
+        assertThat(slope(aside, 3, 5)).isEqualTo(0.5, within(1e-6));
+        assertThat(slope(nearer, 3, 5)).isEqualTo(0.8, within(1e-6));
+    }
+
+    /** The middle of the slopes of a point at (x, 0, z). */
+    private static double slope(LampPlace place, double x, double z) {
+        Range slopes = place.slopes(new Bounds(x, 0, z, x, 0, z), new Vector3d(1, 0, 0));
+        return (slopes.least() + slopes.most()) / 2;
+    }
+
+    private LampTrack track(Vector3dc from, Vector3dc to, int balls) {
+        return LampTrack.of(from, to, balls(balls, new Vector3d(0, 0, 10)), left);
+    }
+
+    /** A row of balls, one unit high. */
+    private static ObjectTree balls(int count, Vector3dc middle) {
+        List<SceneObject> row = IntStream.range(0, count)
+                .<SceneObject>mapToObj(i -> new Sphere(
+                        "ball",
+                        middle.add(0, (i + 0.5) / count - 0.5, 0, new Vector3d()),
+                        0.01,
+                        ColouredSurface.DEFAULT))
+                .toList();
+        return new ObjectTree(LampShadowsTest.primitives(row));
+    }
+
+    private static double at(LampTrack track, double x, double y, double z) {
+        Vector3d lamp = new Vector3d(x, y, z);
+        Vector3d start = new Vector3d(0.5, 0.25, 10);
+        return track.at(towards(start, lamp), lamp.distance(start));
+    }
+
+    private static Ray towards(Vector3dc start, Vector3dc lamp) {
+        Vector3d d = lamp.sub(start, new Vector3d());
+        d.div(d.length());
+        return Ray.from(start.x(), start.y(), start.z(), d.x, d.y, d.z, 0);
+    }
+
+    private static Hit start(Ray ray) {
+        return Hit.blank().set(ray, 0, 0, 0, 1, null, 0, null);
+    }
+}
