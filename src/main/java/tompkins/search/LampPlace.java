@@ -6,11 +6,13 @@ import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
 
 /**
- * A place of a lamp outside a scene, and the slopes under which objects are
- * seen from there: how far they lie across the view for each unit of length ahead.
+ * A place of a lamp outside a scene, and the slopes under which objects are seen from there: how far they lie across
+ * the view for each unit of length ahead.
  *
- * <p>Slopes are given as if the lamp had stayed at the first place of its way and saw the same point of one plane across the view: what lies in that plane has the
- * same slopes from all places, and other objects nearly the same. As the lamp moves on straight, each slope only grows or only falls, so that the slopes at two places bound those between them.
+ * <p>Slopes are given as if the lamp had stayed at the first place of its way and saw the same point of one plane
+ * across the view: what lies in that plane has the same slopes from all places, and other objects nearly the same. As
+ * the lamp moves on straight, each slope only grows or only falls, so that the slopes at two places bound those between
+ * them.
  */
 final class LampPlace {
 

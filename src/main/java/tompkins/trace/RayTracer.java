@@ -21,8 +21,8 @@ import tompkins.surface.Surface;
 import tompkins.surface.Tracer;
 
 /**
- * Follows rays among the objects of one frame, and among everything that moves
- * in it: the nearest hit decides, and what leaves the objects goes beyond them. One for each thread.
+ * Follows rays among the objects of one frame, and among everything that moves in it: the nearest hit decides, and what
+ * leaves the objects goes beyond them. One for each thread.
  */
 final class RayTracer implements Tracer, Lighting {
 
@@ -208,8 +208,8 @@ final class RayTracer implements Tracer, Lighting {
     }
 
     /**
-     * Follows a ray whose nearest hit has just been searched. The memory is for its hits, each
-     * of which is dealt with before the next.
+     * Follows a ray whose nearest hit has just been searched. The memory is for its hits, each of which is dealt with
+     * before the next.
      */
     private Followed follow(Ray start, boolean startHits, Hit memory) {
         Ray ray = start;

@@ -40,8 +40,8 @@ public final class World {
     private static final int MOST_BUFFERS = 16;
 
     /**
-     * The most primitives that all lamps with buffers see together: a million take 30 MB
-     * and half a second for each lamp. Lamps that pass may see the same number again.
+     * The most primitives that all lamps with buffers see together: a million take 30 MB and half a second for each
+     * lamp. Lamps that pass may see the same number again.
      */
     private static final int MOST_SEEN = 2_000_000;
 

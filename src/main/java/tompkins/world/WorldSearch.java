@@ -11,8 +11,8 @@ import tompkins.search.PacketSearch;
 import tompkins.search.TreeParts;
 
 /**
- * The search for the nearest hit in several frames. A ray is taken into each of them; its distances there are given in units of
- * the direction that it had at the camera, which are the same in all frames. One for each thread.
+ * The search for the nearest hit in several frames. A ray is taken into each of them; its distances there are given in
+ * units of the direction that it had at the camera, which are the same in all frames. One for each thread.
  */
 public final class WorldSearch {
 
@@ -157,7 +157,10 @@ public final class WorldSearch {
         return found == null ? Primitive.NO_HIT : share * inFrame.stretch;
     }
 
-    /** Takes what was found last if it is nearer than everything before; of equally near primitives it takes the one listed first. */
+    /**
+     * Takes what was found last if it is nearer than everything before; of equally near primitives it takes the one
+     * listed first.
+     */
     private void compare(Ray inFrame, int index) {
         Primitive candidate = nearest.primitive();
         if (candidate == null) {
