@@ -21,7 +21,7 @@ public final class RayLifeWriter {
 
     /**
      * The life of a ray in a studio as JSON. The part {@code scene} is missing if the ray never enters the scene frame.
-     * Each hit is told in the frame in which it was found, then in that of the camera and that of the scene, and, if
+     * Each hit is given in the frame in which it was found, then in that of the camera and that of the scene, and, if
      * its object moves by itself, in its own. The normal is that of the frame in which the object rests.
      */
     public static String json(RayLife life, Studio studio) {

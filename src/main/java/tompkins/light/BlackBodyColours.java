@@ -9,12 +9,12 @@ import tompkins.ray.Colour;
 /**
  * The colours of a scene in the light of a black body, seen by a camera that moves.
  *
- * <p>A fast camera sees light that was invisible before, of which three numbers say nothing. So each colour stands for
- * a surface in the light of a black body of 6504 K, the colour temperature of a screen's white, that reflects as much
- * of all light below 494 nm, of all between 494 and 590 nm, and of all above as gives the colour. With these edges no
- * colour of a screen needs a negative amount of any band. Black-body radiation of temperature T, seen with Doppler
- * factor D, is that of temperature D T, because spectral radiance divided by the cube of the frequency is the same in
- * all frames.
+ * <p>A fast camera sees light that was invisible before, and three numbers say nothing about that. So each colour
+ * stands for a surface in the light of a black body of 6504 K, the colour temperature of a screen's white, that
+ * reflects as much of all light below 494 nm, of all between 494 and 590 nm, and of all above as gives the colour. With
+ * these edges no colour of a screen needs a negative amount of any band. Black-body radiation of temperature T, seen
+ * with Doppler factor D, is that of temperature D T, because spectral radiance divided by the cube of the frequency is
+ * the same in all frames.
  */
 final class BlackBodyColours {
 

@@ -7,7 +7,7 @@ import java.util.function.Function;
 import org.joml.Vector3dc;
 import tompkins.spacetime.Event;
 
-/** What a table of rays tells of each: a row is a sighting, and a column a number or a name. */
+/** What a table of rays says about each ray: a row is a sighting, and a column a number or a name. */
 public final class RayTable {
 
     private static final String LENGTH = "scene units";

@@ -10,7 +10,7 @@ import java.util.function.BooleanSupplier;
 
 /**
  * Takes samples where they are needed. It begins with the centre of each pixel, and then takes {@link #FIRST_SAMPLES}
- * of every 17th, to find what no centre meets. If the centres say nothing about the error, it begins with so many
+ * of every 17th, to find what no centre meets. If the centres say nothing about the error, it begins with that many
  * everywhere. Then, round by round, it doubles the samples of those pixels where one more sample lowers the error of
  * the picture most. The choice depends on the picture alone, so that the result does not depend on the number of
  * threads.

@@ -11,7 +11,7 @@ import tompkins.ray.RayPacket;
  */
 final class Candidates {
 
-    /** Most primitives: so many bits of a double add up without rounding. */
+    /** Most primitives: this many bits of a double add up without rounding. */
     static final int MOST = 48;
 
     private final PacketFrustum bundle;

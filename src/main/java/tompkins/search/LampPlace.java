@@ -6,12 +6,13 @@ import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
 
 /**
- * A place of a lamp outside a scene, and the slopes under which things are seen from there: how far they lie across the
- * view for each length ahead.
+ * A place of a lamp outside a scene, and the slopes under which objects are seen from there: how far they lie across
+ * the view for each unit of length ahead.
  *
- * <p>Slopes are told as if the lamp had stayed at the first place of its way and saw the same point of one plane across
- * the view: what lies in that plane has the same slopes from all places, and other things nearly the same. They grow or
- * fall all the way as the lamp goes straight on: those at two places bound those between them.
+ * <p>Slopes are given as if the lamp had stayed at the first place of its way and saw the same point of one plane
+ * across the view: what lies in that plane has the same slopes from all places, and other objects nearly the same. As
+ * the lamp moves on straight, each slope only grows or only falls, so that the slopes at two places bound those between
+ * them.
  */
 final class LampPlace {
 
@@ -27,7 +28,7 @@ final class LampPlace {
     /** From the first place to this one, divided by the distance between the first place and the plane. */
     private final Vector3dc offset;
 
-    /** What is left of that distance. */
+    /** The share of that distance that is left. */
     private final double zoom;
 
     private LampPlace(Vector3dc place, Vector3dc forward, Vector3dc offset) {
@@ -60,7 +61,7 @@ final class LampPlace {
         return place;
     }
 
-    /** Whether a box lies well before the lamp, and at no less than a distance. */
+    /** Whether a box lies well in front of the lamp, and not nearer than a distance. */
     boolean faces(Bounds box, double least) {
         for (Vector3d corner : box.corners()) {
             Vector3d to = corner.sub(place);
@@ -77,7 +78,7 @@ final class LampPlace {
         return told(ownSlopes(box, across), across);
     }
 
-    /** The slopes under which a primitive is seen: those of its box, less what the box has too much. */
+    /** The slopes under which a primitive is seen: those of its box, narrowed where the primitive is narrower. */
     Range slopes(Primitive primitive, Bounds box, Vector3dc across) {
         Range range = ownSlopes(box, across);
         double far = extent(box, forward).most();
@@ -101,7 +102,7 @@ final class LampPlace {
                 sideways.most() / (sideways.most() > 0 ? ahead.least() : ahead.most()) + MARGIN);
     }
 
-    /** How far a box reaches in a direction, from the lamp. */
+    /** From where to where a box reaches in a direction, seen from the lamp. */
     private Range extent(Bounds box, Vector3dc direction) {
         double centre = box.centre().sub(place).dot(direction);
         double half = 0.5

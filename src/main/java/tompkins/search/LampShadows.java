@@ -8,10 +8,10 @@ import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
 
 /**
- * The primitives as a lamp sees them: a grid of directions, each with the primitives that lie there, the nearest first.
- * A shadow ray tests only those in its direction that are nearer to the lamp than its start (the light buffer of Haines
- * and Greenberg 1986). Built once for a scene and a lamp that stands outside it, or for a piece of the way of a lamp
- * that passes: then a cell holds what lies there as seen from any place of that piece.
+ * The primitives as a lamp sees them: a grid of directions, each with the primitives that stand there, the nearest
+ * first. A shadow ray tests only those in its direction that are nearer to the lamp than its start (the light buffer of
+ * Haines and Greenberg 1986). Built once for a scene and a lamp that stands outside it, or for a piece of the way of a
+ * lamp that passes; then a cell holds everything that is seen there from any place of that piece.
  */
 public final class LampShadows {
 

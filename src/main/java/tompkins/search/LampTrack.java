@@ -16,10 +16,10 @@ public final class LampTrack {
     /** What {@link #at} returns for a place for which nothing is prepared. */
     public static final double NOWHERE = -1;
 
-    /** With more primitives than this a piece takes longer to make than it saves in a picture. */
+    /** With more primitives than this it takes longer to prepare a piece than it saves in a picture. */
     private static final int MOST_PRIMITIVES = 20_000;
 
-    /** What the cells of a piece take in memory, as so many primitives do. */
+    /** The memory of the cells of a piece, as a number of primitives that take the same. */
     private static final int CELLS = 4_000;
 
     /** Length of a piece, in units of the least distance between the lamp and the middle of the primitives. */
@@ -43,7 +43,7 @@ public final class LampTrack {
     private final double farthest;
     private final AtomicReferenceArray<Piece> pieces = new AtomicReferenceArray<>(PIECES);
 
-    // the same as plain numbers, for every shadow ray asks for them
+    // the same as plain numbers, because every shadow ray asks for them
     private final double startX;
     private final double startY;
     private final double startZ;
@@ -75,7 +75,7 @@ public final class LampTrack {
      * @param from a place of the lamp
      * @param to another one
      * @param left primitives that all tracks together may still prepare, piece by piece
-     * @return null if it does not pay, because the primitives are few or very many, or if the lamp does not move
+     * @return null if it is not worth while, because the primitives are few or very many, or if the lamp does not move
      */
     public static LampTrack of(Vector3dc from, Vector3dc to, ObjectTree objects, AtomicLong left) {
         if (!objects.hasTree() || objects.size() > MOST_PRIMITIVES || from.equals(to)) {

@@ -108,7 +108,7 @@ final class LightBuffer {
         return starts[cell];
     }
 
-    /** Place behind the last entry of a cell. */
+    /** Place after the last entry of a cell. */
     int end(int cell) {
         return starts[cell + 1];
     }

@@ -10,7 +10,7 @@ import tompkins.search.LightBufferProjection.Rectangle;
  */
 final class LightBufferBuilder {
 
-    /** A rectangle of so few cells is taken whole; a larger one may be empty except for a diagonal. */
+    /** A rectangle of at most this many cells is taken whole; a larger one may be empty except for a diagonal. */
     private static final int SMALL_RECTANGLE = 16;
 
     private final LightBufferProjection view;

@@ -150,7 +150,7 @@ final class LightBufferProjection {
      * The view of a lamp that goes straight on from one place to another, which may be the same.
      *
      * @param all a box around what it sees
-     * @return null if the box reaches beside or behind the lamp, or is nearer than the way is long
+     * @return null if the box reaches beside or behind the lamp, or is nearer than the length of the way
      */
     static LightBufferProjection of(Vector3dc from, Vector3dc to, Bounds all) {
         Vector3d toCentre = all.centre().sub(from);
@@ -170,7 +170,7 @@ final class LightBufferProjection {
         return new LightBufferProjection(places, forward, all);
     }
 
-    /** What something is seen between, from all places. */
+    /** The range of slopes under which something is seen from all places. */
     private Range slopes(Function<LampPlace, Range> from) {
         Range all = from.apply(places[0]);
         for (int i = 1; i < places.length; i++) {
@@ -179,7 +179,7 @@ final class LightBufferProjection {
         return all;
     }
 
-    /** A distance from the lamp, wherever on its way it is, that no point of a box falls below; 0 or more. */
+    /** A lower bound of the distance of a box from the lamp, wherever on its way it is; 0 or more. */
     float leastDistance(Bounds box) {
         double least = Double.POSITIVE_INFINITY;
         for (LampPlace place : places) {

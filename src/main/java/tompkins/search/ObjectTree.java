@@ -75,7 +75,7 @@ public final class ObjectTree {
         return mostlyLong;
     }
 
-    /** A box around the primitives with bounds, or null if there are none. */
+    /** A box around the bounded primitives, or null if there are none. */
     Bounds bounds() {
         return bounded.stream().map(Primitive::bounds).reduce(Bounds::with).orElse(null);
     }

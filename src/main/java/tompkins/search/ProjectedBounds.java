@@ -16,7 +16,7 @@ record ProjectedBounds(
         LightBufferProjection.Rectangle rectangle,
         LightBufferProjection.Strip strip) {
 
-    /** A primitive as a lamp with the given view sees it. */
+    /** How a primitive is seen in a view. */
     static ProjectedBounds of(Primitive primitive, LightBufferProjection view) {
         Bounds box = primitive.bounds().widened();
         return new ProjectedBounds(

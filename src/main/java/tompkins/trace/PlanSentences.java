@@ -31,7 +31,7 @@ import tompkins.world.World;
 /** Says in sentences what a picture models and what it leaves out. */
 final class PlanSentences {
 
-    /** The most frames whose content is listed; nobody reads more. */
+    /** The most frames whose content is listed, so that the sentence stays short. */
     private static final int MOST_TOLD = 8;
 
     private final RenderPlan plan;

@@ -21,8 +21,8 @@ import tompkins.surface.Surface;
 import tompkins.surface.Tracer;
 
 /**
- * Follows rays among the objects of one frame, or among all that moves in it, too: the nearest hit decides, and what
- * leaves the objects goes beyond. One for each thread.
+ * Follows rays among the objects of one frame, and among everything that moves in it: the nearest hit decides, and what
+ * leaves the objects goes beyond them. One for each thread.
  */
 final class RayTracer implements Tracer, Lighting {
 
@@ -42,7 +42,7 @@ final class RayTracer implements Tracer, Lighting {
     private final Hit hitMemory = Hit.blank();
     private final Ray startMemory = Ray.blank();
 
-    /** The number of the frame whose hit is answered now; 0 is that of this tracer. */
+    /** The number of the frame of the present hit; 0 is that of this tracer. */
     private int frame;
 
     /** The event of that hit, in the frame in which its ray has begun, if something moves. */
@@ -50,7 +50,7 @@ final class RayTracer implements Tracer, Lighting {
 
     private int eventFrame;
 
-    /** What becomes of the light of that hit on its way to the camera, where light is shifted as it leaves a hit. */
+    /** The factor of the light of that hit on its way to the camera, if light is shifted as it leaves a hit. */
     private Colour way = Colour.WHITE;
 
     /**
@@ -208,14 +208,14 @@ final class RayTracer implements Tracer, Lighting {
     }
 
     /**
-     * Follows a ray whose nearest hit has just been searched. The memory is for its hits, of which each is over before
-     * the next.
+     * Follows a ray whose nearest hit has just been searched. The memory is for its hits, each of which is dealt with
+     * before the next.
      */
     private Followed follow(Ray start, boolean startHits, Hit memory) {
         Ray ray = start;
         boolean hits = startHits;
         Colour light = Colour.BLACK;
-        // the light of a branch is weakened by whoever has asked for it, unless it is shifted where it begins
+        // the surface that asked for a branch weakens its light, unless that is shifted where it begins
         Colour share = shifts() ? way : Colour.WHITE;
         if (hits && place == Frame.SCENE) {
             counts.sceneHits++;

@@ -124,7 +124,7 @@ final class Menus {
         bindOtherKeys(window);
     }
 
-    /** Some items have several keys, of which a menu shows one. */
+    /** Some items have several keys, but a menu shows only one. */
     void bindOtherKeys(JRootPane window) {
         Keys.bindUnlessMenuIsOpen(window, Keys.ofMenu("ctrl Y"), history::redo);
         // where + is on the key of =, with Shift or without

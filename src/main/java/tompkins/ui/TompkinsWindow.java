@@ -277,7 +277,7 @@ public final class TompkinsWindow {
         @Override
         public void shown(Picture picture) {
             late.firstPictureDone();
-            // nobody reads thirty texts a second, and the pictures need the time
+            // nobody can read thirty texts a second, and the pictures need the time
             if (motion == null || !motion.pilot().isRiding() || seldom.mayHappen()) {
                 tell(picture);
             }

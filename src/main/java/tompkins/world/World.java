@@ -41,7 +41,7 @@ public final class World {
 
     /**
      * The most primitives that all lamps with buffers see together: a million take 30 MB and half a second for each
-     * lamp. Lamps that pass see as many again.
+     * lamp. Lamps that pass may see the same number again.
      */
     private static final int MOST_SEEN = 2_000_000;
 

@@ -11,8 +11,8 @@ import tompkins.search.PacketSearch;
 import tompkins.search.TreeParts;
 
 /**
- * The search for the nearest hit in several frames. A ray is taken into each of them; its distances there are told in
- * the units of the direction that it had at the camera, which are the same in all frames. One for each thread.
+ * The search for the nearest hit in several frames. A ray is taken into each of them; its distances there are given in
+ * units of the direction that it had at the camera, which are the same in all frames. One for each thread.
  */
 public final class WorldSearch {
 
@@ -64,10 +64,10 @@ public final class WorldSearch {
     }
 
     /**
-     * Searches the nearest primitive that a ray hits, in all frames.
+     * Searches for the nearest primitive that a ray hits, in all frames.
      *
      * @param from the frame of the ray
-     * @return whether there is one; it stands in the memory of the thread, {@link #ray()} and {@link #frame()}
+     * @return whether there is one; it is in the memory of the thread, {@link #ray()} and {@link #frame()}
      */
     public boolean nearest(Ray start, int from) {
         begin(start, from);
@@ -85,7 +85,7 @@ public final class WorldSearch {
         }
         ray = frame == from ? start : mapped[frame];
         if (found != null && frame != from) {
-            // whoever follows the ray keeps it while others are searched for
+            // the ray must stay as it is while others are searched for
             mapped[frame] = Ray.blank();
         }
         return end();
@@ -157,7 +157,10 @@ public final class WorldSearch {
         return found == null ? Primitive.NO_HIT : share * inFrame.stretch;
     }
 
-    /** Takes what was found last, if it is nearer than all before; of equally near ones the one listed first. */
+    /**
+     * Takes what was found last if it is nearer than everything before; of equally near primitives it takes the one
+     * listed first.
+     */
     private void compare(Ray inFrame, int index) {
         Primitive candidate = nearest.primitive();
         if (candidate == null) {
@@ -188,7 +191,7 @@ public final class WorldSearch {
         return ray;
     }
 
-    /** The frame in which the search that was made last has begun. */
+    /** The frame in which the last search began. */
     public int startFrame() {
         return from;
     }
