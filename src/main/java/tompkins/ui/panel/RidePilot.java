@@ -208,8 +208,8 @@ public final class RidePilot {
     }
 
     /**
-     * Shows the ride that begins with the present studio; if that is on a ride, the one that was shown last or was there
-     * before.
+     * Shows the ride that begins with the present studio; if that is on a ride, the one that was shown last or was
+     * there before.
      */
     public void replay() {
         setRiding(false);
