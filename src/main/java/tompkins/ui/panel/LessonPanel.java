@@ -235,7 +235,8 @@ public final class LessonPanel {
     /**
      * The result of measuring.
      *
-     * @param results what was measured @param problem why nothing was measured, or null
+     * @param results what was measured
+     * @param problem why nothing was measured, or null
      */
     private record Outcome(List<LessonResult> results, String problem) {
 

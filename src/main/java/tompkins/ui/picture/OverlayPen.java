@@ -124,12 +124,18 @@ final class OverlayPen {
 
     /** Says what it is, above the highest of its places that is seen and has room. */
     private void writeGhost(OverlayDrawing drawing, Rectangle visible) {
-        drawing.lines().stream()
+        List<Vector2dc> highest = drawing.lines().stream()
                 .flatMap(List::stream)
                 .filter(place -> visible.contains(x(place), y(place)))
                 .sorted(Comparator.comparingDouble(Vector2dc::y))
                 .limit(MOST_TRIED)
-                .anyMatch(place -> write(drawing.kind(), Texts.get("overlay." + drawing.kind()), place));
+                .toList();
+        String text = Texts.get("overlay." + drawing.kind());
+        for (Vector2dc place : highest) {
+            if (write(drawing.kind(), text, place)) {
+                return;
+            }
+        }
     }
 
     /** Writes what has room: nothing over what is written already. */

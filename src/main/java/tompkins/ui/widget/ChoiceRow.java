@@ -17,7 +17,8 @@ public final class ChoiceRow {
     /**
      * A row for some values.
      *
-     * @param text the text on the button of a value @param name the name of the button
+     * @param text the text on the button of a value
+     * @param name the name of the button
      * @param tip what its value means
      * @param chosen told of each choice
      */
