@@ -29,6 +29,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import tompkins.io.BundledScenes;
 import tompkins.io.StudioReader;
 import tompkins.measure.MeasureKind;
 import tompkins.measure.OverlayKind;
@@ -108,9 +109,10 @@ class WindowPicturesTest {
             studio = studio.withScene(studio.scene().subList(1, studio.scene().size()));
         }
         FirstScene first = shot == Shot.DEFAULT ? FirstScene.ofProgram(studio, "") : new FirstScene(studio, null);
-        try (WindowDriver driver = new WindowDriver(folder, first, List.of(studio))) {
-            JMenu examples = driver.find(JMenu.class, shot == Shot.LESSON ? "menu.lessons" : "menu.examples");
-            WindowDriver.await("the examples", examples::isEnabled);
+        try (WindowDriver driver = new WindowDriver(folder, first, BundledScenes.studios())) {
+            JMenu examples = driver.find(JMenu.class, "menu.examples");
+            JMenu lessons = driver.find(JMenu.class, "menu.lessons");
+            WindowDriver.await("the examples and lessons", () -> examples.isEnabled() && lessons.isEnabled());
             if (shot == Shot.WIDE_APERTURE) {
                 resize(driver);
             }
