@@ -171,22 +171,14 @@ class PhotographViewTest {
     @Test
     void whatIsReadAfterTheMouseHasLeftIsNotShown() {
         List<PixelProbe.Reading> read = new ArrayList<>();
-        PhotographView watched = WindowDriver.onEventThread(() -> new PhotographView(
-                model,
-                new SilentListener() {
-                    @Override
-                    public void read(PixelProbe.Reading reading) {
-                        read.add(reading);
-                    }
-                },
-                () -> Pace.HAND));
-        try (watched) {
+        SilentListener listener = new SilentListener() {
+            @Override
+            public void read(PixelProbe.Reading reading) {
+                read.add(reading);
+            }
+        };
+        try (PhotographView watched = withPicture(listener)) {
             PictureCanvas canvas = watched.canvas();
-            WindowDriver.onEventThread(() -> {
-                canvas.setSize(64, 48);
-                watched.render();
-            });
-            WindowDriver.await("a picture", () -> canvas.shown().now() != null);
             mouse(canvas, MouseEvent.MOUSE_MOVED);
             WindowDriver.await("the reading", () -> !read.isEmpty());
             WindowDriver.onEventThread(() -> {
@@ -204,22 +196,14 @@ class PhotographViewTest {
     @Test
     void aDoubleClickPinsNothing() {
         List<PixelProbe.Reading> pinned = new ArrayList<>();
-        PhotographView watched = WindowDriver.onEventThread(() -> new PhotographView(
-                model,
-                new SilentListener() {
-                    @Override
-                    public void pinned(PixelProbe.Reading reading, String picture) {
-                        pinned.add(reading);
-                    }
-                },
-                () -> Pace.HAND));
-        try (watched) {
+        SilentListener listener = new SilentListener() {
+            @Override
+            public void pinned(PixelProbe.Reading reading, String picture) {
+                pinned.add(reading);
+            }
+        };
+        try (PhotographView watched = withPicture(listener)) {
             PictureCanvas canvas = watched.canvas();
-            WindowDriver.onEventThread(() -> {
-                canvas.setSize(64, 48);
-                watched.render();
-            });
-            WindowDriver.await("a picture", () -> canvas.shown().now() != null);
             WindowDriver.onEventThread(() -> doubleClick(canvas, 32, 24));
             assertThat(pinned).endsWith((PixelProbe.Reading) null);
             WindowDriver.onEventThread(() -> {
@@ -232,6 +216,17 @@ class PhotographViewTest {
                             && pinned.get(pinned.size() - 1).column() == 10
                             && pinned.get(pinned.size() - 1).row() == 12);
         }
+    }
+
+    /** Another view of the model, with a picture on its canvas. */
+    private PhotographView withPicture(PhotographView.Listener listener) {
+        PhotographView watched = WindowDriver.onEventThread(() -> new PhotographView(model, listener, () -> Pace.HAND));
+        WindowDriver.onEventThread(() -> {
+            watched.canvas().setSize(64, 48);
+            watched.render();
+        });
+        WindowDriver.await("a picture", () -> watched.canvas().shown().now() != null);
+        return watched;
     }
 
     private static void doubleClick(PictureCanvas canvas, int x, int y) {

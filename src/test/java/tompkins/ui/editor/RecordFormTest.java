@@ -15,8 +15,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import tompkins.camera.Camera;
-import tompkins.light.LightSource;
+import tompkins.io.Families;
 import tompkins.property.Descriptions;
 import tompkins.property.InvalidPropertyException;
 import tompkins.ray.Colour;
@@ -25,12 +24,9 @@ import tompkins.sceneobject.Group;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
-import tompkins.shutter.Shutter;
-import tompkins.studio.Background;
 import tompkins.studio.RenderSettings;
 import tompkins.studio.Studio;
 import tompkins.surface.LuminousSurface;
-import tompkins.surface.Surface;
 import tompkins.ui.Components;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Note;
@@ -43,18 +39,9 @@ class RecordFormTest {
         Look.LIGHT.install();
     }
 
-    private static final List<Class<?>> FAMILIES = List.of(
-            SceneObject.class,
-            Surface.class,
-            LightSource.class,
-            Shutter.class,
-            Camera.class,
-            Background.class,
-            RenderSettings.class,
-            Studio.class);
-
     static Stream<Class<?>> allTypes() {
-        return FAMILIES.stream().flatMap(family -> Descriptions.members(family).stream());
+        return Stream.concat(Families.ALL.stream(), Stream.of(RenderSettings.class, Studio.class))
+                .flatMap(family -> Descriptions.members(family).stream());
     }
 
     /** Every property of every type is in its form, or is a branch of the tree. */
