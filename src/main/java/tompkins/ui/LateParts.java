@@ -17,7 +17,7 @@ import tompkins.studio.Studio;
 final class LateParts {
 
     /** They do not wait longer than this for a picture, because it may never come. */
-    private static final int LONGEST_WAIT_MILLISECONDS = 400;
+    private static final int LONGEST_WAIT_MILLISECONDS = 1000;
 
     private final CountDownLatch firstPicture = new CountDownLatch(1);
     private final Runnable panel;

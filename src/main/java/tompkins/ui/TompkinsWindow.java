@@ -62,12 +62,15 @@ public final class TompkinsWindow {
 
     private final Motion motion;
 
+    /** The file of the first scene, or null. */
+    private final Path place;
+
     /** When there is time to tell of the pictures of a ride. */
     private final Seldom seldom = new Seldom();
 
     private TompkinsWindow(FirstScene first, CommandLineWriter commandLine) {
         settings.look().install();
-        Path place = first.file() == null ? null : PlainPath.of(first.file());
+        place = first.file() == null ? null : PlainPath.of(first.file());
         model = new StudioModel(first.studio(), place);
         PictureListener pictures = new PictureListener();
         view = new PhotographView(model, pictures, this::pace);
@@ -121,9 +124,6 @@ public final class TompkinsWindow {
         frame.addNotify();
         fitToLook();
         settings.tellTrouble(status::say);
-        if (place != null) {
-            settings.addRecentFile(place);
-        }
     }
 
     /**
@@ -178,7 +178,7 @@ public final class TompkinsWindow {
         editor.open(part);
     }
 
-    /** Brings the panel. The picture pauses meanwhile, so that the panel has the processors. */
+    /** Brings the panel, and remembers the file. The picture pauses meanwhile, so that the panel has the processors. */
     private void furnish() {
         // a window that was closed meanwhile has no picture
         boolean unfinished = frame.isDisplayable() && view.controller().isBusy();
@@ -186,6 +186,9 @@ public final class TompkinsWindow {
         side.panel();
         if (unfinished) {
             view.render();
+        }
+        if (place != null) {
+            settings.addRecentFile(place);
         }
     }
 
