@@ -38,9 +38,8 @@ final class ImageProviders {
             case PNG -> jdkReader("png.PNGImageReaderSpi");
             case JPEG -> jdkReader("jpeg.JPEGImageReaderSpi");
             case GIF -> jdkReader("gif.GIFImageReaderSpi");
-            case BMP -> jdkReader("bmp.BMPImageReaderSpi");
             case TIFF -> new TIFFImageReaderSpi().createReaderInstance();
-            case HDR -> throw new IllegalArgumentException("no library reads Radiance pictures rightly");
+            case BMP, HDR -> throw new IllegalArgumentException("no library reads such pictures rightly");
         };
     }
 

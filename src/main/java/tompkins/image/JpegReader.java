@@ -183,6 +183,8 @@ final class JpegReader {
         if (bits != 8) {
             throw new FileException(name + ": has " + bits + " bits a sample; a JPEG picture must have 8");
         }
+        // The library has a limit of its own, and no reason.
+        Pixels.requireSize(bigEndian(from + 3), bigEndian(from + 1), name);
         components = new byte[unsigned(from + 5)];
         if (components.length != 1 && components.length != 3) {
             throw new FileException(name + ": has " + components.length
