@@ -37,9 +37,8 @@ final class ImageProviders {
         return switch (encoding) {
             case PNG -> jdkReader("png.PNGImageReaderSpi");
             case JPEG -> jdkReader("jpeg.JPEGImageReaderSpi");
-            case GIF -> jdkReader("gif.GIFImageReaderSpi");
             case TIFF -> new TIFFImageReaderSpi().createReaderInstance();
-            case BMP, HDR -> throw new IllegalArgumentException("no library reads such pictures rightly");
+            case BMP, GIF, HDR -> throw new IllegalArgumentException("no library reads such pictures rightly");
         };
     }
 

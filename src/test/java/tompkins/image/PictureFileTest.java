@@ -271,18 +271,15 @@ class PictureFileTest {
     /** The JDK's reader loses the rows of such a picture and says nothing. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5, 6})
-    void aLowInterlacedGifIsReadRightlyOrRefused(int height) throws IOException {
+    void aLowInterlacedGifIsRead(int height) throws IOException {
         BufferedImage image = new BufferedImage(3, height, BufferedImage.TYPE_INT_RGB);
         image.setRGB(2, height - 1, 0x00ff00);
-        byte[] interlaced = Samples.encoded("gif", image);
+        PixelPicture picture = PictureFile.read(Samples.encoded("gif", image), "logo.gif");
 
-        if (height < 5) {
-            assertThatThrownBy(() -> PictureFile.read(interlaced, "logo.gif"))
-                    .isInstanceOf(FileException.class)
-                    .hasMessage("logo.gif: an interlaced GIF picture must have 5 rows or more, has " + height
-                            + "; save it without interlacing");
-        } else {
-            assertPixel(PictureFile.read(interlaced, "logo.gif"), 2, height - 1, 0, 1, 0);
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < 3; x++) {
+                assertPixel(picture, x, y, 0, x == 2 && y == height - 1 ? 1 : 0, 0);
+            }
         }
     }
 
