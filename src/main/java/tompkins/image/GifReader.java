@@ -5,8 +5,8 @@ import java.io.IOException;
 
 /**
  * Reads the first frame of GIF pictures (CompuServe, GIF89a): what the screen shows with it alone, transparent where it
- * does not reach. The JDK's reader is not used: it loses the place of the frame, the rows of low interlaced pictures and
- * pixels that are missing, and says nothing.
+ * does not reach. The JDK's reader is not used: it loses the place of the frame, the rows of low interlaced pictures
+ * and pixels that are missing, and says nothing.
  */
 final class GifReader {
 
