@@ -40,6 +40,8 @@ final class Menus {
 
         void editScene();
 
+        void editNewScene();
+
         void togglePanel();
 
         void toggleFullScreen();
@@ -161,7 +163,7 @@ final class Menus {
 
     private JMenu fileMenu() {
         JMenu menu = menu("menu.file");
-        add(menu, "menu.new", "ctrl N", () -> opener.begin(commands::editScene));
+        add(menu, "menu.new", "ctrl N", () -> opener.begin(commands::editNewScene));
         add(menu, "menu.open", "ctrl O", opener::open);
         JMenu recent = new JMenu(Texts.get("menu.recent"));
         recent.setName("menu.recent");

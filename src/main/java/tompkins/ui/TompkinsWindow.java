@@ -351,6 +351,12 @@ public final class TompkinsWindow {
         }
 
         @Override
+        public void editNewScene() {
+            // where objects are added, whatever was edited in the scene before
+            editor.open(StudioPath.ROOT);
+        }
+
+        @Override
         public void togglePanel() {
             side.toggle();
             frame.revalidate();
