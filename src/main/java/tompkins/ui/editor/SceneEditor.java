@@ -178,6 +178,7 @@ public final class SceneEditor {
                 model.set(FrontWindow.following(model.studio(), content.with(model.studio(), value)));
             });
             formPanel.add(form.component(), "wmin 0");
+            form.parts().ifPresent(parts -> formPanel.add(parts, "wmin 0, gaptop 5"));
         }
         formPanel.revalidate();
         formPanel.repaint();

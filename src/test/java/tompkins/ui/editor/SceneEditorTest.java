@@ -246,7 +246,8 @@ class SceneEditorTest {
         SceneEditor fresh = new SceneEditor(model);
         fresh.addElement(type);
         Vector3d lens = new Vector3d(model.studio().camera().position());
-        for (Primitive part : PrimitiveCollector.primitivesOf(model.studio().scene().get(0))) {
+        for (Primitive part :
+                PrimitiveCollector.primitivesOf(model.studio().scene().get(0))) {
             // the rods of a lattice leave room between them
             if (part.bounds() != null && type != CylinderLattice.class) {
                 assertThat(part.bounds().minZ()).as(type.getSimpleName()).isGreaterThan(lens.z);
@@ -283,7 +284,10 @@ class SceneEditorTest {
                 .containsOnly(new Vector3d(0, 0, -1))
                 .hasSize(2);
         double back = Box.DEFAULT.to().z();
-        assertThat(walls).extracting(wall -> wall.point().z()).doesNotHaveDuplicates().allMatch(z -> z > back);
+        assertThat(walls)
+                .extracting(wall -> wall.point().z())
+                .doesNotHaveDuplicates()
+                .allMatch(z -> z > back);
     }
 
     @Test
