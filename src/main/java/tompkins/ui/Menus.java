@@ -40,6 +40,7 @@ final class Menus {
 
         void editScene();
 
+        /** Opens the editor where objects are added. */
         void editNewScene();
 
         void togglePanel();

@@ -98,10 +98,11 @@ public final class LessonPanel {
         return panel;
     }
 
-    /** Begins the lesson of the model's studio, if it has one, with its first page. */
-    public void begin() {
+    /** Begins the lesson of the model's studio with its first page; false if it has none. */
+    public boolean begin() {
         shown = NoLesson.DEFAULT;
         update();
+        return shown instanceof Lesson;
     }
 
     private void update() {
