@@ -91,9 +91,10 @@ class LessonWindowTest {
     }
 
     private boolean isShown(String button) {
-        return WindowDriver.onEventThread(() -> Components.showing(driver.window().frame(), JButton.class)
-                .anyMatch(each ->
-                        Texts.get(button).equals(each.getAccessibleContext().getAccessibleName())));
+        return WindowDriver.onEventThread(
+                () -> Components.showing(driver.window().frame(), JButton.class)
+                        .anyMatch(each -> Texts.get(button)
+                                .equals(each.getAccessibleContext().getAccessibleName())));
     }
 
     @Test
