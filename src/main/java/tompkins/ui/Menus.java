@@ -22,6 +22,7 @@ import tompkins.spacetime.SpeedScale;
 import tompkins.studio.Studio;
 import tompkins.ui.panel.NumberProperty;
 import tompkins.ui.picture.CanvasZoom;
+import tompkins.ui.widget.FittingButton;
 import tompkins.ui.widget.Keys;
 import tompkins.ui.widget.Look;
 import tompkins.ui.widget.Naming;
@@ -39,6 +40,9 @@ final class Menus {
         void setLook(Look look);
 
         void editScene();
+
+        /** Opens the editor where objects are added. */
+        void editNewScene();
 
         void togglePanel();
 
@@ -161,7 +165,7 @@ final class Menus {
 
     private JMenu fileMenu() {
         JMenu menu = menu("menu.file");
-        add(menu, "menu.new", "ctrl N", () -> opener.begin(commands::editScene));
+        add(menu, "menu.new", "ctrl N", () -> opener.begin(commands::editNewScene));
         add(menu, "menu.open", "ctrl O", opener::open);
         JMenu recent = new JMenu(Texts.get("menu.recent"));
         recent.setName("menu.recent");
@@ -250,7 +254,7 @@ final class Menus {
 
     /** The button of the ride, which must be found without searching. */
     private JButton rideButton() {
-        JButton button = new JButton(Texts.get("ride.begin"));
+        JButton button = new FittingButton(Texts.get("ride.begin"), Texts.get("ride.beginBriefly"));
         Naming.name(button, "ride.begin");
         button.putClientProperty(FlatClientProperties.STYLE, "font: bold; margin: 1,10,1,10");
         button.setFocusable(false);

@@ -146,6 +146,16 @@ final class Motion {
         canvas.requestFocusInWindow();
     }
 
+    /** Hides the bars, and pauses what moves. */
+    void closeBars() {
+        if (ride != null) {
+            ride.setShown(false);
+        }
+        if (play != null) {
+            play.setShown(false);
+        }
+    }
+
     /** Shows a recorded ride. */
     void replayRide() {
         takeEntries();

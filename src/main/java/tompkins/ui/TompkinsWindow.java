@@ -81,7 +81,7 @@ public final class TompkinsWindow {
         dialogs = new FileDialogs(frame, model, status, settings);
         saver = new SceneSaver(frame, model, status, dialogs);
         lesson = new LessonPanel(model);
-        opener = new SceneOpener(frame, model, view, status, settings, dialogs, saver, this::pause, lesson::begin);
+        opener = new SceneOpener(frame, model, view, status, settings, dialogs, saver, this::pause, this::beginLesson);
         captions = new Captions(view.canvas(), settings, first.besideRest());
         signs = new Signs(view.canvas(), settings, view::fail);
         motion = new Motion(frame, model, view, status, new AnimationExport(frame, dialogs, captions, signs), captions);
@@ -172,6 +172,14 @@ public final class TompkinsWindow {
     private void sayOtherScene() {
         view.setPin(null);
         status.report(Texts.get("history.otherScene", model.studio().title()));
+    }
+
+    /** A lesson needs the room of the bars under the picture. */
+    private void beginLesson() {
+        if (lesson.begin()) {
+            motion.closeBars();
+            measure.end();
+        }
     }
 
     private void edit(StudioPath part) {
@@ -348,6 +356,11 @@ public final class TompkinsWindow {
         @Override
         public void editScene() {
             editor.open();
+        }
+
+        @Override
+        public void editNewScene() {
+            editor.open(StudioPath.ROOT);
         }
 
         @Override

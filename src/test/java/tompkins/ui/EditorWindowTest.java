@@ -75,7 +75,12 @@ class EditorWindowTest {
 
     @Test
     void aNewSceneIsBegunWhereObjectsAreAdded() {
-        WindowDriver.onEventThread(() -> editors().forEach(dialog -> dialog.setVisible(false)));
+        JTree tree = driver.find(JTree.class, "tree");
+        WindowDriver.onEventThread(() -> {
+            // the last line, which has nothing to add
+            tree.setSelectionRow(tree.getRowCount() - 1);
+            editors().forEach(dialog -> dialog.setVisible(false));
+        });
         driver.menu("menu.new");
         WindowDriver.await("the editor", this::isOpen);
         assertThat(driver.studio()).isEqualTo(Studio.DEFAULT);

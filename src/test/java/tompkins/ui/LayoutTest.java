@@ -2,6 +2,7 @@ package tompkins.ui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.awt.Component;
 import java.awt.Container;
 import java.util.ArrayList;
@@ -30,14 +31,18 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import tompkins.property.Descriptions;
+import tompkins.sceneobject.SceneObject;
 import tompkins.shutter.Shutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.FrontWindow;
+import tompkins.studio.StudioPath;
 import tompkins.studio.Studios;
 import tompkins.surface.LorentzWindow;
+import tompkins.surface.Tiling;
 import tompkins.ui.editor.SceneEditor;
 import tompkins.ui.model.Shutters;
 import tompkins.ui.model.StudioModel;
@@ -248,6 +253,51 @@ class LayoutTest {
         assertThat(tree.getPreferredSize().width)
                 .as("tree")
                 .isLessThanOrEqualTo(tree.getParent().getWidth());
+    }
+
+    /** Also of a colour of a surface of a surface. */
+    @ParameterizedTest
+    @EnumSource(Look.class)
+    void theNumbersOfTheEditorCanBeRead(Look look) {
+        WindowDriver.onEventThread(() -> {
+            use(look, 1, Locale.ENGLISH);
+            List<SceneObject> objects = Stream.of(SceneObject.class)
+                    .flatMap(family -> Descriptions.members(family).stream())
+                    .map(type -> (SceneObject) Descriptions.standard(type))
+                    .map(object -> Descriptions.changed(
+                            object, (name, value) -> name.startsWith("surface") ? Tiling.DEFAULT : value))
+                    .toList();
+            model.set(model.studio().withScene(objects));
+            SceneEditor sceneEditor = new SceneEditor(model);
+            JComponent editor = sceneEditor.component();
+            editor.setSize(editor.getPreferredSize());
+            int checked = checkNumbers(editor);
+            for (int i = 0; i < objects.size(); i++) {
+                sceneEditor.choose(StudioPath.ROOT.then("scene").then(i));
+                checked += checkNumbers(editor);
+            }
+            assertThat(checked).isGreaterThan(100);
+        });
+    }
+
+    private static int checkNumbers(JComponent editor) {
+        Components.layOut(editor);
+        List<JTextField> fields = Components.all(editor)
+                .filter(JTextField.class::isInstance)
+                .map(JTextField.class::cast)
+                .filter(field -> leading(field) != null)
+                .toList();
+        for (JTextField field : fields) {
+            int room = LayoutProblems.innerWidth(field) - leading(field).getPreferredSize().width;
+            assertThat(LayoutProblems.textWidth(field, "0.975"))
+                    .as(field.getAccessibleContext().getAccessibleName())
+                    .isLessThanOrEqualTo(room);
+        }
+        return fields.size();
+    }
+
+    private static JComponent leading(JTextField field) {
+        return (JComponent) field.getClientProperty(FlatClientProperties.TEXT_FIELD_LEADING_COMPONENT);
     }
 
     @ParameterizedTest

@@ -77,6 +77,26 @@ class LessonWindowTest {
         assertThat(Components.all(examples)).noneMatch(item -> cube.title().equals(item.getName()));
     }
 
+    /** Together they leave no room for the picture. */
+    @Test
+    void aLessonClosesTheBarsUnderThePicture() {
+        driver.menu("menu.ride");
+        driver.menu("menu.playPanel");
+        driver.menu("menu.measure");
+        List<String> bars = List.of("ride.close", "play.close", "measure.close");
+        assertThat(bars).allMatch(this::isShown);
+        begin();
+        assertThat(bars).noneMatch(this::isShown);
+        assertThat(isShown("lesson.again")).isTrue();
+    }
+
+    private boolean isShown(String button) {
+        return WindowDriver.onEventThread(
+                () -> Components.showing(driver.window().frame(), JButton.class)
+                        .anyMatch(each -> Texts.get(button)
+                                .equals(each.getAccessibleContext().getAccessibleName())));
+    }
+
     @Test
     void aLessonLeadsFromThePredictionToItsNumbers() {
         begin();

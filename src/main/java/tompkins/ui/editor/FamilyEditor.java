@@ -3,6 +3,7 @@ package tompkins.ui.editor;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -19,6 +20,7 @@ import tompkins.ui.widget.Wording;
 final class FamilyEditor implements ValueEditor {
 
     private final JPanel panel = Rows.column();
+    private final JPanel formPanel = Rows.column();
     private final Consumer<Object> commit;
     private final Note note;
     private final JComboBox<Class<?>> types = new JComboBox<>();
@@ -52,6 +54,11 @@ final class FamilyEditor implements ValueEditor {
     @Override
     public JComponent component() {
         return panel;
+    }
+
+    @Override
+    public Optional<JComponent> parts() {
+        return Optional.of(formPanel);
     }
 
     @Override
@@ -128,12 +135,10 @@ final class FamilyEditor implements ValueEditor {
     }
 
     private void replaceForm() {
-        if (form != null) {
-            panel.remove(form.component());
-        }
+        formPanel.removeAll();
         form = new RecordForm(shownType, component -> !Branches.isBranch(component.getGenericType()), commit);
-        panel.add(form.component(), "wmin 0");
-        panel.revalidate();
-        panel.repaint();
+        formPanel.add(form.component(), "wmin 0");
+        formPanel.revalidate();
+        formPanel.repaint();
     }
 }

@@ -9,15 +9,22 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 import tompkins.light.LightSource;
 import tompkins.light.PointLight;
+import tompkins.math.Vectors;
 import tompkins.primitive.Bounds;
 import tompkins.primitive.Primitive;
 import tompkins.property.Descriptions;
+import tompkins.sceneobject.Placed;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.sceneobject.TriangleMesh;
 import tompkins.surface.Tiling;
 
-/** Decides where new parts of a scene are placed: beside what is there already, and the first object on a floor. */
+/**
+ * Decides where new parts of a scene are placed: beside what is there already, and the first object on a floor. The
+ * file of a mesh says where its corners are, often around the camera; it is placed ahead.
+ */
 final class NewObject {
 
     /** The components of objects that say where they are, and not how large or how turned. */
@@ -48,15 +55,53 @@ final class NewObject {
     /** From one lamp to the next. */
     private static final double LAMPS_APART = 200;
 
+    /** Where objects usually are, ahead of a camera at the origin. */
+    private static final Vector3dc AHEAD = Sphere.DEFAULT.centre();
+
+    /** How far a wall stands behind the middle of what is ahead, and from the next wall. */
+    private static final double WALLS_APART = 10;
+
     private NewObject() {}
 
     /** A new element of a list, of a type, in a place of its own. */
     static Object of(Class<?> type, List<?> list) {
         Object standard = Descriptions.standard(type);
+        if (standard instanceof Plane plane) {
+            return floorOrWall(plane, list);
+        }
+        if (standard instanceof TriangleMesh mesh) {
+            return beside(ahead(mesh), list);
+        }
         if (standard instanceof SceneObject object) {
             return beside(object, list);
         }
         return standard instanceof PointLight lamp ? beside(lamp, list) : standard;
+    }
+
+    private static SceneObject ahead(TriangleMesh mesh) {
+        Placed ahead = Descriptions.with(Placed.DEFAULT, "translation", AHEAD);
+        return Descriptions.with(Descriptions.with(ahead, "object", mesh), "description", mesh.description());
+    }
+
+    /** A floor; or if there is one already, a wall behind everything. */
+    private static Plane floorOrWall(Plane floor, List<?> list) {
+        Plane next = floor;
+        double farthest = occupied(list).stream().mapToDouble(Bounds::maxZ).reduce(AHEAD.z(), Math::max);
+        for (int walls = 1; isTaken(next, list); walls++) {
+            Vector3d point = new Vector3d(0, 0, Math.ceil(farthest) + walls * WALLS_APART);
+            next = new Plane(floor.description(), point, new Vector3d(0, 0, -1), floor.surface());
+        }
+        return next;
+    }
+
+    /** Whether another plane lies in the same place. */
+    private static boolean isTaken(Plane plane, List<?> list) {
+        Vector3d normal = Vectors.unit(plane.normal());
+        return list.stream()
+                .map(Hiding::content)
+                .anyMatch(each -> each instanceof Plane other
+                        && normal.cross(other.normal(), new Vector3d()).length() == 0
+                        && normal.dot(other.point()) == normal.dot(plane.point()));
     }
 
     private static LightSource beside(PointLight lamp, List<?> list) {
@@ -75,18 +120,11 @@ final class NewObject {
     }
 
     private static SceneObject beside(SceneObject object, List<?> list) {
-        List<SceneObject> others = list.stream().map(SceneObject.class::cast).toList();
-        double primitives =
-                others.stream().mapToDouble(SceneObject::primitiveCount).sum();
         Optional<Bounds> room = bounds(object);
-        if (room.isEmpty() || primitives > MOST_PRIMITIVES) {
+        if (room.isEmpty()) {
             return object;
         }
-        List<Bounds> taken = others.stream()
-                .flatMap(other -> PrimitiveCollector.primitivesOf(other).stream())
-                .map(Primitive::bounds)
-                .filter(Objects::nonNull)
-                .toList();
+        List<Bounds> taken = occupied(list);
         double step = STEP * (room.get().maxX() - room.get().minX());
         for (int i = 0; i <= 2 * MOST_STEPS; i++) {
             // to the right, to the left, farther to the right
@@ -97,6 +135,18 @@ final class NewObject {
             }
         }
         return object;
+    }
+
+    /** The boxes around what has an end; none if there is too much of it. */
+    private static List<Bounds> occupied(List<?> list) {
+        List<SceneObject> objects = list.stream().map(SceneObject.class::cast).toList();
+        return objects.stream().mapToDouble(SceneObject::primitiveCount).sum() > MOST_PRIMITIVES
+                ? List.of()
+                : objects.stream()
+                        .flatMap(each -> PrimitiveCollector.primitivesOf(each).stream())
+                        .map(Primitive::bounds)
+                        .filter(Objects::nonNull)
+                        .toList();
     }
 
     /** The floor beneath a first object; empty if the object has no place, or is endless itself. */

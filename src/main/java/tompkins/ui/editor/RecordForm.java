@@ -20,6 +20,9 @@ import tompkins.ui.widget.Wording;
  */
 public final class RecordForm {
 
+    /** How far the form of a part stands to the right of its label, in pixels. */
+    private static final int INDENT = 16;
+
     private final JPanel panel = Rows.of("wrap 2, hidemode 3, gap 8 5", "[::150,pref][grow,fill]");
     private final Map<RecordComponent, ValueEditor> editors = new LinkedHashMap<>();
     private Object value;
@@ -56,6 +59,7 @@ public final class RecordForm {
         label.setLabelFor(editor.component());
         panel.add(label, editor.isTall() ? "aligny top, gaptop 3" : "");
         panel.add(editor.component(), "growx, wmin 0");
+        editor.parts().ifPresent(parts -> panel.add(parts, "span, growx, wmin 0, gapleft " + INDENT));
     }
 
     /** The form itself, to be put into a panel. */

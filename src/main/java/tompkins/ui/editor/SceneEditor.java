@@ -31,6 +31,8 @@ import tompkins.ui.widget.Wording;
 /** All of the studio: a tree of its parts, and a form for the chosen one. */
 public final class SceneEditor {
 
+    private static final StudioPath SCENE = StudioPath.ROOT.then("scene");
+
     private final StudioModel model;
     private final JPanel panel = new JPanel(
             new MigLayout("novisualpadding, insets 10, fill, wrap 1, gap 0 8", "[grow,fill]", "[grow,fill][]"));
@@ -176,6 +178,7 @@ public final class SceneEditor {
                 model.set(FrontWindow.following(model.studio(), content.with(model.studio(), value)));
             });
             formPanel.add(form.component(), "wmin 0");
+            form.parts().ifPresent(parts -> formPanel.add(parts, "wmin 0, gaptop 5"));
         }
         formPanel.revalidate();
         formPanel.repaint();
@@ -207,7 +210,7 @@ public final class SceneEditor {
 
     /** The list of the chosen line; the list of objects if the whole studio is chosen, as it is at first. */
     private StudioPath listPath() {
-        return isElement() ? line.path().parent() : isAll() ? StudioPath.ROOT.then("scene") : line.path();
+        return isElement() ? line.path().parent() : isAll() ? SCENE : line.path();
     }
 
     private List<?> list() {
@@ -244,16 +247,20 @@ public final class SceneEditor {
             NewObject.floorBeneath(added).ifPresent(longer::add);
         }
         if (note.attempt(() -> model.set(path.with(model.studio(), longer)))) {
-            select(path.then(place));
+            StudioPath made = path.then(place);
+            // a mesh comes in a place
+            select(type.isInstance(added) ? made : made.then("object"));
             if (added instanceof LightSource && !before.isEmpty()) {
                 note.setText(Texts.get("tree.moreLight", before.size()));
+            } else if (path.equals(SCENE) && !InPicture.shows(model.studio(), (SceneObject) added)) {
+                note.setText(Texts.get("tree.outOfPicture"));
             }
         }
     }
 
     private boolean isFirstObject(StudioPath list) {
         Studio studio = model.studio();
-        return list.equals(StudioPath.ROOT.then("scene"))
+        return list.equals(SCENE)
                 && studio.scene().isEmpty()
                 && studio.cameraFrame().isEmpty();
     }

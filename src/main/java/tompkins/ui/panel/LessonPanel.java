@@ -47,6 +47,7 @@ public final class LessonPanel {
 
     private final StudioModel model;
     private final JPanel panel = new Strip();
+    private final JPanel head = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 2 0"));
 
     private final Map<Step, JToggleButton> steps = new EnumMap<>(Step.class);
     private final JButton again = new JButton(Texts.get("lesson.again"));
@@ -84,6 +85,10 @@ public final class LessonPanel {
         Naming.name(again, "lesson.again");
         again.addActionListener(event -> startAgain());
         next.addActionListener(event -> goOn());
+        // always here, even while there is no lesson: what is added later would not have taken part in a change of look
+        panel.add(head, "growx, wmin 0, wrap");
+        panel.add(problem.component(), "growx, wmin 0, wrap");
+        fillHead();
         model.addListener(this::update);
         update();
     }
@@ -93,10 +98,11 @@ public final class LessonPanel {
         return panel;
     }
 
-    /** Begins the lesson of the model's studio, if it has one, with its first page. */
-    public void begin() {
+    /** Begins the lesson of the model's studio with its first page; false if it has none. */
+    public boolean begin() {
         shown = NoLesson.DEFAULT;
         update();
+        return shown instanceof Lesson;
     }
 
     private void update() {
@@ -109,9 +115,22 @@ public final class LessonPanel {
         }
     }
 
+    private void fillHead() {
+        head.setOpaque(false);
+        for (JToggleButton button : steps.values()) {
+            head.add(button, "wmin 0");
+        }
+        head.add(again, "pushx, alignx right");
+        head.add(next);
+    }
+
     private void make() {
-        panel.removeAll();
+        if (cards != null) {
+            panel.remove(cards.component());
+            cards = null;
+        }
         lesson = null;
+        problem.setText("");
         panel.setVisible(shown instanceof Lesson);
         if (shown instanceof Lesson) {
             try {
@@ -121,9 +140,9 @@ public final class LessonPanel {
                 show(Step.PREDICT);
             } catch (InvalidPropertyException wrong) {
                 problem.setError(Texts.get("lesson.unusable", wrong.getMessage()));
-                panel.add(problem.component(), "growx, wmin 0");
             }
         }
+        head.setVisible(lesson != null);
         panel.revalidate();
         panel.repaint();
     }
@@ -138,14 +157,6 @@ public final class LessonPanel {
         cards.add(LessonLookPage.class, look.component());
         cards.add(LessonReasonPage.class, reason.component());
         cards.add(LessonNumbersPage.class, numbers.component());
-        JPanel row = new JPanel(new MigLayout("novisualpadding, insets 0, fillx, gap 2 0"));
-        row.setOpaque(false);
-        for (JToggleButton button : steps.values()) {
-            row.add(button, "wmin 0");
-        }
-        row.add(again, "pushx, alignx right");
-        row.add(next);
-        panel.add(row, "growx, wmin 0, wrap");
         panel.add(cards.component(), "growx, wmin 0");
     }
 

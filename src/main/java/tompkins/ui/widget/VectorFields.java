@@ -68,7 +68,7 @@ public final class VectorFields {
     /** Adds the fields side by side, each with its name in it. */
     public void addInRow(JPanel panel) {
         for (int axis = 0; axis < fields.size(); axis++) {
-            JLabel label = new JLabel(names.get(axis));
+            JLabel label = new JLabel(Texts.getOr("component." + names.get(axis), names.get(axis)));
             label.putClientProperty(FlatClientProperties.STYLE, "font: $small.font; foreground: $Tompkins.note");
             label.setBorder(BorderFactory.createEmptyBorder(0, 4, 0, 2));
             JTextComponent field = fields.get(axis).field();

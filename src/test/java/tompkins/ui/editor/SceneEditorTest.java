@@ -23,6 +23,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tompkins.camera.Aim;
+import tompkins.camera.FieldOfView;
 import tompkins.camera.PanoramicCamera;
 import tompkins.camera.ThinLensCamera;
 import tompkins.lesson.Lesson;
@@ -50,6 +52,7 @@ import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Silhouette;
 import tompkins.sceneobject.Sphere;
 import tompkins.sceneobject.Triangle;
+import tompkins.sceneobject.TriangleMesh;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.FrontWindow;
 import tompkins.studio.Studio;
@@ -226,8 +229,84 @@ class SceneEditorTest {
         choose("Scene");
         editor.addElement(type);
         assertThat(model.studio().scene()).hasSize(3);
-        assertThat(model.studio().scene().get(2)).isInstanceOf(type);
+        assertThat(unplaced(model.studio().scene().get(2), type)).isInstanceOf(type);
         assertThat(Components.all(panel).count()).isPositive();
+    }
+
+    /** A mesh comes in a place, because its file says where its corners are. */
+    private static SceneObject unplaced(SceneObject added, Class<?> type) {
+        return type == TriangleMesh.class ? ((Placed) added).object() : added;
+    }
+
+    /** What is around the camera hides everything else. */
+    @ParameterizedTest
+    @MethodSource("objects")
+    void aNewObjectLeavesTheCameraFree(Class<?> type) {
+        model.set(Studio.DEFAULT);
+        SceneEditor fresh = new SceneEditor(model);
+        fresh.addElement(type);
+        Vector3d lens = new Vector3d(model.studio().camera().position());
+        for (Primitive part :
+                PrimitiveCollector.primitivesOf(model.studio().scene().get(0))) {
+            // the rods of a lattice leave room between them
+            if (part.bounds() != null && type != CylinderLattice.class) {
+                assertThat(part.bounds().minZ()).as(type.getSimpleName()).isGreaterThan(lens.z);
+            }
+        }
+    }
+
+    @Test
+    void aNewMeshIsPlacedAheadAndChosen() {
+        model.set(Studio.DEFAULT);
+        SceneEditor fresh = new SceneEditor(model);
+        fresh.addElement(TriangleMesh.class);
+        assertThat(((Placed) model.studio().scene().get(0)).translation()).isEqualTo(new Vector3d(0, 0, 10));
+        Container form = (Container) fresh.component();
+        assertThat(Components.find(form, JButton.class, "Mesh").getText()).isEqualTo("Choose a mesh\u2026");
+    }
+
+    /** A second floor in the same place would be seen instead of the first. */
+    @Test
+    void aSecondPlaneIsAWallBehindEverything() {
+        model.set(Studio.DEFAULT);
+        SceneEditor fresh = new SceneEditor(model);
+        fresh.addElement(Box.class);
+        Plane floor = (Plane) model.studio().scene().get(1);
+        for (int i = 0; i < 2; i++) {
+            fresh.addElement(Plane.class);
+        }
+        List<Plane> walls = model.studio().scene().stream()
+                .filter(object -> object instanceof Plane && object != floor)
+                .map(Plane.class::cast)
+                .toList();
+        assertThat(walls)
+                .extracting(wall -> wall.normal())
+                .containsOnly(new Vector3d(0, 0, -1))
+                .hasSize(2);
+        double back = Box.DEFAULT.to().z();
+        assertThat(walls)
+                .extracting(wall -> wall.point().z())
+                .doesNotHaveDuplicates()
+                .allMatch(z -> z > back);
+    }
+
+    @Test
+    void whatIsNotInThePictureSaysSo() {
+        model.set(Studio.DEFAULT);
+        SceneEditor fresh = new SceneEditor(model);
+        Container form = (Container) fresh.component();
+        fresh.addElement(Sphere.class);
+        assertThat(Components.notes(form)).noneMatch(note -> note.contains("lies outside"));
+        fresh.addElement(Sphere.class);
+        // 14 degrees from the middle, where the edge is 10 degrees from it
+        assertThat(((Sphere) model.studio().scene().get(1)).centre()).isEqualTo(new Vector3d(2.5, 0, 10));
+        assertThat(Components.notes(form)).anyMatch(note -> note.contains("lies outside"));
+        model.set(model.studio().withCamera(FieldOfView.with(model.studio().camera(), 120)));
+        fresh.addElement(Sphere.class);
+        assertThat(Components.notes(form)).noneMatch(note -> note.contains("lies outside"));
+        model.set(model.studio().withCamera(Aim.along(model.studio().camera(), new Vector3d(0, 0, -1))));
+        fresh.addElement(Moving.class);
+        assertThat(Components.notes(form)).anyMatch(note -> note.contains("lies outside"));
     }
 
     /** An empty scene offers nothing else to choose first. */

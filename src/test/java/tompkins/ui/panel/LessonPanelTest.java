@@ -9,11 +9,13 @@ import java.io.IOException;
 import java.util.Collections;
 import java.util.List;
 import java.util.stream.Stream;
+import javax.swing.AbstractButton;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JRadioButton;
 import javax.swing.JSlider;
 import javax.swing.JToggleButton;
+import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
@@ -63,6 +65,27 @@ class LessonPanelTest {
     @AfterAll
     static void restore() {
         Look.LIGHT.install();
+    }
+
+    /** The look may have been changed while no lesson was there. */
+    @Test
+    void theStripOfALaterLessonHasThePresentLook() {
+        StudioModel later = new StudioModel(Studio.DEFAULT, null);
+        JComponent strip = new LessonPanel(later).component();
+        int before = new JButton().getFont().getSize();
+        Look.PROJECTOR.install();
+        SwingUtilities.updateComponentTreeUI(strip);
+        later.set(with(Lesson.DEFAULT));
+        List<Integer> sizes = buttonSizes(strip);
+        Look.LIGHT.install();
+        assertThat(sizes).hasSizeGreaterThan(5).allMatch(size -> size > before);
+    }
+
+    private static List<Integer> buttonSizes(JComponent strip) {
+        return Components.all(strip)
+                .filter(AbstractButton.class::isInstance)
+                .map(button -> button.getFont().getSize())
+                .toList();
     }
 
     private static Studio with(Lesson lesson) {

@@ -1,0 +1,41 @@
+package tompkins.ui.editor;
+
+import org.joml.Vector2dc;
+import org.joml.Vector3dc;
+import tompkins.measure.Projection;
+import tompkins.measure.SceneShapes;
+import tompkins.measure.SeenFrame;
+import tompkins.primitive.Placement;
+import tompkins.sceneobject.PrimitiveCollector;
+import tompkins.sceneobject.SceneObject;
+import tompkins.spacetime.Event;
+import tompkins.spacetime.FrameMotion;
+import tompkins.studio.Studio;
+
+/** Finds out whether an object of the scene lies within the edges of the picture; what hides it does not count. */
+final class InPicture {
+
+    private InPicture() {}
+
+    /** Whether the middle of one part of an object lies in the picture, or of a part that has no middle. */
+    static boolean shows(Studio studio, SceneObject object) {
+        PrimitiveCollector collector = new PrimitiveCollector(
+                point -> new Event(point.x(), point.y(), point.z(), 0),
+                studio.transformation(),
+                motion -> Event.ORIGIN);
+        object.addTo(collector, Placement.NONE);
+        SceneShapes shapes = SceneShapes.of(collector.frames());
+        Projection projection = Projection.of(studio);
+        return shapes.objects().isEmpty()
+                || shapes.objects().stream().anyMatch(part -> shows(projection, part.motion(), part.middle()));
+    }
+
+    private static boolean shows(Projection projection, FrameMotion motion, Vector3dc point) {
+        Vector2dc place = projection.place(new SeenFrame(projection.studio(), motion), point);
+        return place != null
+                && place.x() >= 0
+                && place.y() >= 0
+                && place.x() <= projection.width()
+                && place.y() <= projection.height();
+    }
+}
