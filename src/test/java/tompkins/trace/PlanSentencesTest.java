@@ -1,12 +1,15 @@
 package tompkins.trace;
 
+import static org.assertj.core.api.Assertions.as;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.InstanceOfAssertFactories.STRING;
 
 import java.util.Collections;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -15,6 +18,7 @@ import tompkins.camera.CameraMotion;
 import tompkins.camera.ThinLensCamera;
 import tompkins.property.Descriptions;
 import tompkins.sceneobject.Group;
+import tompkins.sceneobject.Moving;
 import tompkins.sceneobject.Plane;
 import tompkins.sceneobject.SceneObject;
 import tompkins.sceneobject.Sphere;
@@ -24,6 +28,7 @@ import tompkins.shutter.FixedPointSurfaceShutter;
 import tompkins.shutter.RollingShutter;
 import tompkins.shutter.Shutter;
 import tompkins.shutter.SweepDirection;
+import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
@@ -198,5 +203,27 @@ class PlanSentencesTest {
                 .allSatisfy(beginnings -> assertThat(sentences)
                         .filteredOn(each -> each.matches("(" + beginnings + ").*"))
                         .hasSize(1));
+    }
+
+    /** Directions are right up to gamma = 1e6, whether the camera or an object has that speed; then to 8 gamma u. */
+    @Test
+    void speedsWithoutGuaranteeAreWarnedOf() {
+        Velocity right = Velocity.of(SpeedScale.GAMMA, 0.99e6, new Vector3d(0, 0, 1));
+        Velocity doubtful = Velocity.of(SpeedScale.GAMMA, 1e7, new Vector3d(0, 0, 1));
+
+        assertThat(List.of(REST.withVelocity(right), past(right)))
+                .allSatisfy(
+                        studio -> assertThat(RenderPlan.of(studio).warnings()).isEmpty());
+        assertThat(List.of(REST.withVelocity(doubtful), past(doubtful))).allSatisfy(studio -> {
+            RenderPlan plan = RenderPlan.of(studio);
+            assertThat(plan.warnings())
+                    .singleElement(as(STRING))
+                    .endsWith("gamma 10000000 is above 1000000; directions may be wrong by more than 9e-9 radians");
+            assertThat(plan.sentences()).contains("Warning: " + plan.warnings().get(0) + ".");
+        });
+    }
+
+    private static Studio past(Velocity velocity) {
+        return REST.withScene(List.of(new Moving("passing", velocity, new Vector3d(), 0, List.of(BALL))));
     }
 }
