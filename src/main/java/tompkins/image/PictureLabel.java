@@ -43,8 +43,12 @@ public final class PictureLabel {
         graphics.dispose();
     }
 
-    /** Writes a text into a corner of a picture; its end is left out if there is no room. */
-    public static void paint(Graphics2D graphics, Font font, String text, Rectangle picture, Corner corner) {
+    /**
+     * Writes a text into a corner of a picture: in smaller type if there is no room for it, and without its end if that
+     * is not enough.
+     */
+    public static void paint(Graphics2D graphics, Font usual, String text, Rectangle picture, Corner corner) {
+        Font font = fitting(graphics, usual, text, picture.width);
         Graphics2D g = (Graphics2D) graphics.create();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
@@ -78,6 +82,17 @@ public final class PictureLabel {
 
     private static int sizes(double share, Font font) {
         return (int) Math.round(share * font.getSize2D());
+    }
+
+    /** The usual font, or a smaller one if the text needs it and can still be read. */
+    private static Font fitting(Graphics2D graphics, Font usual, String text, int width) {
+        Font font = usual;
+        while (font.getSize2D() > SMALLEST
+                && graphics.getFontMetrics(font).stringWidth(text)
+                        > width - 2 * (sizes(GAP, font) + sizes(MARGIN, font))) {
+            font = font.deriveFont(Math.max(SMALLEST, font.getSize2D() - 1));
+        }
+        return font;
     }
 
     private static String shortened(String text, FontMetrics metrics, int room) {

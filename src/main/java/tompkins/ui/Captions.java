@@ -33,6 +33,7 @@ public final class Captions {
     private final Settings settings;
     private final boolean usual;
     private NumberProperty animated;
+    private boolean riding;
 
     /** Captions on a canvas, if the settings say so; {@code usual} counts if they say nothing. */
     Captions(PictureCanvas canvas, Settings settings, boolean usual) {
@@ -60,8 +61,18 @@ public final class Captions {
         update();
     }
 
+    /** Tells whether the line of a ride says how fast the camera is: the picture on the screen is a little late. */
+    void setRiding(boolean rides) {
+        riding = rides;
+    }
+
     private void update() {
-        canvas.setCaptions(this::shown);
+        canvas.setCaptions(this::onScreen);
+    }
+
+    /** What is written into a picture on the screen: as {@link #shown}, without what the line of a ride says. */
+    String onScreen(Studio studio) {
+        return riding ? view(studio) : shown(studio);
     }
 
     /**

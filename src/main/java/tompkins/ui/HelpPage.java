@@ -45,7 +45,8 @@ record HelpPage(URL url) {
                 .extensions(EXTENSIONS)
                 .build()
                 .render(Parser.builder().extensions(EXTENSIONS).build().parse(markdown))
-                // Swing does not break a line between pictures by itself
-                .replace("/>\n<img", "/><br><img");
+                // Swing leaves out white space between pictures, and does not break a line there by itself
+                .replace("/>\n<img", "/><br><img")
+                .replace("/> <img", "/>&nbsp; <img");
     }
 }

@@ -58,6 +58,7 @@ final class Motion {
         new SteeringMouse(canvas, new CameraHand(model, view, pilot));
         new RideKeys(canvas, new Keys());
         canvas.addOverlay(new RideHeadUp(this::line));
+        pilot.addListener(() -> captions.setRiding(pilot.isRiding()));
         pilot.addListener(canvas::repaint);
         view.setRideAtRest(pilot::atRest);
     }

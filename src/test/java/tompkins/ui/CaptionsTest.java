@@ -50,6 +50,19 @@ class CaptionsTest {
                 .isEqualTo("Measured, not a photograph");
     }
 
+    /** Otherwise the screen would tell two speeds, that of the picture and that of the next. */
+    @Test
+    void onARideTheLineOfTheRideTellsTheSpeed() {
+        Captions captions =
+                new Captions(new PictureCanvas(size -> {}), new Settings(folder.resolve("window.properties")), true);
+        captions.setRiding(true);
+        assertThat(captions.onScreen(FAST)).isEmpty();
+        assertThat(captions.onScreen(FAST.withView(View.MEASURED))).isEqualTo("Measured, not a photograph");
+        assertThat(captions.shown(FAST)).as("in a copy").isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25");
+        captions.setRiding(false);
+        assertThat(captions.onScreen(FAST)).isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25");
+    }
+
     @Test
     void theyTellTheNumberThatIsAnimated() {
         Studio later = StudioNumber.OPENING_TIME.with(FAST, 1.5);

@@ -6,6 +6,7 @@ import java.awt.Component;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
+import java.awt.geom.Rectangle2D;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -286,6 +287,30 @@ class HelpWindowTest {
         assertThat(title()).isEqualTo("A guided tour \u2013 Tompkins");
         follow(last);
         WindowDriver.await("the chapter", () -> title().equals("Conventions \u2013 Tompkins"));
+    }
+
+    /** Otherwise two pictures are taken for one. */
+    @Test
+    void picturesBesideEachOtherKeepApart() throws Exception {
+        // of the town square in the tour
+        double gap = WindowDriver.onEventThread(() -> {
+            HTMLDocument.Iterator images = ((HTMLDocument) text.getDocument()).getIterator(HTML.Tag.IMG);
+            Rectangle2D first = placeOf(images.getStartOffset());
+            double right = placeOf(images.getStartOffset() + 1).getX();
+            images.next();
+            Rectangle2D second = placeOf(images.getStartOffset());
+            assertThat(second.getY()).as("in one line").isEqualTo(first.getY());
+            return second.getX() - right;
+        });
+        assertThat(gap).isBetween(4.0, 20.0);
+    }
+
+    private Rectangle2D placeOf(int position) {
+        try {
+            return text.modelToView2D(position);
+        } catch (BadLocationException impossible) {
+            throw new AssertionError(impossible);
+        }
     }
 
     @Test

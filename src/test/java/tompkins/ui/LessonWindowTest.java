@@ -3,6 +3,7 @@ package tompkins.ui;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -14,6 +15,7 @@ import javax.swing.JMenuItem;
 import javax.swing.JRadioButton;
 import javax.swing.JSlider;
 import javax.swing.JTextField;
+import javax.swing.JToggleButton;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -121,6 +123,37 @@ class LessonWindowTest {
         assertThat(numbers).hasSize(4);
         assertThat(Double.parseDouble(numbers.get(1))).isCloseTo(4.0 / 3, within(0.003));
         assertThat(Double.parseDouble(numbers.get(3))).isCloseTo(0.6, within(0.001));
+    }
+
+    /** The step that is marked is the one that is shown, also for the keys. */
+    @Test
+    void theArrowKeysGoFromPageToPage() {
+        begin();
+        driver.click(driver.find(JRadioButton.class, "Only the front face, but narrower."));
+        driver.click(driver.find(JRadioButton.class, Texts.get("lesson.sure")));
+        press("lesson.next.LOOK");
+        press("lesson.next.REASON");
+        driver.click(step("PREDICT"));
+        for (String name : List.of("LOOK", "REASON")) {
+            driver.key(KeyEvent.VK_RIGHT);
+            JToggleButton reached = step(name);
+            WindowDriver.await("the focus", reached::isFocusOwner);
+            assertThat(reached.isSelected()).isTrue();
+            assertThat(WindowDriver.onEventThread(() -> isShowing("Speed of the cube (c)")))
+                    .as(name)
+                    .isEqualTo(name.equals("LOOK"));
+        }
+        assertThat(WindowDriver.onEventThread(() -> shows(Texts.get("lesson.wrongSure"))))
+                .isTrue();
+    }
+
+    private JToggleButton step(String name) {
+        return driver.find(JToggleButton.class, Texts.get("lesson.step." + name));
+    }
+
+    private boolean isShowing(String field) {
+        return Components.showing(driver.window().frame(), JTextField.class)
+                .anyMatch(each -> field.equals(each.getAccessibleContext().getAccessibleName()));
     }
 
     private double speed() {

@@ -24,6 +24,7 @@ import tompkins.property.InvalidPropertyException;
 import tompkins.ui.file.BackgroundTask;
 import tompkins.ui.model.StudioModel;
 import tompkins.ui.widget.CardPanel;
+import tompkins.ui.widget.ChoiceRow;
 import tompkins.ui.widget.Naming;
 import tompkins.ui.widget.Note;
 import tompkins.ui.widget.Texts;
@@ -78,7 +79,7 @@ public final class LessonPanel {
             JToggleButton button = new JToggleButton(Texts.get("lesson.step." + each));
             Naming.name(button, "lesson.step." + each);
             button.putClientProperty(FlatClientProperties.BUTTON_TYPE, FlatClientProperties.BUTTON_TYPE_TOOLBAR_BUTTON);
-            button.addActionListener(event -> goTo(each));
+            ChoiceRow.whenChosen(button, () -> choose(each));
             group.add(button);
             steps.put(each, button);
         }
@@ -193,6 +194,13 @@ public final class LessonPanel {
             case REASON -> lesson.lesson().numbers().isEmpty() ? Optional.empty() : Optional.of(Step.MEASURE);
             case MEASURE -> Optional.empty();
         };
+    }
+
+    /** Goes to a page that was chosen; the page that is shown is marked as chosen, too. */
+    private void choose(Step chosen) {
+        if (chosen != step) {
+            goTo(chosen);
+        }
     }
 
     private void goOn() {

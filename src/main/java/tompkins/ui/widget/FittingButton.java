@@ -28,6 +28,11 @@ public final class FittingButton extends JButton {
         return sizeWith(brief);
     }
 
+    @Override
+    public Dimension getMaximumSize() {
+        return sizeWith(full);
+    }
+
     private Dimension sizeWith(String text) {
         Dimension size = super.getPreferredSize();
         size.width += textWidth(text) - textWidth(getText());

@@ -39,7 +39,7 @@ public final class Numbers {
         try {
             number = new BigDecimal(NumberText.withPoint(text.strip().replace('\u2212', '-')));
         } catch (NumberFormatException e) {
-            throw new InvalidPropertyException(property, allowed, "\"" + text.strip() + "\"");
+            throw new InvalidPropertyException(property, allowed, quoted(text));
         }
         if (number.stripTrailingZeros().scale() > 0) {
             throw new InvalidPropertyException(property, allowed, text.strip());
@@ -54,7 +54,11 @@ public final class Numbers {
     static InvalidPropertyException noNumber(String property, String allowed, String text) {
         boolean comma = text.matches(".*\\d\\s*,\\s*\\d.*");
         return new InvalidPropertyException(
-                property, comma ? allowed + ", with a point, not a comma" : allowed, "\"" + text.strip() + "\"");
+                property, comma ? allowed + ", with a point, not a comma" : allowed, quoted(text));
+    }
+
+    private static String quoted(String text) {
+        return text.isBlank() ? "empty" : "\"" + text.strip() + "\"";
     }
 
     /** As many digits of a number as it needs, and no more. */

@@ -125,6 +125,19 @@ class RecordFormTest {
                 .anyMatch(text -> text.contains("Surface must be another one"));
     }
 
+    /** A unit is written as a unit, and in one way. */
+    @Test
+    void anglesAreMarkedWithTheSignOfDegrees() {
+        List<String> angles = allTypes()
+                .flatMap(type -> Arrays.stream(type.getRecordComponents()))
+                .map(RecordComponent::getName)
+                .filter(name -> name.endsWith("Degrees"))
+                .distinct()
+                .toList();
+        assertThat(angles).hasSizeGreaterThan(2);
+        assertThat(angles).allMatch(name -> Wording.label(name).endsWith(" (\u00b0)"));
+    }
+
     @Test
     void namesBecomeWords() {
         assertThat(Wording.label("maximumDepth")).isEqualTo("Maximum depth");

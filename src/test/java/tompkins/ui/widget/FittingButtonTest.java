@@ -2,6 +2,7 @@ package tompkins.ui.widget;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.util.stream.Stream;
 import javax.swing.Box;
 import javax.swing.JMenu;
@@ -29,11 +30,12 @@ class FittingButtonTest {
                 .forEach(name -> bar.add(new JMenu(name)));
         bar.add(Box.createHorizontalGlue());
         FittingButton button = new FittingButton("Ride through this scene (F6)", "Ride (F6)");
+        button.putClientProperty(FlatClientProperties.STYLE, "font: bold; margin: 1,10,1,10");
         bar.add(button);
         int wide = bar.getPreferredSize().width;
         int saved = button.getPreferredSize().width - button.getMinimumSize().width;
         assertThat(saved).isPositive();
-        for (int width : new int[] {wide, wide - 1, wide - saved, wide, wide + 100}) {
+        for (int width : new int[] {wide, wide - 1, wide - saved, wide, wide - saved / 5, wide + 400}) {
             Components.layOut(bar, width);
             assertThat(LayoutProblems.in(bar)).as(width + " of " + wide).isEmpty();
             assertThat(button.getText()).isEqualTo(width < wide ? "Ride (F6)" : "Ride through this scene (F6)");

@@ -2,15 +2,19 @@ package tompkins.ui.widget;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowable;
 import static org.assertj.core.api.Assertions.within;
 
 import java.text.BreakIterator;
 import java.util.Locale;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tompkins.property.InvalidPropertyException;
 import tompkins.spacetime.Event;
+import tompkins.spacetime.SpeedScale;
 
 class NumbersTest {
 
@@ -76,6 +80,17 @@ class NumbersTest {
             value = {"0,9; 0.9", "-12,5; -12.5", ",5; 0.5", "0,125; 0.125", "1234,567; 1234.567", "2,5e-3; 0.0025"})
     void aCommaThatCanOnlyBeDecimalIsRead(String text, double value) {
         assertThat(Numbers.parse("radius", text)).isEqualTo(value);
+    }
+
+    /** Quotation marks around nothing are hard to see. */
+    @ParameterizedTest
+    @ValueSource(strings = {"", "  "})
+    void anEmptyFieldIsCalledEmpty(String nothing) {
+        assertThat(catchThrowable(() -> Numbers.parse("radius", nothing))).hasMessageEndingWith(", was empty");
+        assertThat(catchThrowable(() -> Numbers.parseWhole("samples", nothing, 1, 9)))
+                .hasMessageEndingWith(", was empty");
+        assertThat(catchThrowable(() -> SpeedText.parse(nothing, SpeedScale.BETA, new Vector3d(0, 0, 1))))
+                .hasMessageEndingWith(", was empty");
     }
 
     @Test

@@ -1,0 +1,65 @@
+package tompkins.image;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
+import org.junit.jupiter.api.Test;
+import tompkins.image.PictureLabel.Corner;
+
+class PictureLabelTest {
+
+    private static final String TEXT = "\u03b2 = 0.826, \u03b3 = 1.77, on board 4.6, scene 5.2";
+    private static final Font FONT = new Font(Font.SANS_SERIF, Font.BOLD, 20);
+
+    /** The box around what was painted on white, in a picture of a width. */
+    private static Rectangle painted(String text, int width, Corner corner) {
+        BufferedImage picture = new BufferedImage(width, 80, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = picture.createGraphics();
+        graphics.setColor(Color.WHITE);
+        graphics.fillRect(0, 0, width, 80);
+        PictureLabel.paint(graphics, FONT, text, new Rectangle(width, 80), corner);
+        graphics.dispose();
+        Rectangle box = new Rectangle(0, 0, -1, -1);
+        for (int x = 0; x < width; x++) {
+            for (int y = 0; y < 80; y++) {
+                if (picture.getRGB(x, y) != Color.WHITE.getRGB()) {
+                    box.add(x, y);
+                }
+            }
+        }
+        return box;
+    }
+
+    @Test
+    void aTextBecomesSmallerBeforeItIsCut() {
+        Rectangle whole = painted(TEXT, 800, Corner.TOP_MIDDLE);
+        Rectangle smaller = painted(TEXT, 400, Corner.TOP_MIDDLE);
+        assertThat(whole.width).isGreaterThan(400);
+        // the same text in the same type, only smaller: the box has the same proportions
+        assertThat((double) smaller.width / smaller.height)
+                .isBetween(0.9 * whole.width / whole.height, 1.1 * whole.width / whole.height);
+        assertThat(smaller.height).isLessThan(whole.height);
+    }
+
+    @Test
+    void aTextThatFitsKeepsItsSize() {
+        assertThat(painted(TEXT, 700, Corner.BOTTOM_LEFT).getSize())
+                .isEqualTo(painted(TEXT, 900, Corner.BOTTOM_LEFT).getSize());
+    }
+
+    /** Whatever stands in it, a label stays in its picture. */
+    @Test
+    void aLabelStaysInThePicture() {
+        for (int width = 20; width < 600; width += 20) {
+            for (Corner corner : Corner.values()) {
+                Rectangle box = painted(TEXT, width, corner);
+                assertThat(box.x).as(width + " " + corner).isNotNegative();
+                assertThat(box.getMaxX()).as(width + " " + corner).isLessThan(width);
+            }
+        }
+    }
+}
