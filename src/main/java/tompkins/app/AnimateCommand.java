@@ -94,7 +94,7 @@ final class AnimateCommand implements Callable<Integer>, SceneCommand {
             defaultValue = "" + Animation.FRAME_RATE,
             paramLabel = "N",
             description = "pictures a second, from 1 to 60; default: ${DEFAULT-VALUE}")
-    private int frameRate;
+    private long frameRate;
 
     @Option(names = "--back", description = "go back to the first value in the same time, so that it can run in a loop")
     private boolean back;

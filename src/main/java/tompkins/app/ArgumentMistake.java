@@ -19,6 +19,7 @@ import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.MutuallyExclusiveArgsException;
+import picocli.CommandLine.OverwrittenOptionException;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
 import tompkins.image.FileFailure;
@@ -46,6 +47,10 @@ final class ArgumentMistake {
             String name = mistake.getValue();
             return (name.isEmpty() ? "\"\"" : CONTROLS.matcher(name).replaceAll("?")) + ": "
                     + FileFailure.reason(notAName);
+        }
+        if (mistake instanceof OverwrittenOptionException twice
+                && twice.getOverwritten() instanceof OptionSpec option) {
+            return option.longestName() + " may be given only once";
         }
         if (mistake.getArgSpec() instanceof OptionSpec option && mistake.getValue() != null) {
             return withWrongValue(option, mistake);

@@ -62,7 +62,7 @@ final class MeasureCommand implements Callable<Integer>, SceneCommand {
             names = "--count",
             paramLabel = "N",
             description = "number of places of a profile, 2 to 10000; default: one for each pixel on its way")
-    private Integer count;
+    private Long count;
 
     @ArgGroup
     private Form form = new Form();
@@ -141,7 +141,7 @@ final class MeasureCommand implements Callable<Integer>, SceneCommand {
     private Measured measure(MeasureKind kind, RenderPlan plan, List<Vector2dc> places) {
         Vector2dc first = places.get(0);
         Vector2dc second = places.get(1);
-        int number = count == null ? Profile.count(first.x(), first.y(), second.x(), second.y()) : count;
+        int number = count == null ? Profile.count(first.x(), first.y(), second.x(), second.y()) : count.intValue();
         try {
             return new Measurements(plan).measure(kind, places, number, () -> true);
         } catch (ArithmeticException noFit) {

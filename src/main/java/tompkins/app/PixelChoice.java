@@ -28,11 +28,11 @@ final class PixelChoice {
      * @param pixels each {@code X,Y}, {@code X,Y..X,Y} or {@code all}
      * @param every the step from one column or row of a rectangle to the next that is taken, 1 or more
      */
-    static PixelChoice of(List<String> pixels, int every, RenderSettings settings) {
+    static PixelChoice of(List<String> pixels, long every, RenderSettings settings) {
         if (every < 1) {
             throw new MistakeException("--every must be 1 or more, was " + every);
         }
-        PixelChoice choice = new PixelChoice(every);
+        PixelChoice choice = new PixelChoice((int) Math.min(every, RenderSettings.LONGEST_SIDE));
         for (String pixel : pixels) {
             int[] rectangle = rectangle(pixel, settings);
             requireInside(rectangle[0], rectangle[1], settings);

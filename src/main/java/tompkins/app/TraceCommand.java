@@ -80,7 +80,7 @@ final class TraceCommand implements Callable<Integer>, SceneCommand {
             defaultValue = "1",
             paramLabel = "N",
             description = "take each N-th column and row of a rectangle; default: all")
-    private int every;
+    private long every;
 
     @ArgGroup
     private Form form = new Form();

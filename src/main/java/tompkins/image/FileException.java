@@ -41,11 +41,17 @@ public final class FileException extends IOException {
         return new FileException(file + ": " + problem + ": " + reason(cause), cause);
     }
 
-    /** What the innermost cause says, in one line. */
+    /**
+     * What the innermost cause says, in one line. Memory that ran out says nothing about the file, though the libraries
+     * make a failure to read of it, and is thrown on.
+     */
     static String reason(Throwable failure) {
         Throwable root = failure;
         while (root.getCause() != null) {
             root = root.getCause();
+        }
+        if (root instanceof OutOfMemoryError tooMuch) {
+            throw tooMuch;
         }
         if (root instanceof RuntimeException
                 || root instanceof EOFException

@@ -1,17 +1,23 @@
 package tompkins.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
 import static tompkins.app.ProgramRun.FIG1B;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import picocli.CommandLine;
 
 /** What belongs to no single command: words that mean nothing, the help, and the version. */
 class TompkinsCommandTest {
@@ -139,6 +145,36 @@ class TompkinsCommandTest {
         assertThat(ProgramRun.of("help", command).out())
                 .startsWith("Usage: tompkins")
                 .doesNotContain("<");
+    }
+
+    private static Stream<Arguments> optionsWithValues() {
+        CommandLine program = TompkinsCommand.commandLine(() -> false, "help");
+        return program.getSubcommands().entrySet().stream()
+                .flatMap(command -> command.getValue().getCommandSpec().options().stream()
+                        .filter(option -> option.arity().max() > 0)
+                        .map(option -> arguments(command.getKey(), option.longestName(), option.type())));
+    }
+
+    /** All words about the values of options are the program's own, not those of the library that reads them. */
+    @ParameterizedTest
+    @MethodSource("optionsWithValues")
+    void aWrongValueIsToldInTheProgramsWords(String command, String option, Class<?> type) {
+        for (String value : new String[] {"x", "2.5x", "1e", "0x10"}) {
+            ProgramRun run = ProgramRun.of(command, FIG1B, option + "=" + value);
+            assertThat(run.err()).as(value).doesNotContain("Invalid value", "Exception", "not a", "should be");
+            if (type != String.class && type != Path.class && type != List.class) {
+                assertThat(run.code()).as(value).isEqualTo(Failures.MISTAKE);
+                assertThat(run.err()).as(value).contains(option + " must be ").contains(", was " + value);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"--size 4x3 --size 4x3, --size", "--seed 1 --seed 2, --seed", "-o a.png -o b.png, --output"})
+    void anOptionThatIsGivenTwiceIsNamed(String options, String name) {
+        ProgramRun run = ProgramRun.of((Object[]) ("render " + FIG1B + " " + options).split(" "));
+        assertThat(run.code()).isEqualTo(Failures.MISTAKE);
+        assertThat(run.err()).startsWith("tompkins render: " + name + " may be given only once");
     }
 
     @ParameterizedTest

@@ -1,9 +1,12 @@
 package tompkins.image;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -36,5 +39,16 @@ class FileFailureTest {
         assertThat(reason.equals("no file can have this name")).isNotEqualTo(isLocale);
         assertThat(reason.contains("the locale has no such letters")).isEqualTo(isLocale);
         assertThat(reason.contains("LC_ALL=C.UTF-8")).isEqualTo(isLocale);
+    }
+
+    /** Libraries wrap it in failures to read; it says nothing about the file. */
+    @Test
+    void memoryThatRanOutIsNoFaultOfTheFile() {
+        OutOfMemoryError full = new OutOfMemoryError("Java heap space");
+        IOException wrapped = new IOException("reading", new RuntimeException(full));
+        assertThatThrownBy(() -> FileException.cannotRead("a.png", wrapped)).isSameAs(full);
+        assertThatThrownBy(() -> FileException.cannotWrite("a.png", wrapped)).isSameAs(full);
+        assertThat(FileException.cannotRead("a.png", new IOException("reading", new IOException("a reason"))))
+                .hasMessage("a.png: cannot be read: a reason");
     }
 }
