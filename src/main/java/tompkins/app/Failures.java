@@ -87,7 +87,8 @@ final class Failures {
         CommandLine commandLine = exception.getCommandLine();
         PrintWriter err = commandLine.getErr();
         String mistake = ArgumentMistake.message(exception, arguments);
-        err.println(Ansi.AUTO.string("@|bold " + commandLine.getCommandSpec().qualifiedName() + ":|@ ") + mistake);
+        err.print(Ansi.AUTO.string("@|bold " + commandLine.getCommandSpec().qualifiedName() + ":|@ "));
+        err.println(mistake);
         if (exception.getCause() instanceof InvalidPathException
                 && TompkinsCommand.opensWindow(arguments)
                 && display.getAsBoolean()) {

@@ -75,8 +75,8 @@ public final class Main {
      */
     static int run(PrintWriter out, PrintWriter err, BooleanSupplier display, String... arguments) {
         CommandLine commandLine = TompkinsCommand.commandLine(display, arguments);
-        commandLine.setOut(out);
-        commandLine.setErr(err);
+        commandLine.setOut(new TerminalPrinter(out));
+        commandLine.setErr(new TerminalPrinter(err));
         // a name may begin with @
         commandLine.setExpandAtFiles(false);
         commandLine.setCaseInsensitiveEnumValuesAllowed(true);

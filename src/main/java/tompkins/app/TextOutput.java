@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.stream.Stream;
 import picocli.CommandLine.Option;
+import tompkins.image.FileException;
 import tompkins.image.PendingFile;
 
 /** The file into which a command can write text instead of printing it. */
@@ -34,13 +35,18 @@ final class TextOutput {
         }
     }
 
-    /** Prints lines, or writes them into the file, which appears only when it is complete. */
+    /**
+     * Prints lines, or writes them into the file, which appears only when it is complete. Unless it is to be replaced,
+     * a file that took its name meanwhile stays, and this one gets the same with a number.
+     *
+     * @throws FileException if it cannot be written
+     */
     void write(PrintWriter printed, Stream<String> lines) throws IOException {
         if (file == null) {
             lines.forEachOrdered(printed::println);
             return;
         }
-        try (PendingFile pending = PendingFile.replacing(file)) {
+        try (PendingFile pending = force ? PendingFile.replacing(file) : PendingFile.newFile(file)) {
             try (Writer out = new BufferedWriter(new OutputStreamWriter(pending.open(), StandardCharsets.UTF_8))) {
                 for (Iterator<String> each = lines.iterator(); each.hasNext(); ) {
                     out.write(each.next());
@@ -48,6 +54,8 @@ final class TextOutput {
                 }
             }
             printed.println(pending.commit().toAbsolutePath());
+        } catch (IOException failure) {
+            throw FileException.cannotWrite(file, failure);
         }
     }
 }

@@ -4,6 +4,7 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.util.zip.ZipException;
 import javax.imageio.IIOException;
+import tompkins.property.OneLine;
 
 /**
  * A file could not be read or written. The message is one line: the file, the place in it, what is wrong, and what is
@@ -13,14 +14,14 @@ public final class FileException extends IOException {
 
     private static final long serialVersionUID = 1;
 
-    /** Takes a complete message. */
+    /** Takes a complete message, and makes one line of it: names of files may hold control characters. */
     public FileException(String message) {
-        super(message);
+        super(OneLine.of(message));
     }
 
-    /** Takes a complete message and the cause. */
+    /** As above, with the cause. */
     public FileException(String message, Throwable cause) {
-        super(message, cause);
+        super(OneLine.of(message), cause);
     }
 
     /** The failure of writing a file or folder, in words. */

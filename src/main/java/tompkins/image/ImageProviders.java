@@ -37,10 +37,8 @@ final class ImageProviders {
         return switch (encoding) {
             case PNG -> jdkReader("png.PNGImageReaderSpi");
             case JPEG -> jdkReader("jpeg.JPEGImageReaderSpi");
-            case GIF -> jdkReader("gif.GIFImageReaderSpi");
-            case BMP -> jdkReader("bmp.BMPImageReaderSpi");
             case TIFF -> new TIFFImageReaderSpi().createReaderInstance();
-            case HDR -> throw new IllegalArgumentException("no library reads Radiance pictures rightly");
+            case BMP, GIF, HDR -> throw new IllegalArgumentException("no library reads such pictures rightly");
         };
     }
 

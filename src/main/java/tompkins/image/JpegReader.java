@@ -1,5 +1,6 @@
 package tompkins.image;
 
+import java.awt.image.Raster;
 import java.io.ByteArrayOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
@@ -69,7 +70,20 @@ final class JpegReader {
     static Pixels read(byte[] file, String name) throws IOException {
         JpegReader reader = new JpegReader(file, name);
         reader.readSegments();
+        reader.requireColours();
         return reader.orientation.turn(LibraryReader.read(PictureEncoding.JPEG, reader.plainFile(), name));
+    }
+
+    /**
+     * The samples of a picture that is a part of another file, which says what they mean.
+     *
+     * @throws FileException if the picture is of a kind that is not read
+     * @throws IOException if it is damaged
+     */
+    static Raster samples(byte[] file, String name) throws IOException {
+        JpegReader reader = new JpegReader(file, name);
+        reader.readSegments();
+        return LibraryReader.samples(PictureEncoding.JPEG, reader.plainFile(), name);
     }
 
     /** The file with one marker that says what its colours are, and without profiles, thumbnails and comments. */
@@ -183,16 +197,21 @@ final class JpegReader {
         if (bits != 8) {
             throw new FileException(name + ": has " + bits + " bits a sample; a JPEG picture must have 8");
         }
+        // The library has a limit of its own, and no reason.
+        Pixels.requireSize(bigEndian(from + 3), bigEndian(from + 1), name);
         components = new byte[unsigned(from + 5)];
+        for (int i = 0; i < components.length; i++) {
+            components[i] = (byte) unsigned(from + 6 + 3 * i);
+        }
+    }
+
+    private void requireColours() throws FileException {
         if (components.length != 1 && components.length != 3) {
             throw new FileException(name + ": has " + components.length
                     + (components.length == 4
                             ? " colours, as for printing in cyan, magenta, yellow and black"
                             : " colours")
                     + "; a JPEG picture must be grey or red, green and blue");
-        }
-        for (int i = 0; i < components.length; i++) {
-            components[i] = (byte) unsigned(from + 6 + 3 * i);
         }
     }
 

@@ -90,7 +90,8 @@ record PngChunk(String type, byte[] data) {
         return type.getBytes(StandardCharsets.ISO_8859_1);
     }
 
-    private int checksum() {
+    /** The check sum of type and data. */
+    int checksum() {
         CRC32 sum = new CRC32();
         sum.update(letters());
         sum.update(data);

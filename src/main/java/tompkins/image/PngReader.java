@@ -19,6 +19,7 @@ final class PngReader {
     private static final int RGB = 2;
     private static final int PALETTE = 3;
     private static final int LENGTH_AND_TYPE = 8;
+    private static final String TRANSPARENCY = "tRNS";
     private static final String APPLE = "CgBI";
 
     private final byte[] file;
@@ -54,38 +55,59 @@ final class PngReader {
         return reader.orientation.turn(pixels);
     }
 
-    /** Goes through the chunks; if the file ends too early, the library will say so. */
-    private void readChunks(String name) throws FileException {
+    /**
+     * Goes through the chunks up to the last; what lies behind it is not of this picture. If the file ends too early,
+     * the library will say so.
+     */
+    private void readChunks(String name) throws IOException {
         int at = PngChunk.SIGNATURE_LENGTH;
         plain.write(file, 0, Math.min(at, file.length));
-        while (file.length - at >= PngChunk.FRAME) {
+        String type = "";
+        while (file.length - at >= PngChunk.FRAME && !type.equals("IEND")) {
             int length = ByteBuffer.wrap(file).getInt(at);
-            String type = new String(file, at + 4, 4, StandardCharsets.ISO_8859_1);
+            type = new String(file, at + 4, 4, StandardCharsets.ISO_8859_1);
             if (type.equals(APPLE)) {
                 throw new FileException(name + ": is packed in a way that only Apple devices read (" + APPLE
                         + "); save it as an ordinary PNG picture");
             }
             int rest = file.length - at - (int) PngChunk.FRAME;
-            int size = length >= 0 && length <= rest ? length : rest;
-            readChunk(type, Arrays.copyOfRange(file, at + LENGTH_AND_TYPE, at + LENGTH_AND_TYPE + size));
+            boolean whole = length >= 0 && length <= rest;
+            int size = whole ? length : rest;
+            int end = at + LENGTH_AND_TYPE + size;
+            byte[] data = Arrays.copyOfRange(file, at + LENGTH_AND_TYPE, end);
+            if (type.equals("IHDR") && data.length >= 2 * Integer.BYTES) {
+                requireSize(ByteBuffer.wrap(data), name);
+            }
+            boolean needed = tellsPixels(type) || type.equals(TRANSPARENCY);
+            if (needed
+                    && whole
+                    && new PngChunk(type, data).checksum()
+                            != ByteBuffer.wrap(file).getInt(end)) {
+                throw PngChunk.damaged(at);
+            }
             if (tellsPixels(type)) {
                 plain.write(file, at, size + (int) PngChunk.FRAME);
             }
+            readChunk(type, data);
             at += size + (int) PngChunk.FRAME;
         }
+    }
+
+    private static void requireSize(ByteBuffer header, String name) throws FileException {
+        Pixels.requireSize(Integer.toUnsignedLong(header.getInt()), Integer.toUnsignedLong(header.getInt()), name);
     }
 
     private boolean tellsPixels(String type) {
         return switch (type) {
             case "IHDR", "IDAT", "IEND" -> true;
-            case "PLTE", "tRNS" -> colourType == PALETTE;
+            case "PLTE", TRANSPARENCY -> colourType == PALETTE;
             default -> false;
         };
     }
 
     private void readChunk(String type, byte[] data) {
         int channels = colourType == GREY ? 1 : colourType == RGB ? 3 : 0;
-        if (type.equals("tRNS") && data.length >= 2 * channels) {
+        if (type.equals(TRANSPARENCY) && data.length >= 2 * channels) {
             transparent = new int[channels];
             for (int i = 0; i < channels; i++) {
                 // Always two bytes; if there are fewer bits, the upper ones mean nothing.

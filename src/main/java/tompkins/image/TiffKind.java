@@ -22,7 +22,7 @@ record TiffKind(Colours colours, int[] bits, boolean floating, int opacity, bool
         BLACK_IS_ZERO(1),
         RGB(3),
         PALETTE(1),
-        /** Brightness and two differences: the library converts them. */
+        /** Luminance and two differences, blue and red. */
         LUMINANCE_AND_CHROMINANCE(3);
 
         private final int samples;
@@ -43,6 +43,7 @@ record TiffKind(Colours colours, int[] bits, boolean floating, int opacity, bool
     static final int FAX_GROUP_4 = 4;
     private static final int OLD_JPEG = 6;
     private static final int JPEG = 7;
+    private static final int PACK_BITS = 32773;
 
     private static final int UNSIGNED = 1;
     private static final int SIGNED = 2;
@@ -67,6 +68,10 @@ record TiffKind(Colours colours, int[] bits, boolean floating, int opacity, bool
             throw new FileException(name + ": has " + samples + " samples a pixel; its colours need from "
                     + colours.samples() + " to " + MOST_SAMPLES);
         }
+        if (compression == OLD_JPEG && samples > colours.samples()) {
+            throw new FileException(name + ": has " + samples + " samples a pixel;"
+                    + " a TIFF picture with JPEG of the old kind (compression 6) must have " + colours.samples());
+        }
         boolean floating = isFloating(directory, (int) samples, name);
         int[] bits = bits(directory, (int) samples, name);
         long[] further = furtherSamples(directory, (int) samples - colours.samples());
@@ -82,13 +87,36 @@ record TiffKind(Colours colours, int[] bits, boolean floating, int opacity, bool
         return kind;
     }
 
-    /** Whether the library has to turn the samples into colours. */
+    /** Whether the library has to turn the samples into colours: they cannot be told without all of the old tags. */
     boolean isLeftToLibrary() {
-        return colours == Colours.LUMINANCE_AND_CHROMINANCE || isJpeg();
+        return compression == OLD_JPEG;
     }
 
-    private boolean isJpeg() {
-        return compression == OLD_JPEG || compression == JPEG;
+    /** Whether each strip or tile is a JPEG picture. */
+    boolean isJpeg() {
+        return compression == JPEG;
+    }
+
+    /**
+     * The number of the predictor, which says whether samples are stored as differences; 1 for none, as with all
+     * compressions for which it is not meant.
+     *
+     * @throws FileException if it is none that is known
+     */
+    int predictor(TiffDirectory directory, String name) throws IOException {
+        if (compression == NOT_PACKED || compression == PACK_BITS || isFax() || isJpeg()) {
+            return 1;
+        }
+        long predictor = directory.number(TIFF.TAG_PREDICTOR, 1);
+        if (predictor < 1 || predictor > TiffSamples.DIFFERENCES_OF_BYTES) {
+            throw new FileException(
+                    name + ": its predictor is number " + predictor + "; that of a TIFF picture must be 1, 2 or 3");
+        }
+        if (predictor == TiffSamples.DIFFERENCES_OF_BYTES && !floating) {
+            throw new FileException(name + ": its predictor is number 3, which is for floating point,"
+                    + " and its numbers are whole; their predictor must be 1 or 2");
+        }
+        return (int) predictor;
     }
 
     /** Whether the samples are packed as for fax. */
@@ -99,7 +127,7 @@ record TiffKind(Colours colours, int[] bits, boolean floating, int opacity, bool
     private static int compression(TiffDirectory directory, String name) throws IOException {
         int compression = (int) directory.number(TIFF.TAG_COMPRESSION, NOT_PACKED);
         return switch (compression) {
-            case NOT_PACKED, FAX_ROWS, FAX_GROUP_3, FAX_GROUP_4, 5, OLD_JPEG, JPEG, 8, 32773, 32946, 50013 ->
+            case NOT_PACKED, FAX_ROWS, FAX_GROUP_3, FAX_GROUP_4, 5, OLD_JPEG, JPEG, 8, PACK_BITS, 32946, 50013 ->
                 compression;
             default ->
                 throw new FileException(name + ": its compression is " + compressionName(compression)
@@ -224,9 +252,13 @@ record TiffKind(Colours colours, int[] bits, boolean floating, int opacity, bool
         }
         boolean fits = isFax()
                 ? bits.length == 1 && bits[0] == 1
-                : isLeftToLibrary()
-                        ? !floating && (bits[0] == 8 || bits[0] == 16 && !isJpeg())
-                        : colours != Colours.PALETTE || bits[0] <= 16 && !floating;
+                : isJpeg() || isLeftToLibrary()
+                        ? !floating && Arrays.stream(bits).allMatch(each -> each == 8)
+                        : switch (colours) {
+                            case PALETTE -> !floating && bits[0] <= 16;
+                            case LUMINANCE_AND_CHROMINANCE -> !floating && (bits[0] == 8 || bits[0] == 16);
+                            default -> true;
+                        };
         if (!fits) {
             throw new FileException(
                     name + ": has " + bits[0] + " bits a sample" + (floating ? " in floating point" : "")

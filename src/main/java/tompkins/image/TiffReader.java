@@ -14,7 +14,6 @@ final class TiffReader {
 
     private static final int OPACITY = 3;
     private static final int CHANNELS = 4;
-    private static final int PLANES = 2;
     private static final float LARGEST_BYTE = 255;
     private static final float LARGEST_OF_PALETTE = 65535;
 
@@ -50,32 +49,30 @@ final class TiffReader {
         } else {
             TiffReader reader = new TiffReader(kind, directory, (int) width, (int) height);
             reader.readSamples(file, name);
-            reader.makeColours();
+            reader.makeColours(name);
             stored = new Pixels((int) width, (int) height, reader.rgba);
         }
         return directory.orientation().turn(stored);
     }
 
-    /** Reads samples that lie together for each pixel, or in strips of their own for each channel. */
     private void readSamples(byte[] file, String name) throws IOException {
         TiffStrips strips = new TiffStrips(file, directory, kind, width, height, name);
-        boolean planes = directory.number(TIFF.TAG_PLANAR_CONFIGURATION, 1) == PLANES;
         ByteOrder order = file[0] == 'I' ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN;
-        long predictor = directory.number(TIFF.TAG_PREDICTOR, 1);
-        int count = kind.bits().length;
-        int perPlane = planes ? 1 : count;
-        int[] channels = channels();
+        int predictor = kind.predictor(directory, name);
         int index = 0;
-        for (int first = 0; first < count; first += perPlane) {
-            int[] bits = Arrays.copyOfRange(kind.bits(), first, first + perPlane);
-            int[] used = Arrays.copyOfRange(channels, first, first + perPlane);
-            TiffSamples samples = new TiffSamples(bits, kind.floating(), order, predictor, strips.width());
+        for (TiffBlock block : TiffBlock.all(directory, kind, channels(), name)) {
+            int columns = parts(strips.width(), block.across());
+            TiffSamples samples = new TiffSamples(block.bits(), kind.floating(), order, predictor, columns);
             for (int y = 0; y < height; y += strips.height()) {
                 for (int x = 0; x < width; x += strips.width()) {
-                    readStrip(strips, index++, samples, used, x, y);
+                    readStrip(strips, index++, samples, block, x, y);
                 }
             }
         }
+    }
+
+    private static int parts(int whole, int part) {
+        return (whole + part - 1) / part;
     }
 
     /** Which channel each sample of a pixel is; -1 for those that do not belong to its colour. */
@@ -91,30 +88,47 @@ final class TiffReader {
         return channels;
     }
 
-    private void readStrip(TiffStrips strips, int index, TiffSamples samples, int[] channels, int left, int top)
+    private void readStrip(TiffStrips strips, int index, TiffSamples samples, TiffBlock block, int left, int top)
             throws IOException {
         boolean indices = kind.colours() == TiffKind.Colours.PALETTE;
-        int rows = Math.min(strips.height(), height - top);
-        int columns = Math.min(strips.width(), width - left);
+        int rows = parts(Math.min(strips.height(), height - top), block.down());
+        int columns = parts(Math.min(strips.width(), width - left), block.across());
         int rowBytes = Math.toIntExact(samples.rowBytes());
         byte[] packed = strips.rows(index, rows, rowBytes);
-        for (int y = 0; y < rows; y++) {
-            samples.read(packed, y * rowBytes);
-            int pixel = CHANNELS * ((top + y) * width + left);
-            for (int x = 0; x < columns; x++, pixel += CHANNELS) {
-                for (int sample = 0; sample < channels.length; sample++) {
-                    int channel = channels[sample];
+        for (int row = 0; row < rows; row++) {
+            samples.read(packed, row * rowBytes);
+            for (int column = 0; column < columns; column++) {
+                for (int sample = 0; sample < block.channels().length; sample++) {
+                    int channel = block.channels()[sample];
                     if (channel >= 0) {
-                        rgba[pixel + channel] =
-                                indices && channel == 0 ? samples.code(x, sample) : samples.value(x, sample);
+                        float value =
+                                indices && channel == 0 ? samples.code(column, sample) : samples.value(column, sample);
+                        put(value, block, sample, left + column * block.across(), top + row * block.down());
                     }
                 }
             }
         }
     }
 
-    private void makeColours() throws IOException {
+    /** Puts a sample into its pixel, or into all pixels of its block, as far as they lie in the picture. */
+    private void put(float value, TiffBlock block, int sample, int left, int top) {
+        boolean single = sample < block.luminances();
+        int fromX = single ? left + sample % block.across() : left;
+        int fromY = single ? top + sample / block.across() : top;
+        int toX = Math.min(width, single ? fromX + 1 : left + block.across());
+        int toY = Math.min(height, single ? fromY + 1 : top + block.down());
+        for (int y = fromY; y < toY; y++) {
+            for (int x = fromX; x < toX; x++) {
+                rgba[CHANNELS * (y * width + x) + block.channels()[sample]] = value;
+            }
+        }
+    }
+
+    private void makeColours(String name) throws IOException {
         float[] palette = kind.colours() == TiffKind.Colours.PALETTE ? palette() : null;
+        TiffLuminance luminance = kind.colours() == TiffKind.Colours.LUMINANCE_AND_CHROMINANCE
+                ? new TiffLuminance(directory, kind, name)
+                : null;
         for (int pixel = 0; pixel < rgba.length; pixel += CHANNELS) {
             if (kind.opacity() < 0) {
                 rgba[pixel + OPACITY] = 1;
@@ -123,7 +137,8 @@ final class TiffReader {
                 case WHITE_IS_ZERO -> Arrays.fill(rgba, pixel, pixel + OPACITY, 1 - rgba[pixel]);
                 case BLACK_IS_ZERO -> Arrays.fill(rgba, pixel, pixel + OPACITY, rgba[pixel]);
                 case PALETTE -> lookUp(palette, pixel);
-                default -> {}
+                case LUMINANCE_AND_CHROMINANCE -> luminance.toColour(rgba, pixel);
+                case RGB -> {}
             }
             if (kind.multiplied() && palette == null) {
                 divideByOpacity(pixel);

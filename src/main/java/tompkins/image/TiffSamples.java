@@ -10,7 +10,8 @@ import java.util.Arrays;
 final class TiffSamples {
 
     private static final int DIFFERENCES = 2;
-    private static final int DIFFERENCES_OF_BYTES = 3;
+    /** The largest number of the tag that is known. */
+    static final int DIFFERENCES_OF_BYTES = 3;
 
     private final int[] bits;
     private final boolean floating;

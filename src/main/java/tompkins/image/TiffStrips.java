@@ -3,6 +3,8 @@ package tompkins.image;
 import com.twelvemonkeys.imageio.metadata.tiff.TIFF;
 import com.twelvemonkeys.imageio.stream.ByteArrayImageInputStream;
 import java.awt.image.DataBufferByte;
+import java.awt.image.Raster;
+import java.io.ByteArrayOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -18,11 +20,17 @@ final class TiffStrips {
 
     private static final int ONE_NUMBER = 4;
 
+    /** Bytes of the marker at the start of a JPEG picture, and of that at its end. */
+    private static final int JPEG_MARKER = 2;
+
     private final byte[] file;
     private final int compression;
     private final int fillOrder;
     private final long faxOptions;
     private final boolean isFax;
+    private final boolean isJpeg;
+    private final byte[] jpegTables;
+    private final String name;
     private final long[] offsets;
     private final long[] lengths;
     private final int width;
@@ -34,6 +42,9 @@ final class TiffStrips {
         this.file = file;
         compression = kind.compression();
         isFax = kind.isFax();
+        isJpeg = kind.isJpeg();
+        jpegTables = bytes(directory.numbers(TIFF.TAG_JPEG_TABLES));
+        this.name = name;
         fillOrder = (int) directory.number(TIFF.TAG_FILL_ORDER, 1);
         faxOptions = directory.number(
                 compression == TiffKind.FAX_GROUP_4 ? TIFF.TAG_GROUP4OPTIONS : TIFF.TAG_GROUP3OPTIONS, 0);
@@ -83,7 +94,32 @@ final class TiffStrips {
         }
         boolean known = index < lengths.length && lengths[index] > 0 && lengths[index] < file.length - from;
         byte[] packed = Arrays.copyOfRange(file, from, known ? from + (int) lengths[index] : file.length);
-        return unpack(packed, rows, rowBytes);
+        return isJpeg ? fromJpeg(packed, rows, rowBytes) : unpack(packed, rows, rowBytes);
+    }
+
+    private static byte[] bytes(long[] numbers) {
+        byte[] bytes = new byte[numbers.length];
+        for (int i = 0; i < bytes.length; i++) {
+            bytes[i] = (byte) numbers[i];
+        }
+        return bytes;
+    }
+
+    /**
+     * The samples of a JPEG picture as they are, whatever its own markers say of its colours. Tables that all strips
+     * share are a picture without pixels: start, tables, end.
+     */
+    private byte[] fromJpeg(byte[] packed, int rows, int rowBytes) throws IOException {
+        ByteArrayOutputStream picture = new ByteArrayOutputStream();
+        boolean shared = jpegTables.length > 2 * JPEG_MARKER;
+        picture.write(jpegTables, 0, shared ? jpegTables.length - JPEG_MARKER : 0);
+        int from = shared ? JPEG_MARKER : 0;
+        picture.write(packed, from, packed.length - from);
+        Raster samples = JpegReader.samples(picture.toByteArray(), name);
+        if (samples.getWidth() * samples.getNumBands() != rowBytes || samples.getHeight() < rows) {
+            throw new IOException("a strip of pixels has another size than the file says");
+        }
+        return ((DataBufferByte) samples.getDataBuffer()).getData();
     }
 
     private static byte[] reversed(byte[] bytes) {

@@ -48,6 +48,9 @@ final class JsonParsing {
                     .build())
             .build();
 
+    /** What is wrong if something follows the scene. */
+    static final String AFTER_THE_END = "the scene ends before this place: there is a } too many, or a { is missing";
+
     private static final String NEEDED =
             "a scene file (JSON, an object in braces { ... }) or a photograph saved by this program is needed";
 
@@ -82,8 +85,7 @@ final class JsonParsing {
             throw failure(value.line(), value.column(), "", NEEDED + ", found " + value.shown());
         }
         if (next("") != null) {
-            String message = "the scene ends before this place: there is a } too many, or a { is missing";
-            throw failure(line(), column(), "", message);
+            throw failure(line(), column(), "", AFTER_THE_END);
         }
         return root;
     }
@@ -149,7 +151,11 @@ final class JsonParsing {
             int keyLine = line();
             int keyColumn = column();
             if (key.length() > LONGEST_KEY) {
-                throw failure(keyLine, keyColumn, path, "unknown key " + Problems.quoted(key));
+                throw failure(
+                        keyLine,
+                        keyColumn,
+                        path,
+                        "unknown key " + Problems.quoted(key) + "; no key has more than " + LONGEST_KEY);
             }
             requireWholeCharacters(key, keyLine, keyColumn, path);
             String inner = path.isEmpty() ? key : path + "." + key;

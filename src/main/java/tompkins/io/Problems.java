@@ -18,7 +18,7 @@ final class Problems {
     private final List<Problem> found = new ArrayList<>();
 
     Problems(String file) {
-        this.file = file;
+        this.file = OneLine.of(file);
     }
 
     /** Notes a mistake in a value. */

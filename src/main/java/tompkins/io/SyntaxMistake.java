@@ -22,6 +22,9 @@ final class SyntaxMistake {
     private static final Pattern UNKNOWN_WORD = Pattern.compile("Unrecognized token '(.*?)'(:|$)", Pattern.DOTALL);
     private static final Pattern WRONG_BRACKET = Pattern.compile("Unexpected close marker '(.)': expected '(.)'");
     private static final Pattern UNKNOWN_ESCAPE = Pattern.compile("Unrecognized character escape '(.)'");
+    private static final Pattern ESCAPED_CONTROL =
+            Pattern.compile("Unrecognized character escape \\(CTRL-CHAR, code (\\d+)\\)");
+
     private static final Pattern WRONG_CHARACTER = Pattern.compile("Unexpected character \\('(.)' ");
 
     private static final Pattern CONTROL_IN_TEXT =
@@ -38,11 +41,16 @@ final class SyntaxMistake {
             Map.entry("double-quote to start property name", "a key must stand in double quotes"),
             Map.entry("colon to separate", "a colon must stand between a key and its value"),
             Map.entry("comma to separate", "a comma must stand between two values; it is missing before this place"),
-            Map.entry("expected a valid value", "a value must stand here; " + VALUES));
+            Map.entry("separating root-level values", JsonParsing.AFTER_THE_END),
+            Map.entry("expected a valid value", "a value must stand here; " + VALUES),
+            Map.entry("expected a value", "a value must stand here; " + VALUES));
 
     /** What the library says about numbers. */
-    private static final List<String> OF_NUMBERS =
-            List.of("('.' (code 46)): expected a valid value", "in numeric value", "Invalid numeric value");
+    private static final List<String> OF_NUMBERS = List.of(
+            "('.' (code 46)): expected a valid value",
+            "in numeric value",
+            "Invalid numeric value",
+            "hexadecimal number");
 
     private SyntaxMistake() {}
 
@@ -125,11 +133,7 @@ final class SyntaxMistake {
         }
         Matcher outside = CONTROL_OUTSIDE.matcher(message);
         if (outside.lookingAt()) {
-            return NOT_JSON
-                    + String.format(
-                            Locale.ROOT,
-                            "the control character U+%04X must not stand here",
-                            Integer.parseInt(outside.group(1)));
+            return NOT_JSON + controlCharacter(Integer.parseInt(outside.group(1))) + " must not stand here";
         }
         Matcher word = UNKNOWN_WORD.matcher(message);
         if (word.lookingAt()) {
@@ -139,6 +143,13 @@ final class SyntaxMistake {
         if (escape.lookingAt()) {
             return NOT_JSON + "a text must not contain \\" + escape.group(1) + "; a backslash itself is written \\\\";
         }
+        Matcher escaped = ESCAPED_CONTROL.matcher(message);
+        if (escaped.lookingAt()) {
+            int code = Integer.parseInt(escaped.group(1));
+            String what = code == '\n' || code == '\r' ? "the end of a line" : controlCharacter(code);
+            return NOT_JSON + "a text must not contain a backslash before " + what
+                    + "; a backslash itself is written \\\\, and a new line \\n";
+        }
         Matcher character = WRONG_CHARACTER.matcher(message);
         boolean shows = character.lookingAt() && !character.group(1).isBlank();
         String found = shows ? ", found " + character.group(1) : "";
@@ -147,7 +158,11 @@ final class SyntaxMistake {
                 return NOT_JSON + meaning.getValue() + found;
             }
         }
-        return NOT_JSON + message;
+        return NOT_JSON + "what stands here does not belong here" + found;
+    }
+
+    private static String controlCharacter(int code) {
+        return String.format(Locale.ROOT, "the control character U+%04X", code);
     }
 
     private static String controlInText(int code) {
@@ -157,11 +172,8 @@ final class SyntaxMistake {
                         + " (inside a text, \\n is a new line and \\t a tab)";
             case '\t' -> "inside a text, a tab is written \\t";
             default ->
-                String.format(
-                        Locale.ROOT,
-                        "a text must not contain the control character U+%04X as it is; it is written \\u%04x",
-                        code,
-                        code);
+                "a text must not contain " + controlCharacter(code)
+                        + String.format(Locale.ROOT, " as it is; it is written \\u%04x", code);
         };
     }
 

@@ -1,6 +1,7 @@
 package tompkins.measure;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
@@ -13,7 +14,6 @@ import tompkins.primitive.Described;
 import tompkins.primitive.FlatPrimitive;
 import tompkins.primitive.Primitive;
 import tompkins.primitive.SpherePrimitive;
-import tompkins.sceneobject.FrameObjects;
 import tompkins.sceneobject.TriangleMesh;
 import tompkins.spacetime.FrameMotion;
 import tompkins.surface.GalileoWindow;
@@ -21,6 +21,7 @@ import tompkins.surface.LorentzWindow;
 import tompkins.surface.Mirror;
 import tompkins.surface.Refractive;
 import tompkins.surface.Surface;
+import tompkins.world.InertialFrame;
 
 /**
  * The shapes of a scene for which overlays are drawn: its first spheres, lines and objects.
@@ -39,7 +40,7 @@ public record SceneShapes(
 
     private static final int MOST_LINES = 12 * MOST;
 
-    /** The most primitives that are looked at. */
+    /** The most primitives that are looked at: the first of the scene. */
     private static final int MOST_PRIMITIVES = 100_000;
 
     /**
@@ -76,7 +77,7 @@ public record SceneShapes(
     }
 
     /** The shapes of what rests in some frames. */
-    public static SceneShapes of(List<FrameObjects> frames) {
+    public static SceneShapes of(List<InertialFrame> frames) {
         Collector collector = new Collector();
         frames.forEach(collector::add);
         return collector.shapes();
@@ -87,18 +88,19 @@ public record SceneShapes(
         private final List<Ball> spheres = new ArrayList<>();
         private final List<Line> lines = new ArrayList<>();
         private final List<Thing> objects = new ArrayList<>();
-        private int looked;
         private boolean complete = true;
         private boolean turnsRays;
 
-        void add(FrameObjects frame) {
+        void add(InertialFrame frame) {
             Vector3d origin = frame.origin().position();
             IdentityHashMap<Described, Integer> places = new IdentityHashMap<>();
-            for (Primitive primitive : frame.primitives()) {
-                if (looked++ >= MOST_PRIMITIVES) {
-                    complete = false;
-                    return;
-                }
+            List<Primitive> all = frame.objects().primitives();
+            List<Primitive> first = all.stream()
+                    .filter(primitive -> primitive.order() < MOST_PRIMITIVES)
+                    .sorted(Comparator.comparingInt(Primitive::order))
+                    .toList();
+            complete &= first.size() == all.size();
+            for (Primitive primitive : first) {
                 turnsRays |= primitive.surface().parts().anyMatch(Collector::turns);
                 add(frame.motion(), origin, primitive);
                 Bounds bounds = primitive.bounds();

@@ -15,7 +15,6 @@ import tompkins.primitive.Bounds;
 import tompkins.primitive.Placement;
 import tompkins.ray.Ray;
 import tompkins.ray.RayCounts;
-import tompkins.sceneobject.FrameObjects;
 import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.search.LampShadows;
 import tompkins.search.NearestHit;
@@ -28,6 +27,7 @@ import tompkins.studio.Studio;
 import tompkins.studio.View;
 import tompkins.world.FrameCrossing;
 import tompkins.world.FrameRoutes;
+import tompkins.world.InertialFrame;
 import tompkins.world.ObjectPreparation;
 import tompkins.world.World;
 
@@ -170,7 +170,7 @@ public final class RenderPlan {
     }
 
     /** What rests in each frame of the scene; the same list for all plans that share a scene. */
-    public List<FrameObjects> sceneFrames() {
+    public List<InertialFrame> sceneFrames() {
         return world.frames();
     }
 

@@ -5,7 +5,6 @@ import java.util.Collections;
 import java.util.List;
 import tompkins.ray.Ray;
 import tompkins.ray.RayPacket;
-import tompkins.sceneobject.FrameObjects;
 import tompkins.spacetime.Event;
 
 /**
@@ -17,10 +16,10 @@ public final class FrameRoutes {
     private final FrameStep[][][] routes;
     private final FrameStep cameraToScene;
 
-    FrameRoutes(List<FrameObjects> frames, FrameCrossing crossing) {
+    FrameRoutes(List<InertialFrame> frames, FrameCrossing crossing) {
         cameraToScene = crossing.step();
         int count = frames.size();
-        List<List<FrameObjects>> chains =
+        List<List<InertialFrame>> chains =
                 frames.stream().map(FrameRoutes::chain).toList();
         routes = new FrameStep[count][count][];
         for (int from = 0; from < count; from++) {
@@ -31,16 +30,16 @@ public final class FrameRoutes {
     }
 
     /** The frames from the outermost to this one. */
-    private static List<FrameObjects> chain(FrameObjects frame) {
-        List<FrameObjects> chain = new ArrayList<>();
-        for (FrameObjects each = frame; each != null; each = each.outer()) {
+    private static List<InertialFrame> chain(InertialFrame frame) {
+        List<InertialFrame> chain = new ArrayList<>();
+        for (InertialFrame each = frame; each != null; each = each.outer()) {
             chain.add(each);
         }
         Collections.reverse(chain);
         return chain;
     }
 
-    private static FrameStep[] route(List<FrameObjects> from, List<FrameObjects> to, FrameCrossing crossing) {
+    private static FrameStep[] route(List<InertialFrame> from, List<InertialFrame> to, FrameCrossing crossing) {
         int shared = 0;
         while (shared < Math.min(from.size(), to.size()) && from.get(shared) == to.get(shared)) {
             shared++;
@@ -55,7 +54,7 @@ public final class FrameRoutes {
         return steps.toArray(FrameStep[]::new);
     }
 
-    private static FrameStep stepInto(FrameObjects frame, FrameCrossing crossing) {
+    private static FrameStep stepInto(InertialFrame frame, FrameCrossing crossing) {
         return crossing.stepInto(frame.motion(), frame.outer().origin(), frame.origin());
     }
 

@@ -119,10 +119,7 @@ public final class LampWays {
         double squared = rx * rx + ry * ry + rz * rz;
         double root = along * along + (1 - wx * wx - wy * wy - wz * wz) * squared;
         double divisor = along + Math.sqrt(root);
-        if (!(divisor > 0)) {
-            return false;
-        }
-        double duration = squared / divisor;
+        double duration = divisor > 0 ? squared / divisor : 0;
         if (!(duration > 0)) {
             return false;
         }

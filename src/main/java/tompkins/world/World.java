@@ -26,7 +26,6 @@ import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.studio.Studio;
-import tompkins.surface.Refractive;
 
 /**
  * The scene, ready to be met by rays: for each velocity in it an inertial frame with the primitives that rest there in
@@ -49,13 +48,11 @@ public final class World {
     private final List<LightSource> describedLights;
     private final TransformationLaw law;
     private final boolean followsCamera;
-    private final List<FrameObjects> frames;
-    private final List<ObjectTree> objects;
-    private final List<List<Primitive>> refractive;
+    private final List<InertialFrame> frames;
 
-    // for each lamp its frame and what it sees; lights that have no place belong to the scene frame
+    // for each lamp the number of its frame, and what it sees; lights that have no place belong to the scene frame
     private final List<LightSource> lights = new ArrayList<>();
-    private final List<FrameObjects> lightFrames = new ArrayList<>();
+    private final List<Integer> lightFrames = new ArrayList<>();
     private final List<LampShadows> lampShadows = new ArrayList<>();
 
     /** For each light and frame the way of the light past what rests there, or null if that is not prepared. */
@@ -92,16 +89,7 @@ public final class World {
                 throw new InvalidPropertyException("lights[" + i + "]", tooFast);
             }
         }
-        frames = collector.frames();
-        int smallestTree = plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE;
-        objects = frames.stream()
-                .map(frame -> new ObjectTree(frame.primitives(), smallestTree))
-                .toList();
-        refractive = objects.stream()
-                .map(tree -> tree.primitives().stream()
-                        .filter(primitive -> primitive.surface() instanceof Refractive)
-                        .toList())
-                .toList();
+        frames = inTrees(collector.frames(), plain ? Integer.MAX_VALUE : ObjectTree.SMALLEST_TREE);
         prepareShadows(plain);
         lampTracks = new LampTrack[lights.size()][frames.size()];
         if (!plain && frames.size() > 1) {
@@ -119,8 +107,21 @@ public final class World {
                     inner -> moving.objects().forEach(light -> add(light, collector, inner)));
         } else {
             lights.add(source.seenFrom(placement.point(new Vector3d()).negate()));
-            lightFrames.add(collector.frame());
+            lightFrames.add(collector.frames().indexOf(collector.frame()));
         }
+    }
+
+    /** Puts what was collected into trees. These hold copies, so that what was collected can be forgotten. */
+    private static List<InertialFrame> inTrees(List<FrameObjects> collected, int smallestTree) {
+        List<InertialFrame> frames = new ArrayList<>();
+        for (FrameObjects frame : collected) {
+            frames.add(new InertialFrame(
+                    frame.outer() == null ? null : frames.get(collected.indexOf(frame.outer())),
+                    frame.motion(),
+                    frame.origin(),
+                    new ObjectTree(frame.primitives(), smallestTree)));
+        }
+        return List.copyOf(frames);
     }
 
     /**
@@ -139,7 +140,7 @@ public final class World {
         int lamps = 0;
         try {
             for (int i = 0; i < lights.size(); i++) {
-                ObjectTree seen = objects.get(frames.indexOf(lightFrames.get(i)));
+                ObjectTree seen = objects(frameOfLight(i));
                 boolean wanted = !plain
                         && lights.get(i).position() != null
                         && lamps++ < Math.min(MOST_BUFFERS, MOST_SEEN / Math.max(1, seen.size()));
@@ -160,7 +161,7 @@ public final class World {
                     lampTracks[i][frame] = LampTrack.of(
                             place(routes, own, frame, lamp, 0),
                             place(routes, own, frame, lamp, 1),
-                            objects.get(frame),
+                            objects(frame),
                             left);
                 }
             }
@@ -193,7 +194,7 @@ public final class World {
     }
 
     /** What rests in each frame, the scene frame first. */
-    public List<FrameObjects> frames() {
+    public List<InertialFrame> frames() {
         return frames;
     }
 
@@ -203,24 +204,24 @@ public final class World {
     }
 
     /** What rests in a frame, and how it moves. */
-    public FrameObjects frame(int index) {
+    public InertialFrame frame(int index) {
         return frames.get(index);
     }
 
     /** The primitives that rest in a frame. */
     public ObjectTree objects(int frame) {
-        return objects.get(frame);
+        return frames.get(frame).objects();
     }
 
     /** The primitives that rest in each frame. */
     ObjectTree[] trees() {
-        return objects.toArray(ObjectTree[]::new);
+        return frames.stream().map(InertialFrame::objects).toArray(ObjectTree[]::new);
     }
 
     /** The numbers of the frames in which primitives rest; the others hold lamps, or what moves in them. */
     int[] filledFrames() {
         return IntStream.range(0, frames.size())
-                .filter(frame -> objects.get(frame).size() > 0)
+                .filter(frame -> objects(frame).size() > 0)
                 .toArray();
     }
 
@@ -229,16 +230,14 @@ public final class World {
      * objects hold the corners of their boxes at rest.
      */
     public List<Bounds> bounds(double sceneTime, int most) {
-        return IntStream.range(0, frames.size())
-                .boxed()
+        return frames.stream()
                 .flatMap(frame -> bounds(frame, sceneTime))
                 .limit(most)
                 .toList();
     }
 
-    private Stream<Bounds> bounds(int index, double sceneTime) {
-        FrameObjects frame = frames.get(index);
-        return objects.get(index).primitives().stream()
+    private Stream<Bounds> bounds(InertialFrame frame, double sceneTime) {
+        return frame.objects().primitives().stream()
                 .map(Primitive::bounds)
                 .filter(Objects::nonNull)
                 .map(box -> inScene(box.moved(frame.origin().position()), frame.motion(), sceneTime));
@@ -254,12 +253,12 @@ public final class World {
 
     /** The boundaries of media that rest in a frame. */
     public List<Primitive> refractive(int frame) {
-        return refractive.get(frame);
+        return frames.get(frame).refractive();
     }
 
     /** Whether there are primitives in any frame. */
     public boolean hasObjects() {
-        return objects.stream().anyMatch(tree -> tree.size() > 0);
+        return frames.stream().anyMatch(frame -> frame.objects().size() > 0);
     }
 
     /** All light sources, each at rest in its frame, in the coordinates in which the tracer works. */
@@ -269,7 +268,7 @@ public final class World {
 
     /** The frame of a light source. */
     public int frameOfLight(int source) {
-        return frames.indexOf(lightFrames.get(source));
+        return lightFrames.get(source);
     }
 
     /** What a light source sees of what rests with it, or null if that is not prepared. */

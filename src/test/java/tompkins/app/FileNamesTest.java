@@ -40,6 +40,49 @@ class FileNamesTest {
         assertThat(run.err().lines().findFirst().orElseThrow()).endsWith(": a?b??c: no file can have this name");
     }
 
+    /** Files from elsewhere may have names that a terminal would obey; one that is missing is told in one line. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "check %s.json",
+                "check %s.hdr",
+                "explain %s.json",
+                "render --size=8x6 %s.json -o %s.png",
+                "render --size=8x6 %s.json -o scene.txt/%s.png",
+                "render --size=8x6 bad.json -o %s.tif",
+                "animate %s.json -o %s.gif --duration=0.1 --size=8x6 --from=0 --to=0.5",
+                "trace %s.json --pixel=3,3 -o %s.csv --csv",
+                "render %s.no",
+                "render scenes/fig1b.json -o %s.no",
+                "render scenes/fig1b.json -o %s/no.png",
+                "%s.json extra",
+                "%s"
+            })
+    void namesOfFilesReachNoTerminalAsCodes(String line, @TempDir Path folder) throws IOException {
+        String name = folder.resolve("a\u001b[31m\u009b\u0007\rb\u007f").toString();
+        Files.writeString(Path.of(name + ".json"), "{\"title\": \"a\", \"lights\": []}");
+        Files.writeString(Path.of(name + ".hdr"), "#?RADIANCE\n");
+        Path bad = Files.writeString(
+                folder.resolve("bad.json"),
+                "{\"scene\": [{\"type\": \"Silhouette\", \"picture\": \"" + "a\\u001b[31m.hdr\"}]}");
+        Files.writeString(folder.resolve("a\u001b[31m.hdr"), "#?RADIANCE\n\u001b\n");
+
+        ProgramRun run = ProgramRun.of((Object[])
+                line.replace("%s", name).replace("bad.json", bad.toString()).split(" "));
+
+        assertThat((run.out() + run.err()).replace("\n", "")).isNotEmpty().doesNotContainPattern("\\p{Cc}");
+    }
+
+    @Test
+    void aMessageAboutANameWithLinesIsOneLine(@TempDir Path folder) {
+        ProgramRun run = ProgramRun.of("check", folder.resolve("a\nb: no mistakes\nc.json"));
+        assertThat(run.err().strip()).isEqualTo(folder.resolve("a b: no mistakes c.json") + ": there is no such file");
+        run = ProgramRun.of("render", FIG1B, "-o", folder.resolve("a\nb.no"));
+        assertThat(run.err().strip().lines()).hasSize(1);
+        run = ProgramRun.of("render", FIG1B, "-o", folder.resolve("a\nb/c.png"));
+        assertThat(run.err().strip().lines()).hasSize(1);
+    }
+
     /** The program looks for files in the folder where it was started, so that the file has to lie there. */
     @ParameterizedTest
     @CsvSource({"render -strange.json", "check -strange.json", "render scenes/fig1b.json -strange.json"})

@@ -174,6 +174,85 @@ class BmpReaderTest {
         assertPixels(bmp(40, 5, 2, 4, RUNS_OF_4, palette, four), rgba);
     }
 
+    /** The end of a row or picture may be told or not; what lies beyond a row is passed over. */
+    @ParameterizedTest
+    @CsvSource({
+        "8, '3 1 0 0 3 2 0 1', 111222",
+        "8, '3 1 0 0 3 2', 111222",
+        "8, '4 1 0 0 5 2 0 0 3 1 0 1', 111222",
+        "8, '0 3 1 2 1 0 0 0 0 4 2 2 1 1 0 1', 121221",
+        "8, '3 1 0 1', 111000",
+        "8, '1 1 0 2 1 1 1 2 0 1', 100002",
+        "8, '0 2 3 1 3 1 0 1', 000000",
+        "4, '4 18 0 0 1 32 2 18 0 1', 121212",
+        "4, '0 3 18 16 0 0 0 5 33 33 16 0 0 1', 121212"
+    })
+    void codesOfRunLengthsMayEndInManyWays(int bits, String codes, String expected) throws IOException {
+        byte[] pixels = bytes(
+                Arrays.stream(codes.split(" ")).mapToInt(Integer::parseInt).toArray());
+        byte[] palette = bytes(0, 0, 0, 0, 0, 0, 255, 0, 0, 255, 0, 0);
+        double[] rgba = new double[24];
+        for (int i = 0; i < 6; i++) {
+            int colour = expected.charAt((i + 3) % 6) - '0';
+            rgba[4 * i + 3] = 1;
+            if (colour > 0) {
+                rgba[4 * i + colour - 1] = 1;
+            }
+        }
+        assertPixels(bmp(40, 3, 2, bits, bits == 8 ? RUNS_OF_8 : RUNS_OF_4, palette, pixels), rgba);
+    }
+
+    /** Rows that are missing are not taken for rows of the first colour. */
+    @ParameterizedTest
+    @ValueSource(strings = {"3 1 0 0", "3 1 0 0 3", "3 1 0 0 2 2", "3 1", "0 3 1 2", "0 2 1"})
+    void runLengthsThatEndTooEarlyAreRefused(String codes) {
+        byte[] pixels = bytes(
+                Arrays.stream(codes.split(" ")).mapToInt(Integer::parseInt).toArray());
+        byte[] file = bmp(40, 3, 2, 8, RUNS_OF_8, new byte[12], pixels);
+        assertThatThrownBy(() -> PictureFile.read(file, "p.bmp"))
+                .hasMessage("p.bmp: BMP picture cannot be read: the file ends too early or contradicts itself");
+    }
+
+    /** The pixels may lie anywhere after the palette, which may have fewer colours than its bits can count. */
+    @ParameterizedTest
+    @CsvSource({"1, 1", "1, 2", "4, 3", "8, 3"})
+    void thePlaceOfThePixelsSaysNothingOfThePalette(int bits, int colours) throws IOException {
+        byte[] pixels = bits == 1 ? bytes(0, 0, 0, 0) : bits == 4 ? bytes(0x20, 0, 0, 0) : bytes(2, 0, 0, 0);
+        byte[] palette = Arrays.copyOf(bytes(51, 0, 255, 0, 0, 102, 0, 0, 0, 0, 153, 0), 4 * colours);
+        for (int gap : new int[] {0, 1, 10, 1100}) {
+            byte[] file = bmp(40, 1, 1, bits, PLAIN, Arrays.copyOf(palette, palette.length + gap), pixels);
+            ByteBuffer.wrap(file).order(ByteOrder.LITTLE_ENDIAN).putInt(46, colours);
+            assertPixels(file, bits == 1 ? 1 : 0.6, 0, bits == 1 ? 0.2 : 0, 1);
+        }
+    }
+
+    @Test
+    void aColourOutsideThePaletteIsNamed() {
+        byte[] file = bmp(40, 1, 1, 8, PLAIN, new byte[12], bytes(3, 0, 0, 0));
+        assertThatThrownBy(() -> PictureFile.read(file, "p.bmp"))
+                .hasMessage("p.bmp: BMP picture cannot be read: a pixel's colour is not in the palette");
+    }
+
+    @Test
+    void pixelsInsideTheHeaderAreNamed() {
+        byte[] file = bmp(40, 1, 1, 24, PLAIN, new byte[0], bytes(3, 0, 0, 0));
+        ByteBuffer.wrap(file).order(ByteOrder.LITTLE_ENDIAN).putInt(10, 0);
+        assertThatThrownBy(() -> PictureFile.read(file, "p.bmp"))
+                .hasMessage("p.bmp: its pixels begin at byte 0; those of a BMP picture must begin after its header,"
+                        + " at byte 54 or later");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"-2, 2", "2, 0", "100000, 100000", "2, -2147483648"})
+    void theSizeIsCheckedForAllBits(int width, int height) {
+        for (int bits : new int[] {1, 4, 8, 16, 24, 32}) {
+            byte[] file = bmp(40, width, height, bits, PLAIN, new byte[8], new byte[16]);
+            assertThatThrownBy(() -> PictureFile.read(file, "p.bmp"))
+                    .hasMessage("p.bmp: claims to have " + width + " x " + Math.abs((long) height)
+                            + " pixels; a picture may have from 1 to 64000000");
+        }
+    }
+
     /** A profile that is damaged, in the newest header, with colours that are not of a palette and that are. */
     @Test
     void aProfileChangesNothing() throws IOException {
@@ -206,7 +285,13 @@ class BmpReaderTest {
                 "40|2|0|has 2 bits a pixel; a BMP picture must have 1, 4, 8, 16, 24 or 32",
                 "40|64|0|has 64 bits a pixel; a BMP picture must have 1, 4, 8, 16, 24 or 32",
                 "40|24|11|its compression is number 11; a BMP picture must have none, run lengths, masks, JPEG or PNG (0 to 6)",
-                "40|32|1|has run lengths and 32 bits a pixel; run lengths are for 8"
+                "40|32|1|has run lengths and 32 bits a pixel; run lengths are for 8",
+                "40|24|1|has run lengths and 24 bits a pixel; run lengths are for 8",
+                "40|1|1|has run lengths and 1 bit a pixel; run lengths are for 8",
+                "40|4|1|has run lengths and 4 bits a pixel; run lengths are for 8",
+                "40|8|2|has run lengths and 8 bits a pixel; run lengths are for 4",
+                "40|24|3|has masks and 24 bits a pixel; masks are for 16 and 32",
+                "40|8|6|has masks and 8 bits a pixel; masks are for 16 and 32"
             })
     void whatIsNotReadIsNamed(int header, int bits, int compression, String reason) {
         byte[] file = bmp(header, 1, 1, bits, compression, new byte[0], new byte[64]);

@@ -229,13 +229,14 @@ class PictureFileTest {
 
         byte[] bmp = Samples.encoded("bmp", small);
         ByteBuffer.wrap(bmp).order(ByteOrder.LITTLE_ENDIAN).putInt(18, 100_000).putInt(22, 100_000);
-        // The JDK's reader refuses this itself, as more than the file can hold.
-        assertBombRefused(bmp, "bomb: BMP picture cannot be read: ");
+        assertBomb(bmp, "100000 x 100000");
 
         byte[] jpeg = Samples.encoded("jpeg", small);
         int frame = new String(jpeg, ISO_8859_1).indexOf("\u00ff\u00c0");
-        ByteBuffer.wrap(jpeg).putShort(frame + 5, (short) 65000).putShort(frame + 7, (short) 65000);
-        assertBomb(jpeg, "65000 x 65000");
+        ByteBuffer.wrap(jpeg).putShort(frame + 5, (short) 65000).putShort(frame + 7, (short) 65535);
+        assertBomb(jpeg, "65535 x 65000");
+        ByteBuffer.wrap(jpeg).putShort(frame + 5, (short) 0);
+        assertBomb(jpeg, "65535 x 0");
 
         byte[] tiff = photograph(Samples.random(9, 9, 2), PictureFormat.TIFF);
         claimInTiff(tiff, 256, 100_000);
@@ -259,32 +260,26 @@ class PictureFileTest {
     }
 
     private static void assertBomb(byte[] file, String claim) {
-        assertBombRefused(file, "bomb: claims to have " + claim + " pixels; a picture may have from 1 to 64000000");
-    }
-
-    private static void assertBombRefused(byte[] file, String message) {
         assertTimeout(
                 Duration.ofSeconds(2),
                 () -> assertThatThrownBy(() -> PictureFile.read(file, "bomb"))
                         .isInstanceOf(FileException.class)
-                        .hasMessageStartingWith(message));
+                        .hasMessage(
+                                "bomb: claims to have " + claim + " pixels; a picture may have from 1 to 64000000"));
     }
 
     /** The JDK's reader loses the rows of such a picture and says nothing. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3, 4, 5, 6})
-    void aLowInterlacedGifIsReadRightlyOrRefused(int height) throws IOException {
+    void aLowInterlacedGifIsRead(int height) throws IOException {
         BufferedImage image = new BufferedImage(3, height, BufferedImage.TYPE_INT_RGB);
         image.setRGB(2, height - 1, 0x00ff00);
-        byte[] interlaced = Samples.encoded("gif", image);
+        PixelPicture picture = PictureFile.read(Samples.encoded("gif", image), "logo.gif");
 
-        if (height < 5) {
-            assertThatThrownBy(() -> PictureFile.read(interlaced, "logo.gif"))
-                    .isInstanceOf(FileException.class)
-                    .hasMessage("logo.gif: an interlaced GIF picture must have 5 rows or more, has " + height
-                            + "; save it without interlacing");
-        } else {
-            assertPixel(PictureFile.read(interlaced, "logo.gif"), 2, height - 1, 0, 1, 0);
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < 3; x++) {
+                assertPixel(picture, x, y, 0, x == 2 && y == height - 1 ? 1 : 0, 0);
+            }
         }
     }
 

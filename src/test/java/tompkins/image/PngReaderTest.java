@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.util.Arrays;
 import java.util.zip.CRC32;
 import java.util.zip.DeflaterOutputStream;
 import org.junit.jupiter.api.Test;
@@ -18,6 +19,7 @@ import tompkins.ray.PixelPicture;
 class PngReaderTest {
 
     private static final int WIDTH = 5;
+    private static final int PALETTE = 3;
 
     private static void chunk(ByteArrayOutputStream out, String type, byte[] data) {
         ByteBuffer chunk = ByteBuffer.allocate(data.length + 12).putInt(data.length);
@@ -163,6 +165,40 @@ class PngReaderTest {
         ByteBuffer exif = ByteBuffer.allocate(26).putInt(0x4d4d002a).putInt(8).putShort((short) 1);
         exif.putShort((short) 274).putShort((short) 3).putInt(1).putShort((short) orientation);
         return exif.array();
+    }
+
+    /** What lies behind the last chunk belongs to no picture, even if it looks like chunks. */
+    @Test
+    void whatFollowsTheEndSaysNothing() throws IOException {
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        file.writeBytes(png(8, 0, new int[] {255, 0, 51}));
+        chunk(file, "eXIf", exif(6));
+        chunk(file, "tRNS", shorts(255));
+        chunk(file, "CgBI", new byte[4]);
+        Pixels pixels = PngReader.read(file.toByteArray(), "p.png");
+        assertThat(pixels.width()).isEqualTo(3);
+        assertThat(Arrays.copyOf(pixels.rgba(), 5)).containsExactly(1, 1, 1, 1, 0);
+    }
+
+    /** A byte that changed in a part that says what the pixels are; others, such as texts, do not matter. */
+    @ParameterizedTest
+    @CsvSource({"0, IHDR", "3, PLTE", "3, tRNS", "0, tRNS", "0, IDAT", "0, tEXt"})
+    void aDamagedPartIsNamed(int colourType, String part) throws IOException {
+        byte[] palette = {0, 0, 0, 9, 9, 9};
+        byte[] file = colourType == PALETTE
+                ? png(8, colourType, new int[] {1, 0}, "PLTE", palette, "tRNS", shorts(1))
+                : png(8, colourType, new int[] {1, 0}, "tEXt", new byte[4], "tRNS", shorts(1));
+        int at = new String(file, ISO_8859_1).indexOf(part);
+        // The check sum, after length and name.
+        file[at + 4 + ByteBuffer.wrap(file).getInt(at - 4)] ^= 1;
+        if (part.equals("tEXt")) {
+            assertThat(PngReader.read(file, "p.png").width()).isEqualTo(2);
+        } else {
+            assertThatThrownBy(() -> PictureFile.read(file, "p.png"))
+                    .hasMessage(
+                            "p.png: PNG picture cannot be read: the file is damaged in the part that begins at byte "
+                                    + (at - 4) + "; another copy of it may be intact");
+        }
     }
 
     @Test

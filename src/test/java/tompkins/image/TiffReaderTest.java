@@ -33,6 +33,10 @@ class TiffReaderTest {
     }
 
     private static void assertPixels(byte[] file, Expected expected) throws IOException {
+        assertPixels(file, expected, 1e-6f);
+    }
+
+    private static void assertPixels(byte[] file, Expected expected, float tolerance) throws IOException {
         Pixels pixels = TiffReader.read(file, "p.tif");
         assertThat(new int[] {pixels.width(), pixels.height()}).containsExactly(WIDTH, HEIGHT);
         for (int y = 0; y < HEIGHT; y++) {
@@ -40,7 +44,7 @@ class TiffReaderTest {
                 int at = 4 * (y * WIDTH + x);
                 assertThat(Arrays.copyOfRange(pixels.rgba(), at, at + 4))
                         .as("pixel %d, %d", x, y)
-                        .containsExactly(expected.at(x, y), within(1e-6f));
+                        .containsExactly(expected.at(x, y), within(tolerance));
             }
         }
     }
@@ -356,6 +360,30 @@ class TiffReaderTest {
                     plain(1, 12).tag(259, 7),
                     "has 12 bits a sample, which a TIFF picture with its compression or its colours may not have"
                 },
+                new Object[] {
+                    plain(1, 8).tag(259, 5).tag(317, 4),
+                    "its predictor is number 4; that of a TIFF picture must be 1, 2"
+                },
+                new Object[] {
+                    plain(1, 32).tag(259, 8).tag(317, 3), "its predictor is number 3, which is for floating point, and"
+                },
+                new Object[] {
+                    plain(3, 8).tag(262, 6).tag(530, 3, 1),
+                    "its chrominance is shared by 3 x 1 pixels; in a TIFF picture 1, 2 or 4 across and down may share"
+                },
+                new Object[] {
+                    plain(4, 8).tag(262, 6),
+                    "has 4 samples a pixel; a TIFF picture whose pixels share their chrominance must have 3"
+                },
+                new Object[] {
+                    plain(3, 8).tag(262, 6).tag(530, 1, 1).tag(532, 9, 9, 128, 255, 128, 255),
+                    "no colours follow from its luminance with the shares [0.299, 0.587, 0.114] and from black to white"
+                            + " [9.0, 9.0, 128.0, 255.0, 128.0, 255.0]; "
+                },
+                new Object[] {
+                    plain(4, 8).tag(259, 6),
+                    "has 4 samples a pixel; a TIFF picture with JPEG of the old kind (compression 6) must have 3"
+                },
                 new Object[] {plain(1, 8).tag(262, 32803), "its colours are raw numbers of a camera"},
                 new Object[] {plain(3, 16).tag(262, 34892), "its colours are raw numbers of a camera"},
                 new Object[] {plain(3, 16).tag(262, 32845), "its colours are logarithms, SGI LogLuv"},
@@ -443,6 +471,149 @@ class TiffReaderTest {
         }
         tags.putShort(at + 8, (short) 0);
         assertThat(TiffReader.read(file, "p.tif").rgba()).startsWith(0.8f, 0.8f, 0.8f, 1);
+    }
+
+    /** Whatever JPEG packs means what the tags say: colours, opacity that is associated or not, and other samples. */
+    @ParameterizedTest
+    @CsvSource({"0", "1", "2"})
+    void jpegInsideHoldsAnySamples(int extra) throws IOException {
+        TiffSample.Codes codes = (x, y, s) -> s == 3 ? 128 : 20 * s + 3 * x + 2 * y;
+        Expected expected = (x, y) -> {
+            float[] pixel = new float[4];
+            for (int s = 0; s < 3; s++) {
+                pixel[s] = codes.at(x, y, s) / (extra == 1 ? 128f : 255f);
+            }
+            pixel[3] = extra == 0 ? 1 : 128 / 255f;
+            return pixel;
+        };
+        for (TiffSample sample : jpegs(2, 4, codes)) {
+            assertPixels(sample.tag(338, extra).bytes(), expected, 0.015f);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2, 6})
+    void jpegInsideHasTheColoursOfTheTags(int photometric) throws IOException {
+        TiffSample.Codes codes = (x, y, s) -> s == 0 ? 60 + 5 * x : 110 + 3 * y + 6 * s;
+        Expected expected = (x, y) -> {
+            float luminance = codes.at(x, y, 0);
+            float blue = codes.at(x, y, 1) - 128;
+            float red = codes.at(x, y, 2) - 128;
+            float[] levels = switch (photometric) {
+                case 0 -> new float[] {255 - luminance, 255 - luminance, 255 - luminance, 255};
+                case 1 -> new float[] {luminance, luminance, luminance, 255};
+                case 2 -> new float[] {luminance, blue + 128, red + 128, 255};
+                default ->
+                    new float[] {
+                        luminance + 1.402f * red,
+                        luminance - 0.344136f * blue - 0.714136f * red,
+                        luminance + 1.772f * blue,
+                        255
+                    };
+            };
+            for (int i = 0; i < 4; i++) {
+                levels[i] /= 255;
+            }
+            return levels;
+        };
+        for (TiffSample sample : jpegs(photometric, photometric < 2 ? 1 : 3, codes)) {
+            assertPixels(sample.tag(530, 1, 1).bytes(), expected, 0.02f);
+        }
+    }
+
+    private static List<TiffSample> jpegs(int photometric, int samples, TiffSample.Codes codes) {
+        return Stream.of(
+                        new TiffSample(WIDTH, HEIGHT, photometric, TiffSample.bits(samples, 8), codes),
+                        new TiffSample(WIDTH, HEIGHT, photometric, TiffSample.bits(samples, 8), codes).strips(3),
+                        new TiffSample(WIDTH, HEIGHT, photometric, TiffSample.bits(samples, 8), codes).tiles(16, 16),
+                        new TiffSample(WIDTH, HEIGHT, photometric, TiffSample.bits(samples, 8), codes).tiles(8, 4),
+                        new TiffSample(WIDTH, HEIGHT, photometric, TiffSample.bits(samples, 8), codes)
+                                .planar()
+                                .strips(4))
+                .map(sample -> sample.compression(TiffSample.JPEG, 1))
+                .toList();
+    }
+
+    /**
+     * Blocks of pixels that share their chrominance: in the file they are one pixel of many samples, of which the last
+     * two are the chrominance.
+     */
+    @ParameterizedTest
+    @CsvSource({"1, 1", "2, 1", "1, 2", "2, 2", "4, 1", "4, 2", "4, 4"})
+    void pixelsMayShareTheirChrominance(int across, int down) throws IOException {
+        TiffSample.Codes luminance = (x, y, s) -> 50 + 9 * x + 4 * y;
+        TiffSample.Codes blocks = (x, y, s) -> s >= across * down
+                ? 120 + 3 * x + 3 * y - 5 * (s - across * down)
+                : luminance.at(x * across + s % across, y * down + s / across, 0);
+        int columns = (WIDTH + across - 1) / across;
+        int rows = (HEIGHT + down - 1) / down;
+        int[] bits = TiffSample.bits(across * down + 2, 8);
+        Expected expected = (x, y) -> {
+            float level = luminance.at(x, y, 0);
+            float blue = blocks.at(x / across, y / down, across * down) - 128;
+            float red = blocks.at(x / across, y / down, across * down + 1) - 128;
+            return new float[] {
+                (level + 1.5748f * red) / 255,
+                (level - 0.187324f * blue - 0.468124f * red) / 255,
+                (level + 1.8556f * blue) / 255,
+                1
+            };
+        };
+        for (ByteOrder order : ORDERS) {
+            for (TiffSample sample : List.of(
+                    new TiffSample(columns, rows, 6, bits, blocks),
+                    new TiffSample(columns, rows, 6, bits, blocks).compression(TiffSample.LZW, 1),
+                    new TiffSample(columns, rows, 6, bits, blocks).strips(1).tag(278, down),
+                    new TiffSample(columns, rows, 6, bits, blocks)
+                            .tiles(2, 1)
+                            .tag(322, 2 * across)
+                            .tag(323, down))) {
+                byte[] file = sample.order(order)
+                        .tag(256, WIDTH)
+                        .tag(257, HEIGHT)
+                        .tag(258, 8, 8, 8)
+                        .tag(277, 3)
+                        .tag(530, across, down)
+                        .shares(2126, 7152, 722)
+                        .bytes();
+                assertPixels(file, expected, 0.001f);
+            }
+        }
+    }
+
+    /** Luminance from 16 to 235, chrominance from 16 to 240, as in video. */
+    @Test
+    void blackAndWhiteMayHaveOtherNumbers() throws IOException {
+        TiffSample.Codes codes = (x, y, s) -> s == 0 ? 16 + 219 * y / 6 : s == 1 ? 128 : 240;
+        byte[] file = new TiffSample(WIDTH, HEIGHT, 6, TiffSample.bits(3, 8), codes)
+                .tag(530, 1, 1)
+                .tag(532, 16, 235, 128, 240, 128, 240)
+                .bytes();
+        assertPixels(
+                file,
+                (x, y) -> {
+                    float level = (219 * y / 6) / 219f;
+                    float red = 127 / 255f;
+                    return new float[] {
+                        Math.min(1, level + 1.402f * red), Math.max(0, level - 0.714136f * red), level, 1
+                    };
+                },
+                0.0001f);
+    }
+
+    /** The predictor counts only for compressions that have one. */
+    @ParameterizedTest
+    @CsvSource({"1", "32773"})
+    void aPredictorOfOtherCompressionsSaysNothing(int compression) throws IOException {
+        TiffSample.Codes codes = levels(8);
+        byte[] file = new TiffSample(WIDTH, HEIGHT, 1, new int[] {8}, codes)
+                .compression(compression, 1)
+                .tag(317, 2)
+                .bytes();
+        assertPixels(file, (x, y) -> {
+            float level = codes.at(x, y, 0) / 255f;
+            return new float[] {level, level, level, 1};
+        });
     }
 
     /** A strip of its own for each row, as scanners write them: each is handed to the library. */

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,6 +23,9 @@ import tompkins.studio.Studio;
 
 /** Every mistake in a scene file gives a message that says where it is, what is there, and what is allowed. */
 class SceneMistakesTest {
+
+    private static final Pattern LIBRARY_WORDS = Pattern.compile("Unexpected|Unrecognized|Illegal|Invalid|expected"
+            + "|Feature|enabling|code \\d|CTRL-CHAR|token|surrogate|literal|Exception|root-level|marker");
 
     @TempDir
     private Path folder;
@@ -145,6 +149,12 @@ class SceneMistakesTest {
             1e-9, found -05
             {"background": {"colour": [1, 2.]}} | f:1:31: background.colour: not valid JSON: a number must be written \
             like 0.5, -2 or 1e-9, found 2.
+            {"background": {"colour": 0x1F}} | f:1:27: background: not valid JSON: a number must be written like 0.5, -2 or \
+            1e-9, found 0x1F
+            {"title": }                   | f:1:11: not valid JSON: a value must stand here; allowed are texts in \
+            quotes, numbers, true, false, lists [ ] and objects { }, found }
+            {} 5b                         | f:1:5: not valid JSON: the scene ends before this place: there is a } too \
+            many, or a { is missing, found b
             {"title": "a" /* b /* c "d"   | f:1:11: the text ends too early: a comment begins behind this place, and its \
             */ is missing
             /* b                          | f:1:1: the text ends too early: a comment begins behind this place, and its \
@@ -184,6 +194,90 @@ class SceneMistakesTest {
         assertThat(messageOf("{\"title\": \"" + half + "\"}")).contains("half of a character");
         assertThat(messageOf("{\"" + escaped + "\": 1}")).contains("half of a character");
         assertThat(messageOf("{\"scene\": [{\"type\": \"" + escaped + "\"}]}")).contains("half of a character");
+    }
+
+    /** All the program's messages are its own: none speaks of the library that reads JSON, and its switches. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "x",
+                "0x10",
+                "0b1",
+                "07",
+                "1.",
+                ".5",
+                "--1",
+                "+",
+                "-",
+                "1e",
+                "1e5e",
+                "tr",
+                "NaN",
+                "-Infinity",
+                "Inf",
+                "\\",
+                "\\u",
+                "\\\n",
+                "\\\r",
+                "\\\u001b",
+                "\\\u00e9",
+                "\"",
+                "'",
+                "`",
+                "{",
+                "}",
+                "[",
+                "]",
+                ",",
+                ":",
+                "/",
+                "*",
+                "#",
+                "=",
+                ";",
+                "(",
+                "\u0000",
+                "\u001b",
+                "\u007f",
+                "\u00a0",
+                "\u2028",
+                "\ufeff",
+                "\u00e9",
+                "\n",
+                "\t",
+                "\f"
+            })
+    void noMessageSpeaksOfTheLibrary(String piece) {
+        String text =
+                "{\"title\": \"a\", \"scene\": [{\"type\": \"Sphere\", \"radius\": 1.5, \"centre\": [0, 1e2, -3]}], \"ride\": []}";
+        for (int length = 0; length < 3; length++) {
+            for (int at = 0; at + length <= text.length(); at++) {
+                String changed = text.substring(0, at) + piece + text.substring(at + length);
+                try {
+                    read(changed);
+                } catch (SceneFileException mistakes) {
+                    assertThat(mistakes.problems())
+                            .as(changed)
+                            .noneMatch(problem ->
+                                    LIBRARY_WORDS.matcher(problem.message()).find());
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"10, the end of a line", "13, the end of a line", "27, the control character U+001B"})
+    void aBackslashBeforeAControlCharacterIsNamed(int code, String what) {
+        assertThat(messageOf("{\"title\": \"ab\\" + (char) code + "c\"}"))
+                .isEqualTo("f:1:15: title: not valid JSON: a text must not contain a backslash before " + what
+                        + "; a backslash itself is written \\\\, and a new line \\n");
+    }
+
+    @Test
+    void aKeyThatIsTooLongIsNamed() {
+        assertThat(messageOf("{\"" + "k".repeat(201) + "\": 1}"))
+                .isEqualTo(
+                        "f:1:2: unknown key \"" + "k".repeat(50) + "... (201 characters)\"; no key has more than 200");
     }
 
     @ParameterizedTest

@@ -20,6 +20,7 @@ import tompkins.shutter.SweepDirection;
 import tompkins.spacetime.Velocity;
 import tompkins.studio.Studio;
 import tompkins.surface.ColouredSurface;
+import tompkins.surface.Mirror;
 
 /** How far things move in the picture while the shutter is open, against the closed form for a wall that is passed. */
 class MotionBlurTest {
@@ -91,6 +92,52 @@ class MotionBlurTest {
                 new MotionBlur(RenderPlan.of(wall(speed, 0.2, new RollingShutter(SweepDirection.LEFT, sweep))));
         double instant = length(speed, 0.2, WIDTH / 2, HEIGHT / 2);
         assertThat(blur.inTheMiddle()).isCloseTo(instant / (1 - motion), within(0.01 * instant));
+    }
+
+    /** A wall that passes upwards, seen above its middle: the same closed form with y for x. */
+    @Test
+    void rowsCountAsColumnsDo() {
+        Studio upright = wall(0.9, 0.1, RollingShutter.DEFAULT).withVelocity(Velocity.of(0, 0.9, 0));
+        MotionBlur blur = new MotionBlur(RenderPlan.of(upright));
+        double middle = 0.9 * 0.1 / DEPTH / PER_PIXEL;
+        double y = HEIGHT / 2.0 * PER_PIXEL;
+        double top = middle / (1 - 0.9 * y / Math.sqrt(1 + y * y));
+        assertThat(blur.inTheMiddle()).isCloseTo(middle, within(0.01 * middle));
+        assertThat(blur.length(WIDTH / 2, 0)).isCloseTo(top, within(0.01 * top));
+    }
+
+    /** In a picture of 16 pixels a corner is far from what lies beyond it. */
+    @Test
+    void cornersAreThePixelsInTheCorners() {
+        Studio wall = wall(0.9, 0.01, RollingShutter.DEFAULT);
+        Camera wide = FieldOfView.with(wall.camera(), 90);
+        Studio small = wall.withCamera(wide).withSettings(wall.settings().withSize(16, 12));
+        double perPixel = 2.0 / 16;
+        double x = 7.5 * perPixel;
+        double y = 5.5 * perPixel;
+        double corner = 0.9 * 0.01 / (DEPTH * (1 - 0.9 * x / Math.sqrt(1 + x * x + y * y))) / perPixel;
+        assertThat(new MotionBlur(RenderPlan.of(small)).inTheWorstCorner()).isCloseTo(corner, within(0.05 * corner));
+    }
+
+    /** The mirror rests, and what is seen in it moves: only the mirror has a place in the picture. */
+    @Test
+    void whatIsSeenInAMirrorIsNotMeasured() {
+        Studio wall = wall(0, 0.2, RollingShutter.DEFAULT);
+        SceneObject mirror = new Plane("mirror", new Vector3d(0, 0, 3), new Vector3d(0, 0, 1), Mirror.DEFAULT);
+        SceneObject behind =
+                new Plane("behind", new Vector3d(0, 0, -4), new Vector3d(0, 0, 1), ColouredSurface.DEFAULT);
+        SceneObject passing = new Moving("passing", Velocity.of(0.5, 0, 0), new Vector3d(), 0, List.of(behind));
+        MotionBlur blur = new MotionBlur(RenderPlan.of(wall.withScene(List.of(mirror, passing))));
+        assertThat(blur.inTheMiddle()).isCloseTo(0, within(1e-9));
+    }
+
+    /** Neighbours are needed to tell how far apart pixels are. */
+    @Test
+    void pictureOfOneRowIsNotMeasured() {
+        Studio wall = wall(0.5, 0.2, RollingShutter.DEFAULT);
+        assertThat(List.of(wall.settings().withSize(640, 1), wall.settings().withSize(1, 480)))
+                .allMatch(settings ->
+                        Double.isNaN(new MotionBlur(RenderPlan.of(wall.withSettings(settings))).inTheMiddle()));
     }
 
     @Test

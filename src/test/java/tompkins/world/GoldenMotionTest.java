@@ -136,7 +136,7 @@ class GoldenMotionTest {
                     Event.ORIGIN,
                     false);
             int frame = scene.world.frameCount() - 1;
-            RestFrame rest = scene.world.frame(frame).primitives().get(0).restFrame();
+            RestFrame rest = scene.world.objects(frame).primitives().get(0).restFrame();
             motion = rest.motion();
             own = rest.own(scene.routes.transform(0, frame, event(row)));
             Vector3d d = Vectors.unit(row.vector("d_"));

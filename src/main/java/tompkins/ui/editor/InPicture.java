@@ -1,16 +1,15 @@
 package tompkins.ui.editor;
 
+import java.util.List;
 import org.joml.Vector2dc;
 import org.joml.Vector3dc;
 import tompkins.measure.Projection;
 import tompkins.measure.SceneShapes;
 import tompkins.measure.SeenFrame;
-import tompkins.primitive.Placement;
-import tompkins.sceneobject.PrimitiveCollector;
 import tompkins.sceneobject.SceneObject;
-import tompkins.spacetime.Event;
 import tompkins.spacetime.FrameMotion;
 import tompkins.studio.Studio;
+import tompkins.trace.RenderPlan;
 
 /** Finds out whether an object of the scene lies within the edges of the picture; what hides it does not count. */
 final class InPicture {
@@ -19,12 +18,8 @@ final class InPicture {
 
     /** Whether the middle of one part of an object lies in the picture, or of a part that has no middle. */
     static boolean shows(Studio studio, SceneObject object) {
-        PrimitiveCollector collector = new PrimitiveCollector(
-                point -> new Event(point.x(), point.y(), point.z(), 0),
-                studio.transformation(),
-                motion -> Event.ORIGIN);
-        object.addTo(collector, Placement.NONE);
-        SceneShapes shapes = SceneShapes.of(collector.frames());
+        RenderPlan alone = RenderPlan.of(studio.withScene(List.of(object)));
+        SceneShapes shapes = SceneShapes.of(alone.sceneFrames());
         Projection projection = Projection.of(studio);
         return shapes.objects().isEmpty()
                 || shapes.objects().stream().anyMatch(part -> shows(projection, part.motion(), part.middle()));

@@ -19,10 +19,10 @@ import tompkins.measure.OverlayKind;
 import tompkins.measure.Overlays;
 import tompkins.measure.Projection;
 import tompkins.measure.SceneShapes;
-import tompkins.sceneobject.FrameObjects;
 import tompkins.studio.Studio;
 import tompkins.trace.RenderPlan;
 import tompkins.ui.widget.Texts;
+import tompkins.world.InertialFrame;
 
 /**
  * What formulas say about a picture, drawn over it: outlines, axes, places, grids. It follows each picture. If the
@@ -42,7 +42,7 @@ public final class SceneOverlay implements Overlay, AutoCloseable {
     private record Question(RenderPlan plan, Set<OverlayKind> kinds) {}
 
     /** The shapes of the scene that was drawn last, which many plans share. */
-    private record Known(List<FrameObjects> frames, SceneShapes shapes) {}
+    private record Known(List<InertialFrame> frames, SceneShapes shapes) {}
 
     private final Runnable repaint;
     private final NewestFirst<Question> worker;

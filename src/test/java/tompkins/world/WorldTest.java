@@ -1,0 +1,216 @@
+package tompkins.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tompkins.camera.ThinLensCamera;
+import tompkins.light.AmbientLight;
+import tompkins.light.LightSource;
+import tompkins.light.MovingLights;
+import tompkins.light.PointLight;
+import tompkins.primitive.Bounds;
+import tompkins.ray.Colour;
+import tompkins.sceneobject.ImagePointGrid;
+import tompkins.sceneobject.Moving;
+import tompkins.sceneobject.Plane;
+import tompkins.sceneobject.SceneObject;
+import tompkins.sceneobject.Sphere;
+import tompkins.spacetime.Event;
+import tompkins.spacetime.TransformationLaw;
+import tompkins.spacetime.Velocity;
+import tompkins.studio.Lighting;
+import tompkins.studio.Studio;
+import tompkins.surface.ColouredSurface;
+
+/** What a world prepares, when it is used for another picture, and where its objects are at a time. */
+class WorldTest {
+
+    private static final Event AT_THE_ORIGIN = Event.ORIGIN;
+    private static final Event FAR_AWAY = new Event(1e7, 0, 0, 0);
+    private static final ColouredSurface COLOUR = ColouredSurface.DEFAULT;
+    private static final SceneObject BALL = new Sphere("ball", new Vector3d(), 1, COLOUR);
+
+    private static Studio studio(SceneObject... scene) {
+        return Studio.DEFAULT.withScene(List.of(scene));
+    }
+
+    private static SceneObject moving(double speed, double place, SceneObject... objects) {
+        return new Moving("moving", Velocity.of(speed, 0, 0), new Vector3d(place, 0, 0), 0, List.of(objects));
+    }
+
+    private static FrameCrossing crossing(Studio studio, Event lens) {
+        return new FrameCrossing(studio.sceneFromCamera(), studio.transformation(), lens);
+    }
+
+    private static World world(Studio studio) {
+        return new World(studio, crossing(studio, AT_THE_ORIGIN), point -> Event.ORIGIN, false);
+    }
+
+    private static boolean serves(Studio before, Studio after, Event lens) {
+        return world(before).isOf(after, crossing(after, lens));
+    }
+
+    @Test
+    void worldServesAnotherCamera() {
+        Studio studio = studio(BALL, moving(0.6, 2, BALL));
+        Studio moved = studio.withVelocity(Velocity.of(0, 0.3, 0)).withCamera(ThinLensCamera.DEFAULT);
+
+        assertThat(serves(studio, moved, new Event(5, 0, 0, 3))).isTrue();
+    }
+
+    @Test
+    void worldServesNoOtherScene() {
+        Studio studio = studio(BALL);
+
+        assertThat(serves(studio, studio(BALL, BALL), AT_THE_ORIGIN)).isFalse();
+        assertThat(serves(studio, Lighting.of(studio, List.of()), AT_THE_ORIGIN))
+                .isFalse();
+    }
+
+    /** Coordinates begin near a moving camera that is far away. */
+    @Test
+    void worldServesNoCameraFarAway() {
+        Studio studio = studio(BALL).withVelocity(Velocity.of(0, 0.3, 0));
+
+        assertThat(serves(studio, studio, AT_THE_ORIGIN)).isTrue();
+        assertThat(serves(studio, studio, FAR_AWAY)).isFalse();
+    }
+
+    /** A law of motion matters only to what moves, be it an object or a lamp. */
+    @Test
+    void worldAtRestServesEveryLaw() {
+        Studio rest = studio(BALL);
+        Studio motion = studio(moving(0.6, 0, BALL));
+        Studio lamp = Lighting.of(rest, List.of(MovingLights.DEFAULT));
+        Studio empty = studio(moving(0.6, 0));
+
+        assertThat(serves(rest, rest.withTransformation(TransformationLaw.GALILEAN), AT_THE_ORIGIN))
+                .isTrue();
+        assertThat(List.of(motion, lamp, empty))
+                .noneMatch(
+                        studio -> serves(studio, studio.withTransformation(TransformationLaw.GALILEAN), AT_THE_ORIGIN));
+    }
+
+    @Test
+    void worldWithImagePointsFollowsTheCamera() {
+        Studio studio = studio(ImagePointGrid.DEFAULT);
+
+        assertThat(world(studio).followsCamera()).isTrue();
+        assertThat(serves(studio, studio, AT_THE_ORIGIN)).isFalse();
+        assertThat(world(studio(BALL)).followsCamera()).isFalse();
+    }
+
+    /** A ball of radius 1 that starts at 2: its box is contracted by gamma, which is 17/8 for 0.6 in 0.6. */
+    @ParameterizedTest
+    @CsvSource({"LORENTZ, 5, 0.8", "GALILEAN, 5, 1"})
+    void boxesAreWhereTheObjectsAre(TransformationLaw law, double middle, double half) {
+        SceneObject plane = new Plane("no bounds", new Vector3d(0, -3, 0), new Vector3d(0, 1, 0), COLOUR);
+        Studio studio = studio(plane, BALL, moving(0.6, 2, BALL)).withTransformation(law);
+
+        List<Bounds> boxes = world(studio).bounds(5, 9);
+
+        assertThat(boxes).hasSize(2);
+        assertBox(boxes.get(0), 0, 1);
+        assertBox(boxes.get(1), middle, half);
+        assertThat(world(studio).bounds(5, 1)).containsExactly(boxes.get(0));
+    }
+
+    private static void assertBox(Bounds box, double middle, double half) {
+        assertThat(box.minX()).isCloseTo(middle - half, within(1e-9));
+        assertThat(box.maxX()).isCloseTo(middle + half, within(1e-9));
+        assertThat(box.minY()).isCloseTo(-1, within(1e-9));
+        assertThat(box.maxZ()).isCloseTo(1, within(1e-9));
+    }
+
+    @Test
+    void nestedMotionsAddAsVelocitiesDo() {
+        World world = world(studio(moving(0.6, 0, moving(0.6, 0, BALL))));
+
+        assertThat(world.filledFrames()).containsExactly(2);
+        assertThat(world.frames()).hasSize(3);
+        assertBox(world.bounds(17, 9).get(0), 15, 8.0 / 17);
+    }
+
+    /** Coordinates begin near a moving camera that is far away; boxes are told in those of the scene. */
+    @Test
+    void boxesAreInCoordinatesOfTheScene() {
+        Studio studio =
+                studio(new Sphere("far", new Vector3d(1e7, 0, 0), 1, COLOUR)).withVelocity(Velocity.of(0, 0.3, 0));
+        World world = new World(studio, crossing(studio, FAR_AWAY), point -> Event.ORIGIN, false);
+
+        assertThat(world.objects(0).primitives().get(0).bounds().centre().length())
+                .isLessThan(1e-6);
+        assertBox(world.bounds(0, 9).get(0), 1e7, 1);
+    }
+
+    private static LightSource lamp(double x) {
+        return new PointLight(new Vector3d(x, 0, 0), Colour.WHITE, Colour.WHITE, 1);
+    }
+
+    /** Light that comes from everywhere has no place, and takes no buffer from a lamp. */
+    @Test
+    void firstLampsGetABuffer() {
+        List<LightSource> lights = new ArrayList<>();
+        lights.add(new AmbientLight(Colour.WHITE));
+        IntStream.rangeClosed(1, 17).forEach(i -> lights.add(lamp(10 * i)));
+        Studio studio = Lighting.of(studio(BALL), lights);
+
+        World world = world(studio);
+
+        assertThat(world.lampShadows(0)).isNull();
+        assertThat(IntStream.rangeClosed(1, 16)).allMatch(i -> world.lampShadows(i) != null);
+        assertThat(world.lampShadows(17)).isNull();
+    }
+
+    @Test
+    void plainWorldSavesNoTime() {
+        Studio studio = Lighting.of(crowd(), List.of(lamp(50)));
+
+        World plain = new World(studio, crossing(studio, AT_THE_ORIGIN), point -> Event.ORIGIN, true);
+
+        assertThat(plain.lampShadows(0)).isNull();
+        assertThat(plain.lampTrack(0, 1)).isNull();
+    }
+
+    /** A lamp passes what moves; beside what rests with it it has a buffer. */
+    @Test
+    void lampHasATrackInOtherFrames() {
+        Studio studio = Lighting.of(crowd(), List.of(new AmbientLight(Colour.WHITE), lamp(50)));
+
+        World world = world(studio);
+
+        assertThat(world.lampTrack(0, 1)).isNull();
+        assertThat(world.lampTrack(1, 1)).isNotNull();
+        assertThat(world.lampTrack(1, 0)).isNull();
+    }
+
+    /** Enough balls for a tree and a track, in motion past one ball at rest. */
+    private static Studio crowd() {
+        return studio(
+                BALL,
+                moving(
+                        0.6,
+                        0,
+                        IntStream.range(0, 100)
+                                .mapToObj(i -> new Sphere("", new Vector3d(3 * i, 0, 30), 1, COLOUR))
+                                .toArray(SceneObject[]::new)));
+    }
+
+    /** Lamps in motion light the camera's own frame as if at rest, where they are at time 0. */
+    @Test
+    void lampsStandAtTheirPlaceAtTimeZero() {
+        LightSource inner = new MovingLights(Velocity.of(0, 0, 0.3), new Vector3d(0, 5, 0), List.of(lamp(1)));
+        LightSource outer = new MovingLights(Velocity.of(0.6, 0, 0), new Vector3d(2, 0, 0), List.of(inner, lamp(7)));
+
+        assertThat(World.atRest(List.of(lamp(4), outer)))
+                .extracting(LightSource::position)
+                .containsExactly(new Vector3d(4, 0, 0), new Vector3d(3, 5, 0), new Vector3d(9, 0, 0));
+    }
+}
