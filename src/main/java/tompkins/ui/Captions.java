@@ -111,9 +111,10 @@ public final class Captions {
                         SpeedScale.ONE_MINUS_BETA,
                         NumberText.rounded(exact.oneMinusSpeed(), 2),
                         exact.givenDirection());
+        String gamma = Numbers.brief(exact.gamma(), 3);
         return String.join(
                 ", ",
-                motion(studio, brief, Numbers.brief(exact.gamma(), 3)),
+                motion(studio, brief, gamma.equals("1") ? SpeedScale.GAMMA.reading(brief) : gamma),
                 Texts.get("caption.ride", tenths(moment.properTime()), tenths(moment.sceneTime())));
     }
 

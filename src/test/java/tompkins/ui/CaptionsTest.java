@@ -5,11 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import tompkins.light.ColourLaw;
 import tompkins.shutter.FixedPointSurfaceShutter;
 import tompkins.spacetime.SpeedScale;
 import tompkins.spacetime.TransformationLaw;
 import tompkins.spacetime.Velocity;
+import tompkins.studio.RideMoment;
 import tompkins.studio.Studio;
 import tompkins.studio.StudioNumber;
 import tompkins.studio.Studios;
@@ -61,6 +64,14 @@ class CaptionsTest {
         assertThat(captions.shown(FAST)).as("in a copy").isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25");
         captions.setRiding(false);
         assertThat(captions.onScreen(FAST)).isEqualTo("\u03b2 = 0.6, \u03b3 = 1.25");
+    }
+
+    /** Three digits that can be read while they change, but never 1 for what moves. */
+    @ParameterizedTest
+    @CsvSource({"0, 1", "0.03, 1.00045", "0.001, 1 + 5e-7", "0.6, 1.25", "0.28, 1.04"})
+    void theGammaOfARideIsShortAndNotOne(double beta, String gamma) {
+        Studio studio = Studios.sphere().withVelocity(Velocity.of(0, 0, beta));
+        assertThat(Captions.of(RideMoment.start(studio))).contains(", \u03b3 = " + gamma + ", on board 0.0");
     }
 
     @Test

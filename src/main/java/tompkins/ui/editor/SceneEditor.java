@@ -184,8 +184,9 @@ public final class SceneEditor {
         formPanel.repaint();
     }
 
-    private boolean isElement() {
-        return !line.path().steps().isEmpty() && line.path().last() instanceof Integer;
+    /** The entry after which another one is added; null if that is added at the end of a list, or nowhere. */
+    private StudioTree.Line entry() {
+        return Branches.isList(line.type()) || isAll() ? null : tree.entry();
     }
 
     private int place() {
@@ -193,8 +194,8 @@ public final class SceneEditor {
     }
 
     private void enableButtons() {
-        boolean element = isElement();
-        add.setEnabled(element || Branches.isList(line.type()) || isAll());
+        boolean element = line.isEntry();
+        add.setEnabled(entry() != null || Branches.isList(line.type()) || isAll());
         duplicate.setEnabled(element);
         remove.setEnabled(element);
         up.setEnabled(element && place() > 0);
@@ -210,7 +211,8 @@ public final class SceneEditor {
 
     /** The list of the chosen line; the list of objects if the whole studio is chosen, as it is at first. */
     private StudioPath listPath() {
-        return isElement() ? line.path().parent() : isAll() ? SCENE : line.path();
+        StudioTree.Line entry = entry();
+        return entry != null ? entry.path().parent() : isAll() ? SCENE : line.path();
     }
 
     private List<?> list() {
@@ -219,8 +221,9 @@ public final class SceneEditor {
 
     private void offerTypes() {
         JPopupMenu menu = new JPopupMenu();
-        Class<?> family = isElement()
-                ? (Class<?>) line.type()
+        StudioTree.Line entry = entry();
+        Class<?> family = entry != null
+                ? (Class<?>) entry.type()
                 : isAll()
                         ? SceneObject.class
                         : Descriptions.elementType(line.type()).orElseThrow();
@@ -239,7 +242,8 @@ public final class SceneEditor {
             return;
         }
         StudioPath path = listPath();
-        int place = isElement() ? place() + 1 : list().size();
+        StudioTree.Line entry = entry();
+        int place = entry == null ? list().size() : (Integer) entry.path().last() + 1;
         List<?> before = list();
         Object added = NewObject.of(type, before);
         List<Object> longer = new ArrayList<>(ListEdits.inserted(before, place, added));

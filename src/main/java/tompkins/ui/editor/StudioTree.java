@@ -36,6 +36,11 @@ final class StudioTree {
      */
     record Line(StudioPath path, Type type, String label) {
 
+        /** Whether the part is an entry of a list. */
+        boolean isEntry() {
+            return !path.steps().isEmpty() && path.last() instanceof Integer;
+        }
+
         /** The label, shortened to the room that there is. */
         @Override
         public String toString() {
@@ -123,6 +128,19 @@ final class StudioTree {
                 openAgain((DefaultMutableTreeNode) node.getChildAt(i), open);
             }
         }
+    }
+
+    /** The nearest entry of a list that the chosen line is or belongs to; null if there is none. */
+    Line entry() {
+        TreePath path = tree.getSelectionPath();
+        while (path != null) {
+            Line line = (Line) ((DefaultMutableTreeNode) path.getLastPathComponent()).getUserObject();
+            if (line.isEntry()) {
+                return line;
+            }
+            path = path.getParentPath();
+        }
+        return null;
     }
 
     /** Chooses the line of a part, or of the nearest part above it that exists, without telling anybody. */

@@ -265,6 +265,21 @@ class SceneEditorTest {
         assertThat(Components.find(form, JButton.class, "Mesh").getText()).isEqualTo("Choose a mesh\u2026");
     }
 
+    /** Whoever has chosen the file of a mesh goes on with the next object. */
+    @Test
+    void afterAPartOfAnEntryTheNextEntryIsAdded() {
+        model.set(Studio.DEFAULT);
+        SceneEditor fresh = new SceneEditor(model);
+        fresh.addElement(TriangleMesh.class);
+        assertThat(Components.find((Container) fresh.component(), JButton.class, "Add\u2026")
+                        .isEnabled())
+                .isTrue();
+        fresh.addElement(Sphere.class);
+        assertThat(model.studio().scene())
+                .extracting(SceneObject::description)
+                .containsExactly("mesh", "sphere", "floor");
+    }
+
     /** A second floor in the same place would be seen instead of the first. */
     @Test
     void aSecondPlaneIsAWallBehindEverything() {
