@@ -99,7 +99,9 @@ class ProgramProcessTest {
     void twoProcessesWithOneNameLoseNothing() throws IOException, InterruptedException {
         Files.writeString(folder.resolve("sky.json"), "{\"settings\": {\"width\": 64, \"height\": 48}}");
 
-        ProgramRun run = shell("tompkins render sky.json & tompkins render sky.json & wait; ls *.png");
+        // so long that both have begun before one of them ends
+        String render = "tompkins render sky.json --seconds 3";
+        ProgramRun run = shell(render + " & " + render + " & wait; ls *.png");
 
         assertThat(run.out().lines().skip(2)).containsExactly("sky-2.png", "sky.png");
         assertThat(PhotographFile.readScene(folder.resolve("sky-2.png"))).isPresent();
