@@ -99,7 +99,7 @@ public abstract sealed class AnimationWriter implements Closeable
         }
     }
 
-    /** Whether it failed: nothing can be added then, because half a frame may be in the file. */
+    /** Gives the animation up after a failure: half a frame may be in the file, so that nothing can be added. */
     private FileException givenUp(IOException cause) {
         FileException failure = FileException.cannotWrite(pending, cause);
         try {

@@ -10,6 +10,7 @@ import java.util.Arrays;
 final class TiffSamples {
 
     private static final int DIFFERENCES = 2;
+
     /** The largest number of the tag that is known. */
     static final int DIFFERENCES_OF_BYTES = 3;
 

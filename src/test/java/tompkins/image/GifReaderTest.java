@@ -8,6 +8,7 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.HexFormat;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -150,20 +151,30 @@ class GifReaderTest {
     void whatIsWrongIsNamed() {
         screen(1, 1).frame(0, 0, 1, 1, 0, new int[0], "0");
         assertRefused("has no palette; a GIF picture must have one");
+        assertRefused("3b", "GIF picture cannot be read: it has no picture");
+        assertRefused(
+                "2c 00 00 00 00 01 00 01 00 00 09 01 00 00",
+                "GIF picture cannot be read: its colours have 9 bits, and must have from 1 to 8");
+        assertRefused(
+                "2c 00 00 00 00 01 00 01 00 00 02 01 3c 00",
+                "GIF picture cannot be read: a code of its pixels stands for nothing");
+        assertRefused(
+                "2c 00 00 00 00 01 00 01 00 00 02 01 1c 00",
+                "GIF picture cannot be read: a pixel's colour is not in the palette");
+        assertRefused(
+                "2c 00 00 00 00 00 00 01 00 00 02 01 1c 00",
+                "claims to have 0 x 1 pixels; a picture may have from 1 to 64000000");
+    }
+
+    /**
+     * A picture of one pixel is refused.
+     *
+     * @param bytes what follows its palette, as hexadecimal numbers
+     */
+    private void assertRefused(String bytes, String reason) {
         file.reset();
-        screen(1, 1, RED_AND_GREEN).put(0x3b);
-        assertRefused("GIF picture cannot be read: it has no picture");
-        file.reset();
-        screen(1, 1, RED_AND_GREEN).put(0x2c, 0, 0, 0, 0, 1, 0, 1, 0, 0, 9, 1, 0, 0);
-        assertRefused("GIF picture cannot be read: its colours have 9 bits, and must have from 1 to 8");
-        file.reset();
-        screen(1, 1, RED_AND_GREEN).put(0x2c, 0, 0, 0, 0, 1, 0, 1, 0, 0, 2, 1, 0x3c, 0);
-        assertRefused("GIF picture cannot be read: a code of its pixels stands for nothing");
-        file.reset();
-        screen(1, 1, RED_AND_GREEN).put(0x2c, 0, 0, 0, 0, 1, 0, 1, 0, 0, 2, 1, 0x1c, 0);
-        assertRefused("GIF picture cannot be read: a pixel's colour is not in the palette");
-        file.reset();
-        screen(1, 1, RED_AND_GREEN).put(0x2c, 0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 1, 0x1c, 0);
-        assertRefused("claims to have 0 x 1 pixels; a picture may have from 1 to 64000000");
+        screen(1, 1, RED_AND_GREEN);
+        file.writeBytes(HexFormat.ofDelimiter(" ").parseHex(bytes));
+        assertRefused(reason);
     }
 }
