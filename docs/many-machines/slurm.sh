@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Takes the frames of a film in an array of Slurm jobs, into a folder that all nodes share.
+#
+#     job=$(sbatch --parsable slurm.sh scene.json --from 0 --to 0.99)
+#     sbatch --dependency=afterok:$job --wrap 'tompkins animate --assemble frames -o film.mp4'
+#
+#SBATCH --array=0-7
+#SBATCH --cpus-per-task=1
+#SBATCH --requeue
+#SBATCH --open-mode=append
+#SBATCH --output=frames-%a.log
+set -u
+code=0
+tompkins animate "$@" --part "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" \
+    --threads "$SLURM_CPUS_PER_TASK" --skip-existing -o frames || code=$?
+if [ "$code" = 1 ] && [ "${SLURM_RESTART_COUNT:-0}" -lt 3 ]; then
+    # a failure of the machine, which another may not have; Slurm stops this script when it begins again
+    scontrol requeue "${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID"
+    sleep "${REQUEUE_SECONDS:-30}"
+fi
+exit "$code"
